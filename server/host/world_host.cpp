@@ -40,6 +40,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      early_(static_cast<std::size_t>(settings.command_queue_max)),
       watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
@@ -155,7 +156,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     watch_.begin_tick(began);
     tick_++;
     const std::optional<std::string> why = paused();
-    apply_commands(why);
+    apply_commands(why, due);
     const bool allowed = why && steps_.begin_step();
     watch_.begin_step();
     const bool stepped = (!why || allowed) && step(allowed);
@@ -178,25 +179,34 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
-// What was asked since the last tick, in order of arrival; then who left. A leaver's own commands
-// were pushed before, so those who left are taken first.
-void WorldHost::apply_commands(const std::optional<std::string>& paused) {
+// What was asked since the last tick, in order of arrival, but for what is meant for a later one;
+// then who left. A leaver's own commands were pushed before, so those who left are taken first.
+void WorldHost::apply_commands(const std::optional<std::string>& paused, Clock::time_point due) {
     {
         const std::lock_guard lock(leave_mutex_);
         leavers_taken_.swap(leavers_);
     }
     commands_.drain_into(batch_);
+    early_.sort_out(batch_, tick_, leavers_taken_);
     results_.clear();
-    for (const Command& command : batch_)
-        if (paused)
-            results_.push_back(
-                {.sequence = command.sequence,
-                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused},
-                 .tick = tick_});
-        else
-            results_.push_back(world_.apply(command, tick_));
+    for (const Command& command : batch_) results_.push_back(answer(command, paused, due));
     for (const Command& command : leavers_taken_) world_.apply(command, tick_);
     leavers_taken_.clear();
+}
+
+InputResult WorldHost::answer(const Command& command, const std::optional<std::string>& paused,
+                              Clock::time_point due) {
+    InputResult result{.sequence = command.sequence, .tick = tick_};
+    if (paused)
+        result.status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+    else
+        result = world_.apply(command, tick_);
+    const std::int64_t meant = command.tick == 0 ? tick_ : command.tick;
+    const std::chrono::duration<double> wait =
+        due - command.received +
+        std::chrono::duration<double>(static_cast<double>(meant - tick_) / hz_);
+    result.margin_us = static_cast<std::int64_t>(1e6 * wait.count());
+    return result;
 }
 
 bool WorldHost::step(bool allowed) {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/bounded_queue.h"
+#include "host/early_commands.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
 #include "host/step_allowance.h"
@@ -115,7 +116,9 @@ private:
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick_late(Clock::time_point due, std::uint32_t late_ticks);
-    void apply_commands(const std::optional<std::string>& paused);
+    void apply_commands(const std::optional<std::string>& paused, Clock::time_point due);
+    InputResult answer(const Command& command, const std::optional<std::string>& paused,
+                       Clock::time_point due);
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
@@ -145,6 +148,7 @@ private:
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
+    EarlyCommands early_;  // the tick thread's own
     std::mutex leave_mutex_;
     std::vector<Command> leavers_;  // at most one of each client
     mutable std::mutex pause_mutex_;

@@ -33,6 +33,7 @@ constexpr auto keyframe_period = 250ms;
 constexpr std::size_t roster_part_max = 64, entity_bytes = 48;
 // A client that has been told and still sends this many times its rate is cut off.
 constexpr int flood_factor = 5;
+constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 constexpr auto rate_notice_period = 1s;
 
 // Every n-th tick, so that no more than `wanted` snapshots a second are sent.
@@ -224,24 +225,29 @@ void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
     if (batch.ack) on_message(*batch.ack, now);
     client_time_us_ = batch.client_time_us;
     std::uint32_t sequence = batch.first_sequence;
-    for (const Result<Action>& input : batch.inputs) push_input(sequence++, input, now);
+    for (std::size_t k = 0; k < batch.inputs.size(); k++)
+        push_input(sequence++, batch.inputs[k], batch.ticks[k], now);
 }
 
 // What came before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    if (Status status = try_push(sequence, input, now); !status.ok())
+    if (Status status = try_push(sequence, input, tick, now); !status.ok())
         results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
-    if (!feed_->host().push(
-            {.client = client_, .sequence = sequence, .action = *input, .reply = result_queue_}))
+    if (!feed_->host().push({.client = client_,
+                             .sequence = sequence,
+                             .action = *input,
+                             .reply = result_queue_,
+                             .received = now,
+                             .tick = tick}))
         return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
     return {};
 }
@@ -439,9 +445,15 @@ void ClientLink::collect_results() {
 // What only this client is told with a snapshot; each number when it is another than last time.
 Private ClientLink::own_part() {
     std::uint32_t answered = told_.input_sequence;
-    for (const InputResult& result : results_) answered = std::max(answered, result.sequence);
+    std::int64_t margin_us = 0;
+    for (const InputResult& result : results_) {
+        answered = std::max(answered, result.sequence);
+        margin_us = result.margin_us.value_or(margin_us);
+    }
     const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
     Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
+    own.input_margin_us =
+        static_cast<std::int32_t>(std::clamp(margin_us, -margin_us_max, margin_us_max));
     if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
     if (skipped != told_.snapshots_skipped)
         own.snapshots_skipped = told_.snapshots_skipped = skipped;

@@ -75,8 +75,10 @@ private:
     Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
     Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
-    void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
-    Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
+    void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
+    Status try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void forgive_pause(Clock::time_point now);

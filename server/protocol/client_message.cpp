@@ -173,7 +173,10 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
     decoded.client_time_us = batch.client_time_us();
     if (batch.has_ack()) decoded.ack = decode(batch.ack());
     decoded.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
-    for (const v1::Input& input : batch.inputs()) decoded.inputs.push_back(action_of(input));
+    for (const v1::Input& input : batch.inputs()) {
+        decoded.inputs.push_back(action_of(input));
+        decoded.ticks.push_back(input.tick());
+    }
     return ClientMessage{std::move(decoded)};
 }
 

@@ -40,6 +40,7 @@ struct Ack {
 struct InputBatch {
     std::uint32_t first_sequence = 0;
     std::vector<Result<Action>> inputs;  // an error refuses that input alone
+    std::vector<std::uint32_t> ticks;    // one for each: which it is meant for; 0: the next
     std::optional<Ack> ack;
     std::uint32_t client_time_us = 0;
 };

@@ -176,6 +176,7 @@ std::string encode_snapshot_head(const Private& from, std::string_view more,
         own.set_input_sequence(from.input_sequence);
         own.set_echo_client_time_us(from.echo_client_time_us);
         own.set_snapshots_skipped(from.snapshots_skipped);
+        own.set_input_margin_us(from.input_margin_us);
         write_results(own, from.results);
     }
     std::string own = fields.SerializeAsString();

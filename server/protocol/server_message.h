@@ -50,6 +50,7 @@ struct Private {
     std::uint32_t echo_client_time_us = 0;
     std::uint32_t snapshots_skipped = 0;
     std::span<const InputResult> results;
+    std::int32_t input_margin_us = 0;
 };
 // Fields of jostle.v1.Snapshot that some get with it.
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);

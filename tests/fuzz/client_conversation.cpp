@@ -84,9 +84,11 @@ private:
     // What a program asks of its client between two messages.
     void look(std::int32_t later_ms) {
         const client::WorldView& view = conversation_.view();
-        const std::int64_t now = conversation_.clock().server_us(now_);
-        static_cast<void>(conversation_.buffer().sample(now, view.spec()));
-        static_cast<void>(conversation_.buffer().sample(later_ms, view.spec()));
+        const auto now = static_cast<std::int64_t>(client::to_us(now_));
+        for (const std::int64_t us : {now, now + 1000 * std::int64_t{later_ms}}) {
+            static_cast<void>(conversation_.buffer().sample(us, view.spec()));
+            static_cast<void>(conversation_.input_clock().tick(us));
+        }
         for (const auto& [id, entity] : view.entities()) static_cast<void>(view.pose_of(id));
         for (const wire::Channel& channel : view.channels())
             expect(channel.values != nullptr, "a channel that is there has values");

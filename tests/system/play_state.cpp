@@ -110,6 +110,8 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     keyframes += snapshot.bases() == 0;
     stats += snapshot.has_stats();
     if (const std::uint32_t told = snapshot.own().snapshots_skipped(); told != 0) skipped = told;
+    if (const std::int32_t told = snapshot.own().input_margin_us(); told != 0)
+        input_margin_us = told;
     take_results(snapshot.own());
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 

@@ -54,6 +54,7 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             view_.begin(message_.welcome());
+            input_clock_.begin(message_.welcome().tick_hz());
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
             ack_period_ = std::chrono::milliseconds(
@@ -103,13 +104,22 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
-    if (!clock_.ready()) return;
     const WorldView::Times times = view_.times_of(snapshot);
-    const std::int64_t arrived = clock_.server_us(now), server_us = times.due_us;
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
-    buffer_.add(view_.frame(), server_us, arrived);
-    if (ages_ms_.size() < ages_max)
-        ages_ms_.push_back(static_cast<float>(static_cast<double>(arrived - server_us) / 1000));
+    buffer_.add(view_.frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
+                times.still_until_us.has_value());
+    if (!clock_.ready()) return;
+    const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
+    steer_inputs(snapshot, age_us, now);
+    if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
+}
+
+void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
+                                Clock::time_point now) {
+    input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
+                          static_cast<std::int64_t>(to_us(now)));
+    input_clock_.on_margin(snapshot.own().input_sequence(), snapshot.own().input_margin_us());
+    stats_.input_margin_ms = input_clock_.margin_ms();
 }
 
 void Conversation::on_results(const v1::Private& own) {
@@ -162,6 +172,7 @@ std::string Conversation::take_inputs(Clock::time_point now) {
         next_unsent_++;
         stats_.inputs_sent++;
     }
+    input_clock_.sent(next_unsent_ - 1);
     put_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;

@@ -13,6 +13,7 @@
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
 #include "jostle/client/clock_sync.h"
+#include "jostle/client/input_clock.h"
 #include "jostle/client/interpolation.h"
 #include "jostle/client/world_view.h"
 
@@ -38,7 +39,8 @@ public:
 
     const WorldView& view() const { return view_; }
     const ClockSync& clock() const { return clock_; }
-    const InterpolationBuffer& buffer() const { return buffer_; }
+    InterpolationBuffer& buffer() { return buffer_; }
+    InputClock& input_clock() { return input_clock_; }
     const ClientOptions& options() const { return options_; }
     const ClientStats& stats() const { return stats_; }
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
@@ -48,6 +50,7 @@ public:
 
 private:
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::Private& own);
     void on_events(v1::Events&& events);
     void put_ack(v1::Ack& ack, Clock::time_point now);
@@ -57,6 +60,7 @@ private:
     WorldView view_;
     ClockSync clock_;
     InterpolationBuffer buffer_;
+    InputClock input_clock_;
     ClientStats stats_;
     std::optional<v1::WorldStats> world_stats_;
     std::deque<v1::InputResult> results_;

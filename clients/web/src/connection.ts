@@ -5,8 +5,9 @@ import { ClockSync, nowUs } from './clock';
 import { baseFrames } from './base_frames';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { Delay } from './interpolate';
+import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
+import { RenderClock } from './render_clock';
 import { decodeChannels } from './channels';
 import {
   AckSchema,
@@ -64,7 +65,8 @@ export const openSocket = (url: string) => new WebSocket(url) as unknown as Sock
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
-  readonly delay = new Delay();
+  readonly renderClock = new RenderClock();
+  readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
   welcome: Welcome | undefined;
   bytesReceived = 0;
@@ -238,7 +240,8 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.frames.clear();
-    this.delay.reset();
+    this.renderClock.reset();
+    this.inputClock.begin(welcome.tickHz);
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
@@ -289,10 +292,13 @@ export class Connection {
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
+      const arrived = nowUs();
+      this.renderClock.onFrame(serverUs, arrived, s.still > 0);
       if (this.clock.ready) {
-        const arrived = this.clock.serverUs(nowUs());
-        this.delay.add(serverUs, arrived, s.still > 0);
-        this.ageMs = (arrived - serverUs) / 1000;
+        const agoUs = this.clock.serverUs(arrived) - serverUs;
+        this.ageMs = agoUs / 1000;
+        this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
+        this.inputClock.onMargin(s.own?.inputSequence ?? 0, s.own?.inputMarginUs ?? 0);
       }
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
@@ -331,6 +337,7 @@ export class Connection {
       const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
       const firstSequence = this.nextSequence;
       this.nextSequence += inputs.length;
+      this.inputClock.sent(this.nextSequence - 1);
       const clientTimeUs = Math.floor(now) % 2 ** 32;
       this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
     } else {

@@ -71,6 +71,12 @@ export class FrameBuffer {
     return { a: this.frames[Math.max(0, next - 1)]!.drawn, b: this.frames[next]!.drawn };
   }
 
+  /** The last frame not after that time, and all that are. */
+  since(serverUs: number): PoseFrame[] {
+    const first = this.frames.findIndex((f) => f.drawn.serverUs > serverUs);
+    return first < 0 ? [] : this.frames.slice(Math.max(0, first - 1)).map((f) => f.drawn);
+  }
+
   clear(): void {
     this.frames = [];
   }

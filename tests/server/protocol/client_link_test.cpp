@@ -180,6 +180,22 @@ TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
+TEST_F(ClientLinkTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
+    TestClient client(context);
+    client.hello();
+    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 0; }));
+    v1::Input early = ball(0.2);
+    const std::uint32_t tick = worlds.find("")->frame()->tick + 8;
+    early.set_tick(tick);
+    client.inputs(1, {early});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.input_margin_us != 0; }));
+    ASSERT_EQ(client.state.results.size(), 1u);
+    EXPECT_EQ(client.state.results[1].tick(), tick);
+    // It came seven to eight ticks before, less what a busy machine lost.
+    EXPECT_GT(client.state.input_margin_us, 50'000);
+    EXPECT_LT(client.state.input_margin_us, 8 * 16'667);
+}
+
 TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
     TestClient leaver(context), stayer(context);
     leaver.hello();

@@ -22,7 +22,8 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
                                   .late_us = -123456,
                                   .still = 3};
     const std::string shared = encode_shared_snapshot(encoded);
-    for (const Private own : {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff, {}}}) {
+    for (const Private own :
+         {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
         const auto message = parse(encode_snapshot_head(own, "", shared.size()) + shared);
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();
@@ -35,6 +36,7 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
         EXPECT_EQ(snapshot.own().input_sequence(), own.input_sequence);
         EXPECT_EQ(snapshot.own().echo_client_time_us(), own.echo_client_time_us);
         EXPECT_EQ(snapshot.own().snapshots_skipped(), own.snapshots_skipped);
+        EXPECT_EQ(snapshot.own().input_margin_us(), own.input_margin_us);
     }
 }
 

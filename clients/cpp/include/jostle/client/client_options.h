@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "jostle/client/link_conditioner.h"
 #include "jostle/client/security.h"
 
 namespace jostle::client {
@@ -24,6 +26,12 @@ struct ClientOptions {
     std::vector<std::string> channels = {};
     // Connects again after a stream that ended, with pauses that grow to 5 s.
     bool reconnect = true;
+    // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
+    // client can foresee what it does. Costs about a tick of delay.
+    bool timed_inputs = false;
+    // For tests and demonstrations: a link that is worse than the real one, in both directions, to
+    // a millisecond.
+    LinkSettings link = {};
 };
 
 }  // namespace jostle::client

@@ -59,6 +59,7 @@ struct StreamSettings {
     double hello_seconds = 5;     // a stream that says nothing is closed
     double silence_seconds = 10;  // a client that says nothing at all is gone
     double stats_per_second = 10;
+    int codec = 2;  // of snapshots: the highest that clients are offered
 };
 
 // Certificates of both listeners, PEM; read again when they change.

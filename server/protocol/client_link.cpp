@@ -41,6 +41,12 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
     return static_cast<int>(std::ceil(tick_hz / wanted));
 }
 
+// The best that both know.
+wire::Codec codec_for(const Hello& hello, const StreamSettings& stream) {
+    const auto ours = static_cast<std::uint32_t>(stream.codec);
+    return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, ours));
+}
+
 // A bit for each kind of the world that the client names, "*" being all of them.
 std::uint64_t kinds_named(const std::vector<physics::ChannelKind>& kinds,
                           const std::vector<std::string>& names) {
@@ -180,6 +186,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
         world->add_event_listener();
     }
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
+    codec_ = codec_for(hello, context_.config.stream);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
     send(encode_welcome(
@@ -193,7 +200,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
          .gravity = world->gravity(),
-         .channels = world->channel_kinds()}));
+         .channels = world->channel_kinds(),
+         .codec = codec_}));
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
                     .name = hello.name,
@@ -482,8 +490,8 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
-    SharedBytes shared =
-        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_);
+    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick),
+                                                     channel_kinds_, codec_);
     const Private own{.input_sequence = answered_sequence_,
                       .echo_client_time_us = client_time_us_,
                       .snapshots_skipped = flow_->skipped() + skipped_waiting_};

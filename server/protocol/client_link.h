@@ -122,6 +122,7 @@ private:
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
+    wire::Codec codec_ = wire::Codec::bits;
     bool wants_events_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent

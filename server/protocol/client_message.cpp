@@ -131,7 +131,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .spectator = hello.spectator(),
                                .events = hello.events(),
                                .token = hello.token(),
-                               .channels = {hello.channels().begin(), hello.channels().end()}}};
+                               .channels = {hello.channels().begin(), hello.channels().end()},
+                               .codec = hello.codec()}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

@@ -28,6 +28,7 @@ struct Hello {
     bool events = false;
     std::string token;
     std::vector<std::string> channels;  // names of kinds; "*": all
+    std::uint32_t codec = 0;            // the highest that it understands; 0: 1
 };
 struct Ack {
     std::uint32_t frame = 0;

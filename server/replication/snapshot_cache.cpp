@@ -51,7 +51,8 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const Frame& frame) {
     return entry;
 }
 
-SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds) {
+SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds,
+                                    wire::Codec codec) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(*frame);
     // Each base makes sense only with the one before it, in falling order.
@@ -59,33 +60,35 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases, st
     const Entry* base2 = base && bases.base2 < bases.base ? find(bases.base2) : nullptr;
     const Entry* base3 = base2 && bases.base3 < bases.base2 ? find(bases.base3) : nullptr;
     const BaseNumbers used{base ? bases.base : 0, base2 ? bases.base2 : 0, base3 ? bases.base3 : 0};
-    if (const auto made = entry.encodings.find({used, kinds}); made != entry.encodings.end())
+    if (const auto made = entry.encodings.find({used, kinds, codec}); made != entry.encodings.end())
         return made->second;
     wire::PackedChannels channels;
     if (kinds != 0)
         channels =
             wire::encode_channels(entry.channels, base ? base->channels : wire::Channels{}, kinds);
     // Where nothing of them changed it is what those get who asked for none.
-    SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds}];
+    SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, codec}];
     if (!bytes)
-        bytes = std::make_shared<const std::string>(serialize_({.frame = frame->tick,
-                                                                .bases = used,
-                                                                .packed = packed(entry, used),
-                                                                .crc = entry.crc,
-                                                                .due = entry.due,
-                                                                .channels = std::move(channels)}));
-    return entry.encodings[{used, kinds}] = bytes;
+        bytes =
+            std::make_shared<const std::string>(serialize_({.frame = frame->tick,
+                                                            .bases = used,
+                                                            .packed = packed(entry, used, codec),
+                                                            .crc = entry.crc,
+                                                            .due = entry.due,
+                                                            .channels = std::move(channels)}));
+    return entry.encodings[{used, kinds, codec}] = bytes;
 }
 
-const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const BaseNumbers& bases) {
-    const auto [at, fresh] = entry.packed.try_emplace(bases);
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const BaseNumbers& bases,
+                                                    wire::Codec codec) {
+    const auto [at, fresh] = entry.packed.try_emplace({bases, codec});
     if (!fresh) return at->second;
     const auto poses = [&](std::uint32_t number) {
         const Entry* base = number != 0 ? find(number) : nullptr;
         return base ? &base->quantized : nullptr;
     };
     at->second = wire::encode_frame(
-        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_);
+        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_, codec);
     made_++;
     return at->second;
 }

@@ -13,6 +13,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/frame.h"
 #include "wire/channel_codec.h"
@@ -50,7 +52,8 @@ public:
     // The frame against those bases; bases that fell off the ring are left out, and without a first
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
     // Never null.
-    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds = 0);
+    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds = 0,
+                         wire::Codec codec = wire::Codec::bits);
     // Whether the frame can still be a base.
     bool holds(std::uint32_t frame) const;
 
@@ -63,6 +66,7 @@ private:
     struct Asked {
         BaseNumbers bases;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
+        wire::Codec codec = wire::Codec::bits;
 
         auto operator<=>(const Asked&) const = default;
     };
@@ -71,13 +75,13 @@ private:
         std::uint32_t crc = 0;
         Clock::time_point due;
         wire::Channels channels;
-        std::map<BaseNumbers, std::vector<std::byte>> packed;
+        std::map<std::pair<BaseNumbers, wire::Codec>, std::vector<std::byte>> packed;
         std::map<Asked, SharedBytes> encodings;
     };
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
     // channels with them.
-    const std::vector<std::byte>& packed(Entry& entry, const BaseNumbers& bases);
+    const std::vector<std::byte>& packed(Entry& entry, const BaseNumbers& bases, wire::Codec codec);
     Entry& entry_of(const Frame& frame);
     Entry* find(std::uint32_t frame);
 

@@ -179,6 +179,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         hello.set_snapshot_hz(options_.snapshot_hz);
         hello.set_spectator(options_.spectator);
         hello.set_events(options_.events);
+        hello.set_codec(options_.codec);
         for (const std::string& kind : options_.channels) hello.add_channels(kind);
         return message.SerializeAsString();
     }

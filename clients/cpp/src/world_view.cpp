@@ -8,6 +8,7 @@ namespace jostle::client {
 void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
@@ -73,8 +74,8 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     if (snapshot.frame() <= frame().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    auto decoded =
-        wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases, spec_);
+    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,
+                                      spec_, wire::default_entities_max, codec_);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     if (wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};

@@ -47,6 +47,7 @@ public:
     // kind is set. Null: it names one that was never told.
     const v1::Shape* outline_of(const v1::Shape& shape) const;
     const wire::QuantSpec& spec() const { return spec_; }
+    wire::Codec codec() const { return codec_; }
     // Nothing when the entity is not in the newest frame.
     std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
     // What modules of the world can tell (Welcome.channels).
@@ -66,6 +67,7 @@ private:
     const KnownFrame* find(std::uint32_t frame) const;
 
     wire::QuantSpec spec_;
+    wire::Codec codec_ = wire::Codec::bits;
     wire::QuantizedFrame none_;
     wire::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;

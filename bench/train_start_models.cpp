@@ -49,7 +49,8 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& bases
     wire::WalkedLists lists = wire::lists_of(to);
     wire::RangeWalk walk(counter, models, spec);
     walk.entities(lists, bases, frame.entities.size());
-    walk.survivors(lists.kept, wire::survivors_of(bases, to.removed),
+    std::vector<wire::EntityState> none;
+    walk.survivors(to.kept, none, wire::survivors_of(bases, to.removed),
                    wire::spacing_of(frame.frame, bases));
 }
 

@@ -40,6 +40,9 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
                        " units per metre (1 to " + std::to_string(max_units_per_meter) +
                        "), largest rotation component " + std::to_string(spec.rotation_component) +
                        " (1 to " + std::to_string(max_rotation_component) + ")");
+    if (codec != Codec::bits && codec != Codec::range)
+        return corrupt("codec " + std::to_string(static_cast<std::uint32_t>(codec)) +
+                       " is not known; 1 and 2 are");
     const Spacing t = spacing_of(frame_number, bases);
     if (!in_range(t))
         return corrupt("frame " + std::to_string(frame_number) +

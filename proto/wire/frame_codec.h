@@ -35,11 +35,15 @@ inline constexpr Codec newest_codec = Codec::range;
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& bases,
                                     const QuantSpec& spec, Codec codec = Codec::bits);
 
+// What a client is willing to hold unless it says otherwise.
+inline constexpr std::size_t default_entities_max = 1u << 20;
+
 // Foreign bytes: every read is bounded. An error (corrupt_data) says what was wrong and where.
 // `max_entities` bounds the memory that bytes can make us take.
 Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
                                     const Bases& bases, const QuantSpec& spec,
-                                    std::size_t max_entities = 1u << 20, Codec codec = Codec::bits);
+                                    std::size_t max_entities = default_entities_max,
+                                    Codec codec = Codec::bits);
 
 // CRC-32 (crc32.h) of the entities, each written as 24 bytes; WIRE.md gives their layout.
 std::uint32_t frame_crc(const QuantizedFrame& frame);

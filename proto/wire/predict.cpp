@@ -30,11 +30,10 @@ std::int64_t root(std::int64_t x) {
 Four unpack(const EntityState& state, std::int64_t n) {
     Four q{};
     std::int64_t sum = 0;
-    std::size_t from = 0;
-    for (std::size_t k = 0; k < 4; k++) {
-        if (k == state.largest) continue;
-        q[k] = state.rotation[from++];
-        sum += q[k] * q[k];
+    for (std::size_t k = 0; k < 3; k++) {
+        const std::int64_t c = state.rotation[k];
+        q[others[state.largest][k]] = c;
+        sum += c * c;
     }
     q[state.largest] = root(n - sum);
     return q;
@@ -47,10 +46,6 @@ std::int64_t dot(const Four& a, const Four& b) {
 void face(Four& q, const Four& towards) {
     if (dot(q, towards) < 0)
         for (std::int64_t& c : q) c = -c;
-}
-
-bool same_rotation(const EntityState& a, const EntityState& b) {
-    return a.largest == b.largest && a.rotation == b.rotation;
 }
 
 void predict_position(Prediction& p, const EntityState& base, const EntityState* base2,
@@ -110,11 +105,10 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
         if (magnitude(p.rotation[k]) > magnitude(p.rotation[largest])) largest = k;
     p.largest = static_cast<std::uint8_t>(largest);
     const std::int64_t sign = p.rotation[largest] < 0 ? -1 : 1;
-    std::size_t to = 0;
-    for (std::size_t k = 0; k < 4; k++) {
-        if (k == largest) continue;
-        p.components[to++] = sign * p.rotation[k];
-        p.rotation_change += magnitude(change[k]);
+    for (std::size_t k = 0; k < 3; k++) {
+        const std::size_t from = others[largest][k];
+        p.components[k] = sign * p.rotation[from];
+        p.rotation_change += magnitude(change[from]);
     }
 }
 

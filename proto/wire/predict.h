@@ -12,6 +12,9 @@
 
 namespace jostle::wire {
 
+// The components that are sent when one is left out.
+inline constexpr std::uint8_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+
 // Ticks between the frames: 1 to 255, and 1 where a frame is missing.
 struct Spacing {
     std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;  // frame - base, base - base2, base2 - base3

@@ -12,7 +12,8 @@ std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& bas
     RangeWalk walk(out, models, spec);
     WalkedLists lists = lists_of(to);
     walk.entities(lists, bases, to.kept.size() + to.spawned.size());
-    walk.survivors(lists.kept, survivors_of(bases, to.removed), t);
+    std::vector<EntityState> none;
+    walk.survivors(to.kept, none, survivors_of(bases, to.removed), t);
     return out.finish();
 }
 
@@ -30,11 +31,12 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     if (!walk.entities(lists, bases, max_entities)) return at(walk.fault());
     const std::vector<Survivor> survivors = survivors_of(bases, lists.removed);
     if (survivors.size() > max_entities) return at("more entities than the limit");
-    lists.kept.resize(survivors.size());
-    if (!walk.survivors(lists.kept, survivors, t)) return at(walk.fault());
+    std::vector<EntityState> kept;
+    kept.reserve(survivors.size());
+    if (!walk.survivors({}, kept, survivors, t)) return at(walk.fault());
     if (in.past_end()) return at("the data ends early");
     if (!in.at_clean_end()) return at("bytes are left over");
-    return merged(std::move(lists.kept), lists.spawned);
+    return merged(std::move(kept), lists.spawned);
 }
 
 }  // namespace jostle::wire

@@ -16,18 +16,16 @@
 
 namespace jostle::wire {
 
-// What an encoder tells, and what a decoder fills.
+// Who goes and comes: what an encoder tells, and a decoder fills.
 struct WalkedLists {
-    std::vector<std::size_t> removed;        // positions in the base
-    std::vector<EntityState> spawned, kept;  // kept: one for each survivor
+    std::vector<std::size_t> removed;  // positions in the base
+    std::vector<EntityState> spawned;
 };
 
 inline WalkedLists lists_of(const Succession& to) {
-    WalkedLists lists{.removed = to.removed, .spawned = {}, .kept = {}};
+    WalkedLists lists{.removed = to.removed, .spawned = {}};
     lists.spawned.reserve(to.spawned.size());
     for (const EntityState* state : to.spawned) lists.spawned.push_back(*state);
-    lists.kept.reserve(to.kept.size());
-    for (const EntityState* state : to.kept) lists.kept.push_back(*state);
     return lists;
 }
 
@@ -49,29 +47,26 @@ public:
         return spawned(lists.spawned, bases, max_entities - survive);
     }
 
-    // As many states as survivors: to tell, or to fill.
-    bool survivors(std::vector<EntityState>& states, const std::vector<Survivor>& survivors,
-                   const Spacing& t) {
+    // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
+    bool survivors(const std::vector<const EntityState*>& kept, std::vector<EntityState>& states,
+                   const std::vector<Survivor>& survivors, const Spacing& t) {
         std::size_t resting = 0;
         for (const Survivor& s : survivors) resting += s.base->at_rest ? 1 : 0;
         std::uint64_t run = 0;
-        if (!resting_run(run, states, survivors, 0, resting)) return false;
+        if (!resting_run(run, kept, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
             const Survivor& s = survivors[i];
-            if (!s.base->at_rest) {
-                if (!awake(states[i], s, t)) return false;
-                continue;
-            }
-            resting--;
-            if (run > 0) {
+            const bool rested = s.base->at_rest;
+            if (rested) resting--;
+            if (rested && run > 0) {
                 run--;
-                if (!Coder::encoding) states[i] = *s.base;
+                if constexpr (!Coder::encoding) states.push_back(*s.base);
                 continue;
             }
-            states[i].id = s.base->id;
-            states[i].at_rest = coder_.bit(models_.stays_at_rest, states[i].at_rest);
-            if (!pose(states[i], s, t)) return false;
-            if (!resting_run(run, states, survivors, i + 1, resting)) return false;
+            EntityState state = Coder::encoding ? *kept[i] : *s.base;
+            if (!(rested ? roused(state, s, t) : awake(state, s, t))) return false;
+            if constexpr (!Coder::encoding) states.push_back(state);
+            if (rested && !resting_run(run, kept, survivors, i + 1, resting)) return false;
         }
         return true;
     }
@@ -217,7 +212,7 @@ private:
 
     // How many of those at rest, from survivor `from` on, stay as they are before the next that
     // does not; `left` are there.
-    bool resting_run(std::uint64_t& run, const std::vector<EntityState>& states,
+    bool resting_run(std::uint64_t& run, const std::vector<const EntityState*>& kept,
                      const std::vector<Survivor>& survivors, std::size_t from, std::size_t left) {
         run = left;
         if (left == 0) return true;
@@ -225,7 +220,7 @@ private:
             run = 0;
             for (std::size_t i = from; i < survivors.size(); i++) {
                 if (!survivors[i].base->at_rest) continue;
-                if (states[i] != *survivors[i].base) break;
+                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].base)) break;
                 run++;
             }
         }
@@ -235,13 +230,16 @@ private:
         return !ended();
     }
 
+    // At rest in base, and now it is not, or lies elsewhere.
+    bool roused(EntityState& state, const Survivor& s, const Spacing& t) {
+        state.at_rest = coder_.bit(models_.stays_at_rest, state.at_rest);
+        return pose(state, s, t);
+    }
+
     bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
         const Pace pace = pace_of(s);
         const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.base));
-        const bool rests = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
-        if (!changed && !Coder::encoding) state = *s.base;
-        state.id = s.base->id;
-        state.at_rest = rests;
+        state.at_rest = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
         return !changed || pose(state, s, t);
     }
 
@@ -286,14 +284,13 @@ private:
         // As a rotation whose largest component is that one would have them.
         std::array<std::int64_t, 3> r{}, step{}, bend{};
         const std::int64_t sign = p.rotation[state.largest] < 0 ? -1 : 1;
-        std::size_t to = 0;
         std::int64_t change = 0;
-        for (std::size_t k = 0; k < 4; k++) {
-            if (k == state.largest) continue;
-            r[to] = sign * p.rotation[k];
-            step[to] = sign * p.rotation_step[k];
-            bend[to] = sign * p.rotation_bend[k];
-            change += size_of(bend[to++]);
+        for (std::size_t k = 0; k < 3; k++) {
+            const std::size_t from = others[state.largest][k];
+            r[k] = sign * p.rotation[from];
+            step[k] = sign * p.rotation_step[from];
+            bend[k] = sign * p.rotation_bend[from];
+            change += size_of(bend[k]);
         }
         std::int64_t off = 0;
         for (std::size_t k = 0; k < 3; k++) {

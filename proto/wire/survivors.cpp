@@ -8,20 +8,21 @@
 namespace jostle::wire {
 
 std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::size_t>& removed) {
-    std::vector<Survivor> survivors;
-    if (!bases.base) return survivors;
-    survivors.reserve(bases.base->entities.size());
+    if (!bases.base) return {};
+    const std::vector<EntityState>& base = bases.base->entities;
+    std::vector<Survivor> survivors(base.size() - removed.size());
     Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
-    std::size_t next_removed = 0;
-    for (std::size_t i = 0; i < bases.base->entities.size(); i++) {
+    std::size_t next_removed = 0, next = 0;
+    for (std::size_t i = 0; i < base.size(); i++) {
         if (next_removed < removed.size() && removed[next_removed] == i) {
             next_removed++;
             continue;
         }
-        Survivor s{.base = &bases.base->entities[i]};
+        Survivor& s = survivors[next++];
+        s.base = &base[i];
+        if (s.base->at_rest) continue;
         s.base2 = in_base2.find(s.base->id);
         if (s.base2) s.base3 = in_base3.find(s.base->id);
-        survivors.push_back(s);
     }
     return survivors;
 }
@@ -36,19 +37,24 @@ Spacing spacing_of(std::uint32_t frame, const Bases& bases) {
 
 Succession succession_of(const QuantizedFrame& frame, const Bases& bases) {
     Succession to;
-    std::size_t i = 0;
-    const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
-    to.kept.reserve(std::min(in_base, frame.entities.size()));
-    for (const EntityState& state : frame.entities) {
-        while (i < in_base && bases.base->entities[i].id < state.id) to.removed.push_back(i++);
-        if (i < in_base && bases.base->entities[i].id == state.id) {
-            to.kept.push_back(&state);
+    static const std::vector<EntityState> nobody;
+    const std::vector<EntityState>&base = bases.base ? bases.base->entities : nobody,
+          &now = frame.entities;
+    to.kept.resize(std::min(base.size(), now.size()));
+    std::size_t i = 0, k = 0, kept = 0;
+    while (i < base.size() && k < now.size()) {
+        if (base[i].id == now[k].id) {
+            to.kept[kept++] = &now[k++];
             i++;
+        } else if (base[i].id < now[k].id) {
+            to.removed.push_back(i++);
         } else {
-            to.spawned.push_back(&state);
+            to.spawned.push_back(&now[k++]);
         }
     }
-    while (i < in_base) to.removed.push_back(i++);
+    while (i < base.size()) to.removed.push_back(i++);
+    while (k < now.size()) to.spawned.push_back(&now[k++]);
+    to.kept.resize(kept);
     return to;
 }
 

@@ -17,7 +17,8 @@ inline Error corrupt(std::string message) {
     return {ErrorCode::corrupt_data, std::move(message)};
 }
 
-// An entity of the base that is still there.
+// An entity of the base that is still there. Of one at rest the older bases say nothing that a
+// codec asks for: they are left out.
 struct Survivor {
     const EntityState* base = nullptr;
     const EntityState* base2 = nullptr;
@@ -31,9 +32,14 @@ public:
 
     const EntityState* find(std::uint32_t id) {
         if (!frame_) return nullptr;
-        while (at_ < frame_->entities.size() && frame_->entities[at_].id < id) at_++;
-        const bool found = at_ < frame_->entities.size() && frame_->entities[at_].id == id;
-        return found ? &frame_->entities[at_] : nullptr;
+        const std::vector<EntityState>& all = frame_->entities;
+        // Mostly there are no gaps between ids, and it is as far on as the id is.
+        if (at_ < all.size() && id > all[at_].id) {
+            const std::size_t guess = at_ + (id - all[at_].id);
+            if (guess < all.size() && all[guess].id == id) at_ = guess;
+        }
+        while (at_ < all.size() && all[at_].id < id) at_++;
+        return at_ < all.size() && all[at_].id == id ? &all[at_] : nullptr;
     }
 
 private:

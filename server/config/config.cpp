@@ -85,6 +85,7 @@ Status check(const Config& c) {
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
+        {"stream.codec", c.stream.codec, 1, 2},
         {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
         {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},
         {"quota.joins_per_minute", c.quota.joins_per_minute, 1, 1e6},

@@ -104,6 +104,7 @@ Setters setters_of(Config& c) {
         {"stream.hello_seconds", into(c.stream.hello_seconds)},
         {"stream.silence_seconds", into(c.stream.silence_seconds)},
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
+        {"stream.codec", into(c.stream.codec)},
         {"tls.certificate", into(c.tls.certificate)},
         {"tls.key", into(c.tls.key)},
         {"tls.client_ca", into(c.tls.client_ca)},

@@ -42,6 +42,12 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
     return static_cast<int>(std::ceil(tick_hz / wanted));
 }
 
+// The best that both know.
+wire::Codec codec_for(const Hello& hello, const StreamSettings& stream) {
+    const auto ours = static_cast<std::uint32_t>(stream.codec);
+    return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, ours));
+}
+
 // A bit for each kind of the world that the client names, "*" being all of them.
 std::uint64_t kinds_named(const std::vector<physics::ChannelKind>& kinds,
                           const std::vector<std::string>& names) {
@@ -185,6 +191,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
         world->add_event_listener();
     }
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
+    codec_ = codec_for(hello, context_.config.stream);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
     send(encode_welcome(
@@ -200,6 +207,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .epoch_us = world->epoch_us(),
          .gravity = world->gravity(),
          .channels = world->channel_kinds(),
+         .codec = codec_,
          .cells = sight_.has_value()}));
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
@@ -591,8 +599,9 @@ OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now,
                                    std::vector<SharedBytes> cells) {
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
-    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick),
-                                                     channel_kinds_, !sight_);
+    SharedBytes shared =
+        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
+                                    sight_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame);
     OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};

@@ -155,6 +155,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .events = hello.events(),
                                .token = hello.token(),
                                .channels = {hello.channels().begin(), hello.channels().end()},
+                               .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
                                .interest = sees}};
 }

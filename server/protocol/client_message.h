@@ -30,6 +30,7 @@ struct Hello {
     bool events = false;
     std::string token;
     std::vector<std::string> channels;  // names of kinds; "*": all
+    std::uint32_t codec = 0;            // the highest that it understands; 0: 1
     std::uint32_t max_kbps = 0;         // 0: no bound
     std::optional<Interest> interest;
 };

@@ -78,6 +78,7 @@ std::string encode_welcome(const Welcome& from) {
         to.set_form(to_message(kind.form));
         to.set_divisor(static_cast<std::uint32_t>(kind.divisor));
     }
+    welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     return message.SerializeAsString();
 }
 

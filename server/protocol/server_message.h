@@ -27,6 +27,7 @@ struct Welcome {
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
     std::vector<physics::ChannelKind> channels;
+    wire::Codec codec = wire::Codec::bits;
     bool cells = false;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };

@@ -76,7 +76,7 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before) const {
 }
 
 SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames bases,
-                                    std::uint64_t kinds, bool poses) {
+                                    std::uint64_t kinds, std::optional<wire::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
     // Each base makes sense only with the one before it, in falling order.
@@ -97,7 +97,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
         bytes = std::make_shared<const std::string>(
             serialize_({.frame = frame->tick,
                         .bases = used,
-                        .packed = poses ? packed(entry, used) : std::vector<std::byte>(),
+                        .packed = poses ? packed(entry, used, *poses) : std::vector<std::byte>(),
                         .crc = poses ? entry.crc : 0,
                         .late_us = frame->late_us,
                         .still = base ? still_ticks(*frame, *base->frame) : 0,
@@ -105,15 +105,16 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
     return entry.encodings[{used, kinds, poses}] = bytes;
 }
 
-const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& bases) {
-    const auto [at, fresh] = entry.packed.try_emplace(bases);
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& bases,
+                                                    wire::Codec codec) {
+    const auto [at, fresh] = entry.packed.try_emplace({bases, codec});
     if (!fresh) return at->second;
     const auto poses = [&](std::uint32_t number) {
         const Entry* base = number != 0 ? find(number) : nullptr;
         return base ? &base->quantized : nullptr;
     };
     at->second = wire::encode_frame(
-        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_);
+        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_, codec);
     made_++;
     return at->second;
 }

@@ -13,6 +13,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/frame.h"
 #include "wire/base_frames.h"
@@ -44,9 +46,10 @@ public:
 
     // The frame against those bases; bases that fell off the ring are left out, and without a first
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
-    // Without `poses` only what else is told of a frame: for who is told of cells. Never null.
+    // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
+    // null.
     SharedBytes encoding(const FramePtr& frame, wire::BaseFrames bases, std::uint64_t kinds = 0,
-                         bool poses = true);
+                         std::optional<wire::Codec> poses = wire::Codec::bits);
     // The frame's entities as integers.
     wire::QuantizedFrame quantized(const FramePtr& frame);
     // Whether the frame can still be a base.
@@ -61,7 +64,7 @@ private:
     struct Asked {
         wire::BaseFrames bases;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
-        bool poses = true;
+        std::optional<wire::Codec> poses;
 
         auto operator<=>(const Asked&) const = default;
     };
@@ -70,13 +73,14 @@ private:
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
         wire::Channels channels;
-        std::map<wire::BaseFrames, std::vector<std::byte>> packed;
+        std::map<std::pair<wire::BaseFrames, wire::Codec>, std::vector<std::byte>> packed;
         std::map<Asked, SharedBytes> encodings;
     };
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
     // channels with them.
-    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& bases);
+    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& bases,
+                                         wire::Codec codec);
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* before) const;
     Entry* find(std::uint32_t frame);

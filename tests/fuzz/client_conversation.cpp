@@ -74,8 +74,9 @@ private:
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-        const auto frame = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
-                                              bases, conversation_.view().spec());
+        const auto frame = wire::decode_frame(
+            snapshot.frame(), {bytes, snapshot.packed().size()}, bases, conversation_.view().spec(),
+            wire::default_entities_max, conversation_.view().codec());
         if (!frame.ok()) return false;
         snapshot.set_crc(wire::frame_crc(*frame));
         return true;

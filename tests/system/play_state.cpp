@@ -129,7 +129,8 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
                                static_cast<std::int32_t>(welcome.quant().rotation_component())};
     auto frame = wire::decode_frame(snapshot.frame(), std::as_bytes(std::span(snapshot.packed())),
-                                    bases, spec);
+                                    bases, spec, wire::default_entities_max,
+                                    static_cast<wire::Codec>(std::max(1u, welcome.codec())));
     expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
     if (!frame.ok()) return;
     expect(wire::frame_crc(*frame) == snapshot.crc(), name + " has another CRC than the server's");

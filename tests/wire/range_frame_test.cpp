@@ -92,21 +92,18 @@ TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
         EXPECT_EQ(message.rfind(what, 0), 0u) << what << ": " << message;
         EXPECT_NE(message.find(" (at byte "), std::string::npos) << message;
     };
-    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}, .kept = {}}, &ten), bases),
+    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), bases),
         "removed: more than there are");
-    has(refusal(told({.removed = {7}, .spawned = {}, .kept = {}}, &ten), bases),
+    has(refusal(told({.removed = {7}, .spawned = {}}, &ten), bases),
         "removed: a position past the end");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}, .kept = {}}, &three), bases),
+    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}}, &three), bases),
         "spawned: an id that the base has");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}, .kept = {}}, nullptr), {}),
+    has(refusal(told({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}}, nullptr), {}),
         "spawned: an id beyond 32 bits");
-    has(refusal(told({.removed = {}, .spawned = resting(1, 200).entities, .kept = {}}, nullptr), {},
-                100),
+    has(refusal(told({.removed = {}, .spawned = resting(1, 200).entities}, nullptr), {}, 100),
         "spawned: more entities than the limit");
-    has(refusal(
-            told({.removed = {}, .spawned = {{.id = 1, .rotation = {511, 511, 511}}}, .kept = {}},
-                 nullptr),
-            {}),
+    has(refusal(told({.removed = {}, .spawned = {{.id = 1, .rotation = {511, 511, 511}}}}, nullptr),
+                {}),
         "a rotation that is none");
     has(refusal(encode_frame(resting(2, 3), {}, {}, Codec::range), {}, 2),
         "spawned: more entities than the limit");

@@ -43,6 +43,11 @@ std::uint32_t Client::input_tick(Clock::time_point now) {
     return state_->conversation.input_clock().tick(static_cast<std::int64_t>(to_us(now)));
 }
 
+void Client::look_at(const Sight& sight) {
+    const std::lock_guard lock(state_->mutex);
+    state_->conversation.look_at(sight);
+}
+
 void Client::leave() {
     const auto lock = locked(*state_);
     state_->conversation.leave();

@@ -17,6 +17,12 @@ constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
 constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
 
+void write(v1::Interest& to, const Sight& from) {
+    to.mutable_focus()->set_x(from.x);
+    to.mutable_focus()->set_z(from.z);
+    to.set_radius(from.radius);
+}
+
 }  // namespace
 
 void Conversation::begin(Clock::time_point now) {
@@ -36,6 +42,13 @@ void Conversation::ended(const Status& end) {
     if (end.ok()) return;
     stats_.stream_failures++;
     stats_.last_error = end.error().message;
+}
+
+// The newest counts; it goes out with the next message that is due.
+void Conversation::look_at(const Sight& sight) {
+    if (!options_.sight) return;
+    options_.sight = sight;
+    sight_due_ = true;
 }
 
 std::uint32_t Conversation::send(v1::Input input) {
@@ -191,7 +204,11 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         hello.set_snapshot_hz(options_.snapshot_hz);
         hello.set_spectator(options_.spectator);
         hello.set_events(options_.events);
+        hello.set_codec(options_.codec);
         for (const std::string& kind : options_.channels) hello.add_channels(kind);
+        hello.set_max_kbps(options_.max_kbps);
+        if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
+        sight_due_ = false;
         return message.SerializeAsString();
     }
     if (!stats_.connected || leave_sent_) return std::nullopt;
@@ -200,6 +217,11 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
                                                         : Clock::duration(ping_period));
         message.mutable_ping()->set_client_time_us(to_us(now));
+        return message.SerializeAsString();
+    }
+    if (sight_due_) {
+        sight_due_ = false;
+        write(*message.mutable_interest(), *options_.sight);
         return message.SerializeAsString();
     }
     if (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_)) {

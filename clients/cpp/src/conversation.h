@@ -32,6 +32,7 @@ public:
     std::optional<std::string> take_message(Clock::time_point now);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
+    void look_at(const Sight& sight);
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
     // Hello was answered and the Leave, if any, was handed out.
@@ -71,6 +72,7 @@ private:
     std::deque<v1::Input> inputs_;
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
     Clock::duration ack_period_{};
     bool leaving_ = false, leave_sent_ = false;

@@ -3,7 +3,7 @@
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
 import { baseFrames } from './base_frames';
-import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
+import { DecodeError, NEWEST_CODEC, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
@@ -80,6 +80,7 @@ export class Connection {
   private eventsWanted = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
+  private codec = 1; // of snapshots
   private inputs: Input[] = [];
   private nextSequence = 1;
   private needKeyframe = false;
@@ -161,7 +162,8 @@ export class Connection {
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       const { world, token, eventsWanted: events } = this;
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels: [...this.kinds] };
+      const channels = [...this.kinds];
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC };
       this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
@@ -235,7 +237,8 @@ export class Connection {
     this.welcome = welcome;
     const { unitsPerMeter, rotationComponent } = welcome.quant ?? { unitsPerMeter: 512, rotationComponent: 511 };
     this.spec = { unitsPerMeter, rotationComponent };
-    if (!isSound(this.spec)) {
+    this.codec = welcome.codec || 1;
+    if (!isSound(this.spec) || this.codec > NEWEST_CODEC) {
       this.dropSocket();
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
@@ -284,7 +287,7 @@ export class Connection {
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
-      const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
+      const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec, undefined, this.codec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));

@@ -190,6 +190,7 @@ export function decodeFrame(
   codec = 1,
 ): QuantizedFrame {
   if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
+  if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
   const base2 = bases.base ? bases.base2 : undefined;
   const base3 = base2 ? bases.base3 : undefined;
   const t: Spacing = {

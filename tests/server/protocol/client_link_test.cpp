@@ -136,6 +136,22 @@ TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_sna
     EXPECT_EQ(sessions.clients(), 1);
 }
 
+TEST_F(ClientLinkTest, the_codec_is_the_best_that_both_know) {
+    const auto welcomed = [&](std::uint32_t theirs, int ours) {
+        config.stream.codec = ours;
+        TestClient client(context);
+        client.hello([&](v1::Hello& hello) { hello.set_codec(theirs); });
+        EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
+        EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+        return client.state.welcome.codec();
+    };
+    EXPECT_EQ(welcomed(0, 2), 1u) << "who says nothing knows the first";
+    EXPECT_EQ(welcomed(1, 2), 1u);
+    EXPECT_EQ(welcomed(2, 2), 2u);
+    EXPECT_EQ(welcomed(7, 2), 2u);
+    EXPECT_EQ(welcomed(2, 1), 1u) << "the operator may keep to the first";
+}
+
 TEST_F(ClientLinkTest, clients_on_one_cadence_share_the_same_bytes) {
     TestClient one(context), two(context);
     one.hello();

@@ -79,6 +79,22 @@ TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
     EXPECT_EQ(cache.encodings_made(), 50u);
 }
 
+TEST(SnapshotCache, each_codec_is_encoded_once_and_shared_by_those_who_asked_for_it) {
+    SnapshotCache cache({}, serialize);
+    using wire::Codec;
+    const SharedBytes bits = cache.encoding(frame_at(1), {}, 0, Codec::bits),
+                      range = cache.encoding(frame_at(1), {}, 0, Codec::range);
+    EXPECT_LT(range->size(), bits->size());
+    EXPECT_EQ(cache.encoding(frame_at(1), {}, 0, Codec::bits), bits);
+    EXPECT_EQ(cache.encoding(frame_at(1), {}, 0, Codec::range), range);
+    EXPECT_EQ(cache.encodings_made(), 2u);
+    const auto decoded = [](const SharedBytes& bytes, Codec codec) {
+        return wire::decode_frame(1, std::as_bytes(std::span(*bytes)).subspan(20), {}, {},
+                                  wire::default_entities_max, codec);
+    };
+    EXPECT_EQ(*decoded(bits, Codec::bits), *decoded(range, Codec::range));
+}
+
 TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
     SnapshotCache cache({}, serialize);
     BaselineTracker trackers[3];

@@ -41,6 +41,9 @@ public:
     // before it is known.
     double input_position(Clock::time_point now);
     std::uint32_t input_tick(Clock::time_point now);
+    // What it wants to be told of from now on, if ClientOptions::sight was set: else it is told of
+    // all.
+    void look_at(const Sight& sight);
     // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 

@@ -7,7 +7,7 @@
 namespace jostle::client {
 namespace {
 
-constexpr double mean_share = 1.0 / 8, jitter_share = 1.0 / 16, jitters_kept = 4;
+constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitters_kept = 4;
 constexpr double first_jitter_us = 4000;
 constexpr double steer = 0.05, jump_ticks = 10;
 constexpr int margins_in_a_row = 3;
@@ -47,9 +47,9 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     measured_ = true;
     // From one to the next: that the way became longer is no jitter.
     const double change_us = std::min(std::abs(margin_us - last_us_), 2 * tick_us_);
-    jitter_us_ += jitter_share * (change_us - jitter_us_);
+    jitter_us_ += jitter_weight * (change_us - jitter_us_);
     last_us_ = margin_us;
-    mean_us_ += mean_share * (margin_us - mean_us_);
+    mean_us_ += mean_weight * (margin_us - mean_us_);
     const double off_us = margin_us - target_us();
     if (std::abs(off_us) > jump_ticks * tick_us_) return jump(-off_us / tick_us_);
     if (std::abs(off_us) < tick_us_) {

@@ -199,17 +199,19 @@ TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
 TEST_F(ClientLinkTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
     TestClient client(context);
     client.hello();
-    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 0; }));
+    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
     v1::Input early = ball(0.2);
-    const std::uint32_t tick = worlds.find("")->frame()->tick + 8;
+    const FramePtr now = worlds.find("")->frame();
+    const std::uint32_t tick = now->tick + 8;
     early.set_tick(tick);
     client.inputs(1, {early});
     ASSERT_TRUE(client.listen_until([&] { return client.state.input_margin_us != 0; }));
     ASSERT_EQ(client.state.results.size(), 1u);
     EXPECT_EQ(client.state.results[1].tick(), tick);
-    // It came seven to eight ticks before, less what a busy machine lost.
+    // It came seven to eight ticks before; those that a busy machine gave up meanwhile come on top.
+    const std::uint32_t lost = worlds.find("")->frame()->late_ticks - now->late_ticks;
     EXPECT_GT(client.state.input_margin_us, 50'000);
-    EXPECT_LT(client.state.input_margin_us, 8 * 16'667);
+    EXPECT_LT(client.state.input_margin_us, (8 + lost) * 16'667);
 }
 
 TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {

@@ -47,7 +47,7 @@ double seconds_since(Clock::time_point t) {
 }  // namespace
 
 Report run_load(const LoadPlan& plan, Crowd& crowd, std::optional<int> server_pid,
-                const std::atomic<bool>& stop) {
+                const std::atomic<bool>& stop, const std::function<void()>& before_end) {
     ProgressLine line;
     const auto cpu = [&] { return server_pid ? cpu_seconds(*server_pid) : std::nullopt; };
     const auto wait_until = [&](const char* phase, Clock::time_point since, const auto& over) {
@@ -69,6 +69,7 @@ Report run_load(const LoadPlan& plan, Crowd& crowd, std::optional<int> server_pi
     wait_until("measuring", measured, [&](double s) { return s >= plan.seconds; });
     const auto cpu_after = cpu();
     const double duration = seconds_since(measured);
+    if (before_end) before_end();
     const int connected = crowd.progress().joined;
     Report report = make_report(crowd.end(), plan.clients);
     report.connected = connected;

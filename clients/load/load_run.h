@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,9 +17,10 @@ namespace jostle::load {
 
 // Measures from when all have joined and `settle` has passed; when some do not join within ten
 // seconds after the ramp, without them. Ends early when `stop` becomes true. `server_pid`: whose
-// processor time to read; nothing: of nobody. Tells how it goes on a terminal.
+// processor time to read; nothing: of nobody. `before_end` is called when the measurement is over
+// and the clients are still there. Tells how it goes on a terminal.
 Report run_load(const LoadPlan& plan, Crowd& crowd, std::optional<int> server_pid,
-                const std::atomic<bool>& stop);
+                const std::atomic<bool>& stop, const std::function<void()>& before_end = {});
 
 // One socket a client, and some: as many as the system lets this process have. False: it may not
 // have so many.

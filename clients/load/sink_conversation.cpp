@@ -27,7 +27,9 @@ bool parse(Message& message, Bytes bytes) {
 }  // namespace
 
 SinkConversation::SinkConversation(SinkWishes wishes, Figures& figures)
-    : wishes_(std::move(wishes)), figures_(figures) {
+    : wishes_(std::move(wishes)),
+      figures_(figures),
+      ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every) {
     if (wishes_.decodes) view_ = std::make_unique<client::WorldView>();
 }
 

@@ -89,7 +89,7 @@ private:
     Clock::time_point next_ping_{};
     int pings_ = 0;
 
-    int ack_every_ = 1, unacked_ = 0;
+    int ack_every_, unacked_ = 0;
     Clock::time_point unacked_since_{};
     std::uint32_t frame_ = 0;  // of the newest snapshot
     std::optional<Clock::time_point> last_snapshot_;

@@ -18,6 +18,8 @@ namespace jostle::load {
 
 // Of one message; whatever transport has it, no larger one is taken.
 inline constexpr std::size_t message_bytes_max = std::size_t{64} << 20;
+// Answers that a server makes us write and does not read.
+inline constexpr std::size_t outgoing_bytes_max = std::size_t{4} << 20;
 
 class Framing {
 public:

@@ -12,6 +12,7 @@ constexpr std::string_view play_path = "/jostle.v1.PlayService/Play";
 constexpr std::uint32_t call_stream = 1;
 
 // RFC 9113, 6.
+namespace http2 {
 enum FrameType : std::uint8_t {
     data = 0,
     headers = 1,
@@ -25,12 +26,11 @@ enum FrameType : std::uint8_t {
 };
 constexpr std::uint8_t acknowledged = 1, end_stream = 1, end_headers = 4, padded = 8;
 constexpr std::uint16_t setting_enable_push = 2, setting_initial_window = 4;
+}  // namespace http2
 
 constexpr std::size_t head_size = 9, message_head_size = 5;
 constexpr std::uint32_t frame_bytes_max = 16'384;  // what we may send, and what we let be sent
 constexpr std::size_t waiting_bytes_max = 1 << 20;
-// Answers that a server makes us write and does not read.
-constexpr std::size_t outgoing_bytes_max = 4 << 20;
 
 void put_big_endian(std::string& out, std::uint64_t value, unsigned bytes) {
     for (unsigned k = bytes; k-- > 0;) out.push_back(static_cast<char>(value >> (8 * k)));
@@ -96,15 +96,16 @@ Result<std::size_t> whole_size(Bytes begun) {
 
 Http2Framing::Http2Framing(const Http2Request& request) : window_(request.window) {
     out_ = preface;
-    put_head(12, settings, 0, 0);
-    put_big_endian(out_, setting_enable_push, 2);
+    put_head(12, http2::settings, 0, 0);
+    put_big_endian(out_, http2::setting_enable_push, 2);
     put_big_endian(out_, 0, 4);
-    put_big_endian(out_, setting_initial_window, 2);
+    put_big_endian(out_, http2::setting_initial_window, 2);
     put_big_endian(out_, window_, 4);
     if (window_ > Http2Request::usual_window)
         put_window_update(0, window_ - Http2Request::usual_window);
     const std::string block = header_block(request);
-    put_head(static_cast<std::uint32_t>(block.size()), headers, end_headers, call_stream);
+    put_head(static_cast<std::uint32_t>(block.size()), http2::headers, http2::end_headers,
+             call_stream);
     out_ += block;
 }
 
@@ -119,7 +120,7 @@ void Http2Framing::put_head(std::uint32_t length, std::uint8_t type, std::uint8_
 }
 
 void Http2Framing::put_window_update(std::uint32_t stream, std::uint32_t increment) {
-    put_head(4, window_update, 0, stream);
+    put_head(4, http2::window_update, 0, stream);
     put_big_endian(out_, increment, 4);
 }
 
@@ -141,7 +142,7 @@ void Http2Framing::send_waiting() {
         if (size > std::min(connection_credit_, stream_credit_)) return;
         connection_credit_ -= size;
         stream_credit_ -= size;
-        put_head(static_cast<std::uint32_t>(next.size()), data, 0, call_stream);
+        put_head(static_cast<std::uint32_t>(next.size()), http2::data, 0, call_stream);
         out_ += next;
         waiting_bytes_ -= next.size();
         waiting_.pop_front();
@@ -205,33 +206,34 @@ Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
 }
 
 Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {
-    if (header_block_open_ && head.type != continuation) return broken("a header block was cut");
+    if (header_block_open_ && head.type != http2::continuation)
+        return broken("a header block was cut");
     switch (head.type) {
-        case data:
+        case http2::data:
             return on_data(head, payload, reader);
-        case headers:
-        case continuation:
+        case http2::headers:
+        case http2::continuation:
             return on_headers(head);
-        case rst_stream:
+        case http2::rst_stream:
             if (payload.size() != 4) return broken("RST_STREAM");
             return Error{ErrorCode::aborted, "the server reset the stream, code " +
                                                  std::to_string(big_endian(payload))};
-        case settings:
+        case http2::settings:
             return on_settings(head, payload);
-        case push_promise:
+        case http2::push_promise:
             return broken("PUSH_PROMISE");
-        case ping:
+        case http2::ping:
             if (payload.size() != 8) return broken("PING");
-            if ((head.flags & acknowledged) != 0) return {};
-            put_head(8, ping, acknowledged, 0);
+            if ((head.flags & http2::acknowledged) != 0) return {};
+            put_head(8, http2::ping, http2::acknowledged, 0);
             out_.append(reinterpret_cast<const char*>(payload.data()), payload.size());
             return {};
-        case goaway:
+        case http2::goaway:
             if (payload.size() < 8) return broken("GOAWAY");
             return Error{
                 ErrorCode::unavailable,
                 "the server went away, code " + std::to_string(big_endian(payload.subspan(4, 4)))};
-        case window_update:
+        case http2::window_update:
             return on_window_update(head, payload);
         default:
             return {};  // PRIORITY, and what we do not know
@@ -242,14 +244,14 @@ Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
     if (head.stream != call_stream) return broken("DATA of a stream that was not begun");
     unused_ += head.length;
     if (unused_ > window_) return broken("more DATA than our window allows");
-    if ((head.flags & padded) != 0) {
+    if ((head.flags & http2::padded) != 0) {
         if (payload.empty() || payload[0] >= payload.size()) return broken("padding");
         const std::size_t padding = payload[0];
         payload = payload.subspan(1, payload.size() - 1 - padding);
         give_back(1 + padding);
     }
     if (Status s = on_messages(payload, reader); !s.ok()) return s;
-    if ((head.flags & end_stream) != 0) return broken("DATA ends the stream");
+    if ((head.flags & http2::end_stream) != 0) return broken("DATA ends the stream");
     return {};
 }
 
@@ -289,26 +291,27 @@ Bytes Http2Framing::begun_message() const {
 }
 
 Status Http2Framing::on_headers(const Head& head) {
-    if (head.type == continuation && !header_block_open_) return broken("CONTINUATION of nothing");
-    if (head.type == headers) header_ends_stream_ = (head.flags & end_stream) != 0;
-    header_block_open_ = (head.flags & end_headers) == 0;
+    if (head.type == http2::continuation && !header_block_open_)
+        return broken("CONTINUATION of nothing");
+    if (head.type == http2::headers) header_ends_stream_ = (head.flags & http2::end_stream) != 0;
+    header_block_open_ = (head.flags & http2::end_headers) == 0;
     if (!header_block_open_ && header_ends_stream_)
         return Error{ErrorCode::aborted, "the server ended the stream"};
     return {};
 }
 
 Status Http2Framing::on_settings(const Head& head, Bytes payload) {
-    if ((head.flags & acknowledged) != 0) return {};
+    if ((head.flags & http2::acknowledged) != 0) return {};
     if (payload.size() % 6 != 0) return broken("SETTINGS");
     for (; !payload.empty(); payload = payload.subspan(6)) {
-        if (big_endian(payload.first(2)) != setting_initial_window) continue;
+        if (big_endian(payload.first(2)) != http2::setting_initial_window) continue;
         const std::uint32_t window = big_endian(payload.subspan(2, 4));
         if (window > Http2Request::window_max)
             return broken("a window of " + std::to_string(window));
         stream_credit_ += static_cast<std::int64_t>(window) - server_window_;
         server_window_ = window;
     }
-    put_head(0, settings, acknowledged, 0);
+    put_head(0, http2::settings, http2::acknowledged, 0);
     send_waiting();
     return {};
 }

@@ -36,6 +36,7 @@ constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_floor, StreamKin
 constexpr int fit_attempts = 3;
 constexpr double fits = 0.03;  // of the bytes that were asked for
 constexpr double keeps_rate = 0.97;
+constexpr int rate_attempts = 3;
 
 struct Flags {
     StreamRequest request;
@@ -137,17 +138,27 @@ nlohmann::ordered_json rows_json(const Costs& costs) {
     return rows;
 }
 
+// A machine that does something else as well may keep a server from its rate, and what it sends
+// then costs more each: so it is asked again, and in the end believed.
+Result<StreamCost> measure_at_full_rate(StreamKind kind, const StreamRequest& request) {
+    for (int attempt = 1;; attempt++) {
+        auto cost = measure_stream(kind, request);
+        if (!cost.ok() || cost->snapshots_per_second >= keeps_rate * 60) return cost;
+        show_progress("");
+        std::fprintf(stderr, "jostle-bench: %s sent %.1f a second, not 60%s\n", name_of(kind),
+                     cost->snapshots_per_second, attempt < rate_attempts ? ": once more" : "");
+        if (attempt == rate_attempts) return cost;
+    }
+}
+
 Result<Costs> measure_all(const Flags& flags, StreamRequest request) {
     Costs costs;
     for (int round = 1; round <= flags.rounds; round++)
         for (const StreamKind kind : kinds) {
             show_progress("round " + std::to_string(round) + " of " + std::to_string(flags.rounds) +
                           ": " + name_of(kind));
-            const auto cost = measure_stream(kind, request);
+            const auto cost = measure_at_full_rate(kind, request);
             if (!cost.ok()) return cost.error();
-            if (cost->snapshots_per_second < keeps_rate * 60)
-                std::fprintf(stderr, "jostle-bench: %s sent %.1f a second, not 60\n", name_of(kind),
-                             cost->snapshots_per_second);
             costs[kind].push_back(*cost);
         }
     show_progress("");

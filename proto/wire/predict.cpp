@@ -60,6 +60,8 @@ void predict_position(Prediction& p, const EntityState& base, const EntityState*
         const std::int64_t d = base2 ? b1 - base2->position[k] : 0;
         const std::int64_t before =
             base3 ? scaled(std::int64_t{base2->position[k]} - base3->position[k], t.dt2, t.dt3) : d;
+        p.position_step[k] = d;
+        p.position_bend[k] = d - before;
         // Kept within int32, so that a residual never needs more than 33 bits.
         p.position[k] =
             std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll, 2147483647ll);
@@ -72,7 +74,7 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
     const std::int64_t n = 2 * m * m;
     const Four q1 = unpack(base, n);
     p.rotation = q1;
-    Four change{};
+    Four& change = p.rotation_bend;
     const bool turned =
         base2 && !(same_rotation(base, *base2) && (!base3 || same_rotation(*base2, *base3)));
     if (turned) {
@@ -97,6 +99,7 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
                 t.dt1 == t.dt2 ? step2
                                : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
             const bool bends = bend * m >= n / 4;
+            p.rotation_step = step;
             for (std::size_t k = 0; k < 4; k++)
                 p.rotation[k] = q1[k] + scaled(step[k], t.dt1, t.dt2) -
                                 (bends ? divide_rounded(q1[k] * bend, n) : 0);

@@ -35,6 +35,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
       hz_(scene_->hz),
       work_per_second_(world.work_per_second()),
       gravity_(scene_->world.gravity),
+      epoch_(Clock::now()),
       channel_kinds_(world.channel_kinds()),
       settings_(settings),
       world_(std::move(world)),
@@ -44,7 +45,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
     first->tick = tick_ = 1;
-    first->due = Clock::now();
+    first->due = epoch_ + from_seconds(1 / hz_);
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
@@ -111,7 +112,8 @@ void WorldHost::interrupt(std::string reason) {
 }
 
 void WorldHost::run() {
-    TickClock clock(Clock::now(), hz_, settings_.catch_up_max);
+    // Tick 1 is the world as it was made; the clock counts from there.
+    TickClock clock(epoch_ + from_seconds(1 / hz_), hz_, settings_.catch_up_max);
     std::function<void()> wait = [&] {
         timer_->due.expires_at(clock.next_due());
         timer_->due.async_wait([&](const boost::system::error_code& error) {
@@ -160,6 +162,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
+    frame->late_us = late_us(due);
     frame->late_ticks = late_ticks;
     frame->events = events_;
     frame->paused = why;
@@ -252,6 +255,13 @@ void WorldHost::serve_queries() {
         queries_.put(world_.query_frame(tick_, parts));
 }
 
+// A microsecond is rounding.
+std::int64_t WorldHost::late_us(Clock::time_point due) const {
+    const Clock::time_point on_time = epoch_ + from_seconds(static_cast<double>(tick_) / hz_);
+    const auto late = std::chrono::duration_cast<std::chrono::microseconds>(due - on_time).count();
+    return std::abs(late) <= 1 ? 0 : late;
+}
+
 // The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
 void WorldHost::measure(Frame& frame, Clock::time_point began) {
     recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
@@ -263,6 +273,8 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
 
 void WorldHost::publish(std::shared_ptr<Frame> frame) {
     FramePtr old;  // freed outside the lock
+    const std::uint32_t events = frame->events->count;
+    bool news = frame->changed_at == frame->tick || !batch_.empty();
     {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));
@@ -270,7 +282,8 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     // After the frame: who hears that a body was spawned finds it there.
     for (std::size_t i = 0; i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
-    if (settings_.on_frame) settings_.on_frame();
+    news = news || events != old->events->count;
+    if (news && settings_.on_frame) settings_.on_frame();
 }
 
 }  // namespace jostle::server

@@ -35,7 +35,8 @@ struct WorldHostSettings {
     int catch_up_max = 4;
     int physics_threads = 1;
     bool own_thread = true;  // false: it ticks only when tick() is called
-    // Called on the world's thread after each frame; must only wake somebody.
+    // Called on the world's thread after each frame in which something happened; must only wake
+    // somebody.
     std::function<void()> on_frame;
     Metrics* metrics = nullptr;  // null: nobody counts
 };
@@ -104,6 +105,8 @@ public:
     double hz() const { return hz_; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
+    // When tick 0 would have been due, on the server's clock.
+    std::uint64_t epoch_us() const { return to_us(epoch_); }
     // What its modules tell clients: a channel's kind is a place in this list.
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channel_kinds_; }
 
@@ -117,6 +120,7 @@ private:
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
+    std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
@@ -127,6 +131,7 @@ private:
     const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
+    const Clock::time_point epoch_;
     const std::vector<physics::ChannelKind> channel_kinds_;
     const WorldHostSettings settings_;
 

@@ -29,8 +29,6 @@ constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
 constexpr auto keyframe_period = 250ms;
-// Results travel together: a client learns what became of an input at most this much later.
-constexpr auto results_period = 50ms;
 // A client that has been told and still sends this many times its rate is cut off.
 constexpr int flood_factor = 5;
 constexpr auto rate_notice_period = 1s;
@@ -189,9 +187,10 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .tick = frame->tick,
          .tick_hz = world->hz(),
          .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-         .ack_window = static_cast<std::uint32_t>(flow_->window()),
+         .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
+         .epoch_us = world->epoch_us(),
          .gravity = world->gravity(),
          .channels = world->channel_kinds()}));
     snapshot_due_ = true;  // the first one goes out at once
@@ -371,15 +370,13 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
             on_frame(*frame, now);
         }
         write_waits_ = false;
-        if (auto results = take_results(now)) return results;
-        if (auto snapshot = take_snapshot(now)) return snapshot;
-        if (auto events = take_events()) return events;
-        return take_stats(now);
+        return take_snapshot(now);
     }
     if (waiting_.empty()) return std::nullopt;
     OutMessage message = std::move(waiting_.front());
     waiting_.pop_front();
     if (!message.shared) replies_waiting_--;
+    if (flow_) flow_->on_other_sent();
     return message;
 }
 
@@ -397,15 +394,24 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
+// Whether this frame is one to send. Frames that came and went while a write was pending were
+// skipped because of it.
 void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_waits_ && seen_tick_ != 0) {
         skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
     }
     seen_tick_ = frame.tick;
-    snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
-    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
+    snapshot_due_ = snapshot_due_ || (has_news(frame, now) && flow_->may_send(frame.tick, now));
+    watch_.saw_frame(*flow_, skipped_waiting_);
+}
+
+// Anything since the last snapshot; and now and then nothing, so that the client knows so much.
+bool ClientLink::has_news(const Frame& frame, Clock::time_point now) const {
+    return frame.changed_at > baselines_.last() || !results_.empty() ||
+           (wants_events_ && event_cursor_ < frame.events->count) ||
+           now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
 
 void ClientLink::collect_results() {
@@ -414,51 +420,49 @@ void ClientLink::collect_results() {
                     std::make_move_iterator(fresh.end()));
 }
 
-std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
-    if (results_.empty() || now - last_results_ < results_period) return std::nullopt;
-    last_results_ = now;
-    for (const InputResult& result : results_) {
-        answered_sequence_ = std::max(answered_sequence_, result.sequence);
-    }
-    watch_.answered(results_);
-    OutMessage message{encode_input_results(results_), nullptr};
-    results_.clear();
-    return message;
+// What only this client is told with a snapshot; each number when it is another than last time.
+Private ClientLink::own_part() {
+    std::uint32_t answered = told_.input_sequence;
+    for (const InputResult& result : results_) answered = std::max(answered, result.sequence);
+    const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
+    Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
+    if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
+    if (skipped != told_.snapshots_skipped)
+        own.snapshots_skipped = told_.snapshots_skipped = skipped;
+    return own;
 }
 
-std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
-    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) {
-        return std::nullopt;
-    }
+// A field, or nothing when it is too early for the next.
+std::string ClientLink::take_stats(const FramePtr& frame, Clock::time_point now) {
+    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) return {};
     last_stats_ = now;
-    const WorldHost& world = feed_->host();
-    const auto clients = static_cast<std::uint32_t>(context_.sessions.clients_in(world.id()));
-    return OutMessage{{}, feed_->world_stats(world.frame(), clients)};
+    const auto clients =
+        static_cast<std::uint32_t>(context_.sessions.clients_in(feed_->host().id()));
+    return *feed_->world_stats(frame, clients);
 }
 
-// Events of a tick follow the first snapshot of that tick or a later one, so that the client has
-// been told of the entities. How many ticks may wait is up to the frame, which holds the newest
-// few.
-std::optional<OutMessage> ClientLink::take_events() {
-    if (!wants_events_) return std::nullopt;
-    const FramePtr frame = feed_->host().frame();
-    const auto& ticks = frame->events->ticks;
-    const std::uint32_t gone = frame->events->count - static_cast<std::uint32_t>(ticks.size());
+// The fields of all ticks up to the frame's, so that the client has been told of the entities. How
+// many ticks may wait is up to the frame, which holds the newest few.
+std::string ClientLink::take_events(const Frame& frame) {
+    std::string fields;
+    if (!wants_events_) return fields;
+    const auto& ticks = frame.events->ticks;
+    const std::uint32_t gone = frame.events->count - static_cast<std::uint32_t>(ticks.size());
     if (event_cursor_ < gone) {
         events_missed_ += gone - event_cursor_;
         event_cursor_ = gone;
     }
-    while (event_cursor_ < frame->events->count) {
-        const auto& tick = ticks[event_cursor_ - gone];
-        if (tick->tick > baselines_.last()) return std::nullopt;
-        event_cursor_++;
-        SharedBytes shared = feed_->events(tick);
-        if (shared->size() <= events_bytes_max)
-            return OutMessage{encode_events_head(std::exchange(events_missed_, 0), shared->size()),
-                              std::move(shared)};
-        events_missed_++;
+    for (; event_cursor_ < frame.events->count; event_cursor_++) {
+        const SharedBytes shared = feed_->events(ticks[event_cursor_ - gone]);
+        if (shared->size() > events_bytes_max) {
+            events_missed_++;
+            continue;
+        }
+        if (fields.size() + shared->size() > events_bytes_max) break;  // with the next one
+        fields += encode_events_head(std::exchange(events_missed_, 0), shared->size());
+        fields += *shared;
     }
-    return std::nullopt;
+    return fields;
 }
 
 // Shapes before the bodies that have them, each once in a stream.
@@ -484,14 +488,15 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     }
     SharedBytes shared =
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_);
-    const Private own{.input_sequence = answered_sequence_,
-                      .echo_client_time_us = client_time_us_,
-                      .snapshots_skipped = flow_->skipped() + skipped_waiting_};
+    const std::string more = take_stats(frame, now) + take_events(*frame);
+    OutMessage message{encode_snapshot_head(own_part(), more, shared->size()), std::move(shared)};
+    watch_.answered(results_);
+    results_.clear();
     snapshot_due_ = false;
+    last_snapshot_ = now;
     seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
-    OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
     watch_.sent_snapshot(message.size());
     return message;
 }

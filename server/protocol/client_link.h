@@ -25,6 +25,7 @@
 #include "protocol/out_message.h"
 #include "protocol/peer.h"
 #include "protocol/play_context.h"
+#include "protocol/server_message.h"
 #include "replication/baseline_tracker.h"
 #include "session/admission.h"
 #include "session/flow_control.h"
@@ -47,7 +48,7 @@ public:
     // A message could not be read or made by a fault of ours: nothing is sent any more.
     void on_fault(Clock::time_point now);
     // The next message to write. Nothing: call again when a message arrived, a world has a new
-    // frame or 20 ms passed. When nobody called for half a second, this process or its machine
+    // frame or 50 ms passed. When nobody called for half a second, this process or its machine
     // stood still, and that was not the client's silence.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.
@@ -85,10 +86,11 @@ private:
     void collect_results();
 
     std::optional<OutMessage> next_message(Clock::time_point now);
-    std::optional<OutMessage> take_results(Clock::time_point now);
-    std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
-    std::optional<OutMessage> take_events();
+    bool has_news(const Frame& frame, Clock::time_point now) const;
+    Private own_part();
+    std::string take_stats(const FramePtr& frame, Clock::time_point now);
+    std::string take_events(const Frame& frame);
     void tell_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
@@ -113,10 +115,10 @@ private:
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // received
-    std::uint32_t answered_sequence_ = 0;
-    std::uint32_t client_time_us_ = 0;
-    int dropped_ = 0;  // messages since dropping_since_
-    Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};
+    std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
+    int dropped_ = 0;                   // messages since dropping_since_
+    Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
+    Private told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows

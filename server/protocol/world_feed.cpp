@@ -40,7 +40,7 @@ std::shared_ptr<const RosterMessages> WorldFeed::entity_list_change(
 SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
     const std::lock_guard lock(mutex_);
     if (stats_frame_ != frame || stats_clients_ != clients) {
-        stats_ = share(encode_world_stats(*frame, clients));
+        stats_ = share(encode_stats_field(*frame, clients));
         stats_frame_ = frame;
         stats_clients_ = clients;
     }

@@ -30,6 +30,7 @@ public:
     // nothing yet.
     std::shared_ptr<const RosterMessages> entity_list_change(
         const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
+    // A field of a Snapshot.
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);

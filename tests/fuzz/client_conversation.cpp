@@ -8,6 +8,7 @@
 #include "fuzz/mutate_message.h"
 #include "fuzz/reader.h"
 #include "fuzz/target.h"
+#include "wire/base_frames.h"
 
 namespace jostle::fuzz {
 
@@ -66,8 +67,9 @@ private:
 
     bool put_crc(v1::Snapshot& snapshot) const {
         wire::Bases bases;
-        const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
-                                         snapshot.base3_frame()};
+        const auto told = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+        if (!told.ok()) return false;
+        const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
         const wire::QuantizedFrame** const slots[] = {&bases.base, &bases.base2, &bases.base3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }

@@ -48,7 +48,8 @@ public:
 private:
     void take(const v1::Roster& roster);
     void take(const v1::Snapshot& snapshot);
-    void take(const v1::InputResults& results);
+    void take_results(const v1::Private& own);
+    std::uint64_t due_us(const v1::Snapshot& snapshot) const;
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool promise, const std::string& what);

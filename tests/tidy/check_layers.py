@@ -37,7 +37,7 @@ FLOORS = {
     "proto/wire": [],
     "proto/status": [],
     "scenes/include": [PUBLIC],
-    "scenes/src": [PUBLIC, "decomposition", "physics/examples", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
+    "scenes/src": [PUBLIC, "decomposition", "physics/examples", "modules/module_base", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
     "decomposition": [PUBLIC],
     "convergence": [],
     "linear_systems": [PUBLIC, "convergence"],

@@ -15,6 +15,7 @@ constexpr auto ping_period = std::chrono::seconds(1);
 constexpr std::size_t inputs_max = 4096;  // waiting; two seconds' worth of full batches is 1920
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
+constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
 
 }  // namespace
 
@@ -55,6 +56,8 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
             view_.begin(message_.welcome());
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
+            ack_period_ = std::chrono::milliseconds(
+                std::min<std::uint32_t>(message_.welcome().ack_ms(), ack_ms_max));
             break;
         case v1::ServerMessage::kGeometry:
             if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
@@ -67,23 +70,19 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
             break;
         case v1::ServerMessage::kSnapshot:
             on_snapshot(message_.snapshot(), now);
-            break;
-        case v1::ServerMessage::kInputResults:
-            on_results(message_.input_results());
+            // These stand by themselves, whatever became of the poses.
+            on_results(message_.snapshot().own());
+            if (message_.snapshot().has_stats()) world_stats_ = message_.snapshot().stats();
+            for (v1::Events& events : *message_.mutable_snapshot()->mutable_events())
+                on_events(std::move(events));
             break;
         case v1::ServerMessage::kPong:
             clock_.add(message_.pong().client_time_us(), message_.pong().server_time_us(),
                        to_us(now));
             stats_.rtt_ms = clock_.rtt_ms();
             break;
-        case v1::ServerMessage::kStats:
-            world_stats_ = message_.stats();
-            break;
         case v1::ServerMessage::kNotice:
             stats_.last_error = message_.notice().message();
-            break;
-        case v1::ServerMessage::kEvents:
-            on_events(std::move(*message_.mutable_events()));
             break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             break;  // of a newer server; not for us
@@ -104,16 +103,17 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
-    if (!clock_.ready() || snapshot.server_time_us() > latest_time_us) return;
-    const std::int64_t arrived = clock_.server_us(now);
-    const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
+    if (!clock_.ready()) return;
+    const WorldView::Times times = view_.times_of(snapshot);
+    const std::int64_t arrived = clock_.server_us(now), server_us = times.due_us;
+    if (times.still_until_us) buffer_.hold(*times.still_until_us);
     buffer_.add(view_.frame(), server_us, arrived);
     if (ages_ms_.size() < ages_max)
         ages_ms_.push_back(static_cast<float>(static_cast<double>(arrived - server_us) / 1000));
 }
 
-void Conversation::on_results(const v1::InputResults& results) {
-    for (const v1::InputResult& result : results.results()) {
+void Conversation::on_results(const v1::Private& own) {
+    for (const v1::InputResult& result : own.results()) {
         if (result.code() == v1::INPUT_CODE_APPLIED)
             stats_.inputs_applied++;
         else
@@ -145,10 +145,11 @@ std::vector<v1::Events> Conversation::take_events() {
     return taken;
 }
 
-void Conversation::put_ack(v1::Ack& ack) {
+void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_);
     ack_due_ = false;
+    last_ack_ = now;
 }
 
 std::string Conversation::take_inputs(Clock::time_point now) {
@@ -161,7 +162,7 @@ std::string Conversation::take_inputs(Clock::time_point now) {
         next_unsent_++;
         stats_.inputs_sent++;
     }
-    put_ack(*batch.mutable_ack());
+    put_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;
     return message.SerializeAsString();
@@ -190,8 +191,8 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         message.mutable_ping()->set_client_time_us(to_us(now));
         return message.SerializeAsString();
     }
-    if (ack_due_) {
-        put_ack(*message.mutable_ack());
+    if (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_)) {
+        put_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }
     // Goodbye comes last, after every input.

@@ -48,9 +48,9 @@ public:
 
 private:
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
-    void on_results(const v1::InputResults& results);
+    void on_results(const v1::Private& own);
     void on_events(v1::Events&& events);
-    void put_ack(v1::Ack& ack);
+    void put_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);
 
     ClientOptions options_;
@@ -68,9 +68,10 @@ private:
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
     bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
+    Clock::duration ack_period_{};
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
-    Clock::time_point last_batch_{}, next_ping_{};
+    Clock::time_point last_batch_{}, last_ack_{}, next_ping_{};
 };
 
 }  // namespace jostle::client

@@ -42,6 +42,12 @@ void InterpolationBuffer::add(const wire::QuantizedFrame& frame, std::int64_t se
     if (frames_.size() > frames_max) frames_.pop_front();
 }
 
+void InterpolationBuffer::hold(std::int64_t server_us) {
+    if (frames_.empty() || server_us <= frames_.back().server_us) return;
+    frames_.push_back({frames_.back().frame, server_us});
+    if (frames_.size() > frames_max) frames_.pop_front();
+}
+
 void InterpolationBuffer::adapt(std::int64_t server_us, std::int64_t arrived_us) {
     if (!frames_.empty()) {
         const auto interval = static_cast<double>(server_us - frames_.back().server_us);

@@ -2,12 +2,19 @@
 #include "jostle/client/world_view.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "jostle/client/clock_sync.h"
+#include "wire/base_frames.h"
 
 namespace jostle::client {
 
 void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    // No clock says more, and no world is slower: what is beyond is not believed.
+    epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
+    tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
@@ -55,8 +62,10 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
-    const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
-                                     snapshot.base3_frame()};
+    const Result<wire::BaseFrames> told_bases =
+        wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!told_bases.ok()) return told_bases.error();
+    const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};
     wire::Bases bases;
     const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
     const wire::Channels* base_channels = &no_channels_;
@@ -85,6 +94,20 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     frames_.push_back({std::move(*decoded), *std::move(channels)});
     if (frames_.size() > ring) frames_.pop_front();
     return {};
+}
+
+WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
+    constexpr auto most = static_cast<std::int64_t>(latest_time_us);
+    const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);
+    const auto due = [&](std::uint32_t frame) {
+        return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
+    };
+    Times times{.due_us = due(snapshot.frame())};
+    const auto bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!bases.ok() || bases->base == 0 || snapshot.still() == 0) return times;
+    if (snapshot.still() <= snapshot.frame() - bases->base)
+        times.still_until_us = due(bases->base + snapshot.still());
+    return times;
 }
 
 const wire::Channels& WorldView::channels() const {

@@ -2,6 +2,7 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
+import { baseFrames } from './base_frames';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
@@ -30,7 +31,7 @@ const BATCH_MS = 1000 / 30;
 const PING_MS = 1000;
 const INPUTS_PER_BATCH = 32;
 const PAUSES_MS = [250, 500, 1000, 2000, 5000];
-const SILENCE_MS = 5000; // a server says something ten times a second: after this it is gone
+const SILENCE_MS = 5000; // a server says something every second at least: after this it is gone
 const SETTLED_MS = 5000; // who was in a world for so long comes back without a pause
 const POLICY = 1008; // the close code of a refusal that asking again will not change
 
@@ -81,6 +82,7 @@ export class Connection {
   private nextSequence = 1;
   private needKeyframe = false;
   private ackDue = false;
+  private lastAck = 0;
   private lastPing = 0;
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
@@ -213,16 +215,8 @@ export class Connection {
         return this.onEntityList(message.value);
       case 'snapshot':
         return this.onSnapshot(message.value);
-      case 'inputResults':
-        for (const result of message.value.results)
-          if (result.code !== InputCode.APPLIED) this.events.refused(result);
-        return;
       case 'pong':
         return this.clock.add(Number(message.value.clientTimeUs), Number(message.value.serverTimeUs), nowUs());
-      case 'events':
-        return this.events.happened(message.value);
-      case 'stats':
-        return this.events.stats(message.value);
       case 'notice':
         return this.onNotice(message.value);
     }
@@ -251,6 +245,7 @@ export class Connection {
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
+    this.lastAck = 0;
     this.lastPing = 0;
     this.playingSince = nowUs();
     this.setState('playing', '');
@@ -268,22 +263,35 @@ export class Connection {
 
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
+    this.decode(s);
+    // These stand by themselves, whatever became of the poses.
+    for (const result of s.own?.results ?? [])
+      if (result.code !== InputCode.APPLIED) this.events.refused(result);
+    if (s.stats) this.events.stats(s.stats);
+    for (const tick of s.events) this.events.happened(tick);
+    // An ack that waited long for the next batch would make the way look long.
+    if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private decode(s: Snapshot): void {
     try {
-      const [base, base2, base3] = [s.baseFrame, s.base2Frame, s.base3Frame].map((number) => {
+      const told = baseFrames(s.frame, s.bases);
+      const [base, base2, base3] = told.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
       const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
-      const serverUs = Number(s.serverTimeUs);
-      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(s.baseFrame));
+      const serverUs = this.dueUs(s.frame, s.lateUs);
+      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));
+      if (s.still > 0) this.frames.hold(this.dueUs(told[0] + s.still, s.lateUs));
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
       if (this.clock.ready) {
         const arrived = this.clock.serverUs(nowUs());
-        this.delay.add(serverUs, arrived);
+        this.delay.add(serverUs, arrived, s.still > 0);
         this.ageMs = (arrived - serverUs) / 1000;
       }
     } catch (error) {
@@ -291,17 +299,23 @@ export class Connection {
       if (!this.needKeyframe) this.decodeErrors++;
       this.needKeyframe = true;
     }
-    // At the server's pace: an ack that waited for the next batch would make the window look full.
-    if (this.inputs.length === 0) this.sendAck();
+  }
+
+  /** When a tick was due, on the server's clock. */
+  private dueUs(frame: number, lateUs: bigint): number {
+    return Number(this.welcome!.epochUs) + Math.round((frame * 1e6) / this.welcome!.tickHz) + Number(lateUs);
   }
 
   private ack() {
     this.ackDue = false;
+    this.lastAck = nowUs();
     return create(AckSchema, { frame: this.frames.newest?.frame ?? 0, needKeyframe: this.needKeyframe });
   }
 
-  private sendAck(): void {
-    this.sendMessage({ case: 'ack', value: this.ack() });
+  private sendAckIfDue(): void {
+    if (!this.ackDue) return;
+    const dueUs = this.lastAck + (this.welcome?.ackMs ?? 0) * 1000;
+    if (this.needKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
   }
 
   /** Thirty times a second: what is to be said, and whether anybody is still there. */
@@ -319,8 +333,8 @@ export class Connection {
       this.nextSequence += inputs.length;
       const clientTimeUs = Math.floor(now) % 2 ** 32;
       this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
-    } else if (this.ackDue) {
-      this.sendAck();
+    } else {
+      this.sendAckIfDue();
     }
   }
 }

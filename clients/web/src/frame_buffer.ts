@@ -8,6 +8,8 @@ export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 export interface PoseFrame {
   readonly frame: number;
   readonly serverUs: number;
+  /** Nothing moved from serverUs until then. */
+  readonly heldUntilUs?: number;
   readonly entities: readonly EntityState[];
   /** POSE_FLOATS for each entity. */
   readonly poses: Float64Array;
@@ -48,6 +50,12 @@ export class FrameBuffer {
     this.frames.push({ quantized, drawn });
     if (this.frames.length > RING) this.frames.shift();
     return drawn;
+  }
+
+  /** What the newest frame shows was so until that time. */
+  hold(serverUs: number): void {
+    const newest = this.frames[this.frames.length - 1];
+    if (newest && newest.drawn.serverUs < serverUs) newest.drawn = { ...newest.drawn, heldUntilUs: serverUs };
   }
 
   get newest(): PoseFrame | undefined {

@@ -14,9 +14,9 @@ export class Delay {
   private last = 0;
   us = 0;
 
-  /** A frame of that server time arrived; both on the server's clock. */
-  add(serverUs: number, arrivedUs: number): void {
-    if (this.last > 0 && serverUs > this.last) {
+  /** A frame of that server time arrived; both on the server's clock. After a rest none were sent: their distance says nothing. */
+  add(serverUs: number, arrivedUs: number, afterRest = false): void {
+    if (!afterRest && this.last > 0 && serverUs > this.last) {
       const interval = serverUs - this.last;
       this.interval = this.interval === 0 ? interval : 0.95 * this.interval + 0.05 * interval;
     }
@@ -57,9 +57,10 @@ export class DrawnPoses {
     this.resize(b.entities.length);
     this.source = b;
     this.seconds = Math.min(EXTRAPOLATE_US, serverUs - b.serverUs) / 1e6;
-    const width = b.serverUs - a.serverUs;
+    const left = a.heldUntilUs ?? a.serverUs;
+    const width = b.serverUs - left;
     const most = width > 0 ? 1 + EXTRAPOLATE_US / width : 1;
-    const t = width > 0 ? Math.min(most, Math.max(0, (serverUs - a.serverUs) / width)) : 1;
+    const t = width > 0 ? Math.min(most, Math.max(0, (serverUs - left) / width)) : 1;
     let from = 0;
     for (let i = 0; i < b.entities.length; i++) {
       const entity = b.entities[i]!;

@@ -72,7 +72,7 @@ struct TestClient {
             kinds.push_back(message.message_case());
             if (message.has_snapshot()) {
                 newest_shared = out->shared;
-                newest_base = message.snapshot().base_frame();
+                newest_bases = message.snapshot().bases();
             }
             state.take(message);
         }
@@ -100,7 +100,7 @@ struct TestClient {
     PlayState state;
     std::vector<v1::ServerMessage::MessageCase> kinds;
     SharedBytes newest_shared;
-    std::uint32_t newest_base = 0;
+    std::uint32_t newest_bases = 0;
 };
 
 v1::Input ball(double radius) {
@@ -126,12 +126,12 @@ TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_sna
     EXPECT_EQ(client.kinds[0], v1::ServerMessage::kWelcome);
     EXPECT_EQ(client.kinds[1], v1::ServerMessage::kRoster);
     EXPECT_EQ(client.kinds[2], v1::ServerMessage::kSnapshot);
-    EXPECT_EQ(client.newest_base, 0u);
+    EXPECT_EQ(client.newest_bases, 0u);
     EXPECT_EQ(client.state.welcome.world_name(), "stack");
     EXPECT_EQ(client.state.welcome.tick_hz(), 60);
     EXPECT_EQ(client.state.entities.size(), worlds.find("")->frame()->entities.size());
     EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
-    EXPECT_NE(client.newest_base, 0u) << "later ones are deltas";
+    EXPECT_NE(client.newest_bases, 0u) << "later ones are deltas";
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
     EXPECT_EQ(sessions.clients(), 1);
 }
@@ -209,12 +209,10 @@ TEST_F(ClientLinkTest, a_spectator_sees_and_changes_nothing) {
 TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
     TestClient client(context);
     client.hello();
-    EXPECT_FALSE(client.listen_until(
-        [&] {
-            return client.state.snapshots > static_cast<int>(client.state.welcome.ack_window());
-        },
-        false));
-    EXPECT_EQ(client.state.snapshots, static_cast<int>(client.state.welcome.ack_window()));
+    // Four messages until the first is acknowledged, of which the welcome and the roster are two.
+    EXPECT_FALSE(client.listen_until([&] { return client.state.snapshots > 2; }, false));
+    EXPECT_EQ(client.state.snapshots, 2);
+    EXPECT_EQ(client.state.welcome.ack_ms(), 100u);
     client.ack(client.state.newest_frame);
     EXPECT_TRUE(client.listen_until([&] { return client.state.skipped > 0; }));
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;

@@ -24,6 +24,8 @@ public:
     // A frame was decoded. Both times are on the server's clock, in microseconds: of the tick, and
     // of its arrival. A frame that is not newer than the last one is left out.
     void add(const wire::QuantizedFrame& frame, std::int64_t server_us, std::int64_t arrived_us);
+    // What the newest frame shows was so until that time.
+    void hold(std::int64_t server_us);
     void clear();
 
     // Where everything is to be drawn at a time on the server's clock: between the two frames

@@ -37,6 +37,15 @@ public:
     // client should ask for a keyframe.
     Status apply(const v1::Snapshot& snapshot);
 
+    // On the server's clock, in us.
+    struct Times {
+        std::int64_t due_us = 0;  // of the tick
+        // Until then all was as in the snapshot's base; nothing: that is not known.
+        std::optional<std::int64_t> still_until_us;
+    };
+    // Of a snapshot that was applied.
+    Times times_of(const v1::Snapshot& snapshot) const;
+
     // The newest; frame 0, without entities, until the first snapshot.
     const wire::QuantizedFrame& frame() const {
         return frames_.empty() ? none_ : frames_.back().state;
@@ -66,6 +75,8 @@ private:
     const KnownFrame* find(std::uint32_t frame) const;
 
     wire::QuantSpec spec_;
+    std::int64_t epoch_us_ = 0;
+    double tick_us_ = 0;  // from tick to tick
     wire::QuantizedFrame none_;
     wire::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;

@@ -10,9 +10,8 @@ namespace jostle::bench {
 FloorMessage make_floor_message(int bytes, std::uint32_t frame) {
     v1::Snapshot snapshot;
     snapshot.set_frame(frame);
-    snapshot.set_base_frame(frame - 1);
+    snapshot.set_bases(1);
     snapshot.set_crc(frame);
-    snapshot.set_server_time_us(frame + 1);
     const auto rest = bytes - static_cast<int>(snapshot.ByteSizeLong());
     std::string packed(static_cast<std::size_t>(rest > 3 ? rest - 3 : 0), '\0');
     for (std::size_t k = 0; k < packed.size(); k++)

@@ -2,6 +2,7 @@
 #include "load/sink_conversation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace jostle::load {
@@ -14,9 +15,10 @@ constexpr std::uint32_t protocol_version = 1;
 constexpr int quick_pings = 3;  // to have a clock soon
 constexpr auto quick_ping_period = 100ms;
 constexpr auto ping_period = 5s;
-// A snapshot is acknowledged by then, however few came since.
-constexpr auto ack_patience = 150ms;
+// Where nothing else is asked for: a snapshot is acknowledged by then, however few came since.
+constexpr auto usual_ack_patience = 150ms;
 constexpr int usual_ack_every = 6;
+constexpr std::uint32_t ack_ms_max = 1000;  // whatever the server says
 constexpr std::size_t sent_max = 4096, arrived_max = 128;
 
 template <class Message>
@@ -29,7 +31,8 @@ bool parse(Message& message, Bytes bytes) {
 SinkConversation::SinkConversation(SinkWishes wishes, Figures& figures)
     : wishes_(std::move(wishes)),
       figures_(figures),
-      ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every) {
+      ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every),
+      ack_patience_(usual_ack_patience) {
     if (wishes_.decodes) view_ = std::make_unique<client::WorldView>();
 }
 
@@ -50,8 +53,6 @@ void SinkConversation::on_field(const Field& field, Clock::time_point now) {
             return on_welcome(field.bytes);
         case v1::ServerMessage::kSnapshotFieldNumber:
             return on_snapshot(field.bytes, now);
-        case v1::ServerMessage::kInputResultsFieldNumber:
-            return on_results(field.bytes, now);
         case v1::ServerMessage::kPongFieldNumber:
             return on_pong(field.bytes, now);
         case v1::ServerMessage::kNoticeFieldNumber: {
@@ -64,42 +65,62 @@ void SinkConversation::on_field(const Field& field, Clock::time_point now) {
     }
 }
 
-// A cadence above half of the window would make the server wait for acks that are not due.
 void SinkConversation::on_welcome(Bytes bytes) {
     v1::Welcome welcome;
     if (!parse(welcome, bytes)) return figures_.add_error("the server's welcome is none");
     joined_ = true;
     client_id_ = welcome.client_id();
-    const auto window = static_cast<int>(std::clamp(welcome.ack_window(), 2u, 1000u));
-    ack_every_ = wishes_.ack_every > 0 ? wishes_.ack_every : std::min(usual_ack_every, window / 2);
+    epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
+    tick_us_ = welcome.tick_hz() > 0 ? 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5) : 0;
+    if (wishes_.ack_every == 0 && welcome.ack_ms() > 0) {
+        ack_every_ = 0;
+        ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_ms(), ack_ms_max));
+    }
 }
 
 void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
     joined_ = true;  // a server of a benchmark says no welcome
-    std::uint64_t server_time_us = 0;
+    std::uint64_t late = 0;
+    Bytes own;
     FieldWalk walk(bytes);
     for (Field field; walk.next(field);) {
         if (field.number == v1::Snapshot::kFrameFieldNumber)
             frame_ = static_cast<std::uint32_t>(field.value);
-        if (field.number == v1::Snapshot::kServerTimeUsFieldNumber) server_time_us = field.value;
+        if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
+        if (field.number == v1::Snapshot::kOwnFieldNumber) own = field.bytes;
     }
     if (walk.broken()) return figures_.add_error("the server sent a snapshot that is none");
     figures_.snapshots++;
     figures_.snapshot_bytes += bytes.size();
-    if (unacked_++ == 0) unacked_since_ = now;
+    unacked_++;
     if (last_snapshot_)
         figures_.gap.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
     last_snapshot_ = now;
-    if (clock_.ready() && server_time_us <= client::latest_time_us)
-        figures_.add_age(server_us(now) - static_cast<std::int64_t>(server_time_us), now);
-    if (!wishes_.spectator) see_effects(frame_, now);
+    if (clock_.ready() && tick_us_ > 0)
+        figures_.add_age(server_us(now) - due_us(frame_, late), now);
+    if (!wishes_.spectator) {
+        see_effects(frame_, now);
+        on_own(own, now);
+    }
 }
 
-void SinkConversation::on_results(Bytes bytes, Clock::time_point now) {
-    v1::InputResults results;
-    if (!parse(results, bytes)) return figures_.add_error("the server sent results that are none");
-    for (const v1::InputResult& result : results.results()) on_result(result, now);
+// As WorldView::times_of(). `late` is a zigzag number: 0, -1, 1, -2 ...
+std::int64_t SinkConversation::due_us(std::uint32_t frame, std::uint64_t late) const {
+    constexpr auto most = static_cast<std::int64_t>(client::latest_time_us);
+    const auto late_us =
+        static_cast<std::int64_t>(late >> 1) ^ -static_cast<std::int64_t>(late & 1);
+    return epoch_us_ + std::clamp(late_us, -most, most) +
+           static_cast<std::int64_t>(std::llround(frame * tick_us_));
+}
+
+void SinkConversation::on_own(Bytes bytes, Clock::time_point now) {
+    v1::InputResult result;
+    FieldWalk walk(bytes);
+    for (Field field; walk.next(field);)
+        if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
+            on_result(result, now);
+    if (walk.broken()) figures_.add_error("the server sent results that are none");
 }
 
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
@@ -188,13 +209,13 @@ std::optional<std::string_view> SinkConversation::take_message(Clock::time_point
         for (int k = 0; k < batch_.inputs_size(); k++) sent_.push_back({next_sequence_++, now});
         while (sent_.size() > sent_max) sent_.pop_front();
         figures_.inputs_sent += static_cast<std::uint64_t>(batch_.inputs_size());
-        put_ack(*batch_.mutable_ack());
+        put_ack(*batch_.mutable_ack(), now);
         out_.mutable_input()->Swap(&batch_);
         batch_.Clear();
         return serialized();
     }
     if (ack_is_due(now)) {
-        put_ack(*out_.mutable_ack());
+        put_ack(*out_.mutable_ack(), now);
         return serialized();
     }
     if (now >= next_ping_) {
@@ -211,13 +232,16 @@ void SinkConversation::play(const std::vector<v1::Input>& inputs) {
 }
 
 bool SinkConversation::ack_is_due(Clock::time_point now) const {
-    return unacked_ >= ack_every_ || (unacked_ > 0 && now - unacked_since_ >= ack_patience);
+    if (unacked_ == 0) return false;
+    return need_keyframe_ || (ack_every_ > 0 && unacked_ >= ack_every_) ||
+           now - last_ack_ >= ack_patience_;
 }
 
-void SinkConversation::put_ack(v1::Ack& ack) {
+void SinkConversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
     unacked_ = 0;
+    last_ack_ = now;
 }
 
 std::string_view SinkConversation::serialized() {

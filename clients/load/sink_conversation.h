@@ -25,7 +25,7 @@ struct SinkWishes {
     std::string token;      // in the hello; empty: none
     bool spectator = true;  // sends no inputs
     bool decodes = false;
-    int ack_every = 0;  // snapshots; 0: what the server's welcome asks for
+    int ack_every = 0;  // snapshots; 0: as often as the server's welcome asks for
 };
 
 class SinkConversation {
@@ -62,14 +62,15 @@ private:
     void on_field(const Field& field, Clock::time_point now);
     void on_welcome(Bytes bytes);
     void on_snapshot(Bytes bytes, Clock::time_point now);
-    void on_results(Bytes bytes, Clock::time_point now);
+    void on_own(Bytes bytes, Clock::time_point now);
     void on_result(const v1::InputResult& result, Clock::time_point now);
     void on_pong(Bytes bytes, Clock::time_point now);
     void see_effects(std::uint32_t frame, Clock::time_point now);
     void decode(Bytes message);
     std::int64_t server_us(Clock::time_point now) const;
+    std::int64_t due_us(std::uint32_t frame, std::uint64_t late) const;
     bool ack_is_due(Clock::time_point now) const;
-    void put_ack(v1::Ack& ack);
+    void put_ack(v1::Ack& ack, Clock::time_point now);
     std::string_view serialized();
 
     const SinkWishes wishes_;
@@ -89,8 +90,12 @@ private:
     Clock::time_point next_ping_{};
     int pings_ = 0;
 
-    int ack_every_, unacked_ = 0;
-    Clock::time_point unacked_since_{};
+    std::int64_t epoch_us_ = 0;  // on the server's clock: tick 0
+    double tick_us_ = 0;         // from tick to tick; 0: not known
+
+    int ack_every_, unacked_ = 0;  // 0: only by time
+    Clock::duration ack_patience_;
+    Clock::time_point last_ack_{};
     std::uint32_t frame_ = 0;  // of the newest snapshot
     std::optional<Clock::time_point> last_snapshot_;
     bool need_keyframe_ = false;

@@ -454,9 +454,10 @@ void write_sink_streams(const fs::path& folder) {
     Seeds seeds(folder, "sink_stream");
     v1::ServerMessage welcome, snapshot;
     welcome.mutable_welcome()->set_client_id(1);
-    welcome.mutable_welcome()->set_ack_window(4);
+    welcome.mutable_welcome()->set_tick_hz(60);
+    welcome.mutable_welcome()->set_ack_ms(100);
     snapshot.mutable_snapshot()->set_frame(5);
-    snapshot.mutable_snapshot()->set_server_time_us(1'000'000'000);
+    snapshot.mutable_snapshot()->set_late_us(-100);
     std::string raw("\1"), socket("\0HTTP/1.1 101 x\r\ns3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n\r\n", 49);
     std::string http2 = "\2" + http2_frame(4, 0, 0, 0) + http2_frame(1, 4, 1, 1);
     for (const auto& message : {welcome, snapshot}) {

@@ -28,18 +28,20 @@ struct Talk {
     void hear(const v1::ServerMessage& message, Clock::time_point now = noon) {
         sink.receive(as_bytes(message.SerializeAsString()), now);
     }
-    void welcome(std::uint32_t window) {
+    // Tick 0 was due at noon, and a tick is 10 ms.
+    void welcome(std::uint32_t ack_ms = 0) {
         v1::ServerMessage message;
         message.mutable_welcome()->set_client_id(7);
-        message.mutable_welcome()->set_ack_window(window);
+        message.mutable_welcome()->set_ack_ms(ack_ms);
+        message.mutable_welcome()->set_tick_hz(100);
+        message.mutable_welcome()->set_epoch_us(client::to_us(noon));
         hear(message);
         said();  // a ping
     }
-    // Due `age` ago.
-    void snapshot(std::uint32_t frame, Clock::time_point now = noon, Clock::duration age = 0ms) {
+    void snapshot(std::uint32_t frame, Clock::time_point now = noon, int late_us = 0) {
         v1::ServerMessage message;
         message.mutable_snapshot()->set_frame(frame);
-        message.mutable_snapshot()->set_server_time_us(client::to_us(now - age));
+        message.mutable_snapshot()->set_late_us(late_us);
         hear(message, now);
     }
 
@@ -66,11 +68,26 @@ TEST(SinkConversation, says_hello_first_and_waits_for_the_welcome) {
     EXPECT_FALSE(sink.joined());
 }
 
-TEST(SinkConversation, acknowledges_every_sixth_snapshot_when_the_window_has_room_for_it) {
+TEST(SinkConversation, acknowledges_when_as_much_time_passed_as_the_server_says) {
     Talk talk;
-    talk.welcome(30);
+    talk.welcome(100);
     int acks = 0;
-    for (std::uint32_t frame = 1; frame <= 12; frame++) {
+    for (int k = 0; k <= 60; k++) {  // a snapshot every 10 ms: at 0, 100 ... 600 ms
+        const auto now = noon + k * 10ms;
+        talk.snapshot(static_cast<std::uint32_t>(k + 1), now);
+        acks += count_acks(talk.said(now));
+    }
+    EXPECT_EQ(acks, 7);
+    EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
+}
+
+TEST(SinkConversation, acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
+    Talk talk({.ack_every = 3});
+    talk.welcome(1000);
+    talk.snapshot(1);
+    EXPECT_EQ(count_acks(talk.said()), 1) << "the first at once";
+    int acks = 0;
+    for (std::uint32_t frame = 2; frame <= 13; frame++) {
         talk.snapshot(frame);
         const auto said = talk.said();
         if (count_acks(said) > 0) {
@@ -78,39 +95,28 @@ TEST(SinkConversation, acknowledges_every_sixth_snapshot_when_the_window_has_roo
         }
         acks += count_acks(said);
     }
-    EXPECT_EQ(acks, 2);
+    EXPECT_EQ(acks, 4);
 }
 
-TEST(SinkConversation, acknowledges_half_of_a_narrow_window_and_as_it_was_told) {
-    Talk narrow;
-    narrow.welcome(4);
-    narrow.snapshot(1);
-    EXPECT_EQ(count_acks(narrow.said()), 0);
-    narrow.snapshot(2);
-    EXPECT_EQ(count_acks(narrow.said()), 1);
-    Talk told({.ack_every = 3});
-    told.welcome(4);
-    for (std::uint32_t frame = 1; frame <= 3; frame++) told.snapshot(frame);
-    EXPECT_EQ(count_acks(told.said()), 1);
-}
-
-TEST(SinkConversation, a_snapshot_waits_150_ms_for_its_ack_at_most) {
+TEST(SinkConversation, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_another_time) {
     Talk talk;
-    talk.welcome(30);
+    talk.welcome();
     talk.snapshot(1);
+    EXPECT_EQ(count_acks(talk.said(noon)), 1);
+    talk.snapshot(2, noon + 10ms);
     EXPECT_EQ(count_acks(talk.said(noon + 149ms)), 0);
     EXPECT_EQ(count_acks(talk.said(noon + 150ms)), 1);
 }
 
 TEST(SinkConversation, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_ms_old) {
     Talk talk;
-    talk.welcome(30);
+    talk.welcome();
     v1::ServerMessage pong;
     pong.mutable_pong()->set_client_time_us(client::to_us(noon));
     pong.mutable_pong()->set_server_time_us(client::to_us(noon));
     talk.hear(pong, noon + 80ms);  // it waited: a clock of half a round trip would be 40 ms off
-    for (int k = 0; k < 10; k++)
-        talk.snapshot(static_cast<std::uint32_t>(k + 1), noon + 100ms + k * 20ms, 5ms);
+    for (int k = 5; k < 15; k++)   // due at 100 ms, 120 ms ..., begun 1 ms early
+        talk.snapshot(static_cast<std::uint32_t>(2 * k), noon + k * 20ms + 4ms, -1000);
     EXPECT_NEAR(percentiles_of(talk.figures.age).p50, 5, 0.15);
     EXPECT_NEAR(percentiles_of(talk.figures.gap).p50, 20, 0.6);
     EXPECT_EQ(talk.figures.gap.count(), 9u);
@@ -118,7 +124,7 @@ TEST(SinkConversation, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_
 
 TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
     Talk talk({.spectator = false});
-    talk.welcome(30);
+    talk.welcome();
     v1::Input push;
     push.mutable_impulse()->set_entity(3);
     talk.sink.play({push});
@@ -128,7 +134,8 @@ TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_
     talk.snapshot(39, noon + 20ms);
     talk.snapshot(40, noon + 30ms);
     v1::ServerMessage results;
-    auto* const result = results.mutable_input_results()->add_results();
+    results.mutable_snapshot()->set_frame(41);
+    auto* const result = results.mutable_snapshot()->mutable_own()->add_results();
     result->set_sequence(1);
     result->set_code(v1::INPUT_CODE_APPLIED);
     result->set_tick(40);

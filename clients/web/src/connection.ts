@@ -3,7 +3,18 @@
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
 import { baseFrames } from './base_frames';
-import { DecodeError, NEWEST_CODEC, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
+import {
+  DecodeError,
+  NEWEST_CODEC,
+  decodeFrame,
+  frameCrc,
+  isSound,
+  type Bases,
+  type QuantSpec,
+  type QuantizedFrame,
+} from './decode_frame';
+import { SeenCells } from './seen_cells';
+import type { Sight } from './sight';
 import { FrameBuffer } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
@@ -13,6 +24,7 @@ import {
   AckSchema,
   ClientMessageSchema,
   InputCode,
+  InterestSchema,
   NoticeCode,
   ServerMessageSchema,
   type Entity,
@@ -81,6 +93,8 @@ export class Connection {
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
   private codec = 1; // of snapshots
+  private readonly cells = new SeenCells();
+  private focus = { x: 0, z: 0 };
   private inputs: Input[] = [];
   private nextSequence = 1;
   private needKeyframe = false;
@@ -100,6 +114,7 @@ export class Connection {
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
     private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
+    private readonly sight: Sight | undefined = undefined, // absent: it is told of all of the world
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -163,7 +178,10 @@ export class Connection {
     socket.onopen = () => {
       const { world, token, eventsWanted: events } = this;
       const channels = [...this.kinds];
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC };
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
+        maxKbps: this.sight?.maxKbps ?? 0,
+        ...(this.interest() ? { interest: this.interest() } : {}),
+      };
       this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
@@ -243,6 +261,7 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.frames.clear();
+    this.cells.clear();
     this.renderClock.reset();
     this.inputClock.begin(welcome.tickHz);
     this.clock.reset();
@@ -287,8 +306,7 @@ export class Connection {
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
-      const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec, undefined, this.codec);
-      if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+      const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, base2, base3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));
       if (s.still > 0) this.frames.hold(this.dueUs(told[0] + s.still, s.lateUs));
@@ -308,6 +326,30 @@ export class Connection {
       if (!this.needKeyframe) this.decodeErrors++;
       this.needKeyframe = true;
     }
+  }
+
+  private wholeOf(s: Snapshot, bases: Bases): QuantizedFrame {
+    const frame = decodeFrame(s.frame, s.packed, bases, this.spec, undefined, this.codec);
+    if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+    return frame;
+  }
+
+  /** The cells that are in sight. */
+  private partOf(s: Snapshot): QuantizedFrame {
+    this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec);
+    return this.cells.frame(s.frame);
+  }
+
+  /** What it wants to be told of from now on; only while `sight` is given. */
+  lookAt(x: number, z: number): void {
+    if (!this.sight || Math.hypot(x - this.focus.x, z - this.focus.z) < this.sight.radius / 16) return;
+    this.focus = { x, z };
+    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest()! });
+  }
+
+  private interest() {
+    if (!this.sight?.radius) return undefined;
+    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: this.sight.radius });
   }
 
   /** When a tick was due, on the server's clock. */

@@ -70,7 +70,7 @@ TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
 
 TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
     WorldDirectory worlds({.on_frame =
-                               [] {
+                               [](bool) {
                                    static std::atomic<int> frames{0};
                                    if (++frames == 20) std::this_thread::sleep_for(1500ms);
                                }},

@@ -11,6 +11,7 @@ namespace jostle::physics {
 namespace {
 
 Status check_size(const char* name, const char* field, double size) {
+    if (min_shape_size <= size && size <= max_shape_size) return {};
     return check_range((std::string(name) + "." + field).c_str(), size, min_shape_size,
                        max_shape_size);
 }

@@ -35,12 +35,14 @@ bool reaches(const Placed& plane, const Aabb& box) {
 std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
                                     const QueryFilter& filter) {
     std::vector<std::uint32_t> found;
+    found.reserve(16);
     source.fixed().query(box, filter.categories, found);
     source.moving().query(box, filter.categories, found);
     for (const std::uint32_t plane : source.planes())
         if (reaches(source.shape(plane).placed, box)) found.push_back(plane);
     std::sort(found.begin(), found.end());
     std::vector<QueryShape> shapes;
+    shapes.reserve(found.size());
     for (const std::uint32_t index : found) {
         const QueryShape shape = source.shape(index);
         if (sees(filter, shape)) shapes.push_back(shape);
@@ -217,15 +219,71 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
     return hits;
 }
 
-std::optional<ShapeCastHit> first_touch(const QuerySource& source, const ShapeCast& cast,
-                                        const QueryFilter& filter) {
-    const Placed probe = probe_of(cast);
+std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, const ShapeCast& cast,
+                                        const Placed& probe) {
     std::optional<ShapeCastHit> best;
-    for (const QueryShape& shape : shapes_near(source, sweep_of(probe, cast.motion), filter)) {
+    for (const QueryShape& shape : shapes) {
         const auto hit = touch_of(cast, probe, shape);
         if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
     }
     return best;
+}
+
+// ---- questions that are asked side by side, like those of the wheels of a car ----
+
+// One look into the broad phases for all of them, if they are close enough to each other.
+constexpr std::size_t together_max = 16;
+constexpr double together_area = 8;  // of the box of all, in those of each
+
+std::optional<Aabb> box_of_all(std::span<const Aabb> boxes) {
+    if (boxes.size() < 2 || boxes.size() > together_max) return {};
+    Aabb all = boxes[0];
+    double areas = half_area(all);
+    for (const Aabb& box : boxes.subspan(1)) {
+        all = unite(all, box);
+        areas += half_area(box);
+    }
+    if (half_area(all) > together_area * areas) return {};
+    return all;
+}
+
+// Shapes near all, but not near this one, are not asked.
+bool is_near(const QueryShape& shape, const Aabb& box) {
+    const ShapeKind kind = kind_of(*shape.placed.geometry);
+    if (kind == ShapeKind::plane) return reaches(shape.placed, box);
+    // They have a tree.
+    if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) return true;
+    return overlap(grow(bounds_of(shape.placed), 1e-5 * radius_of(*shape.placed.geometry)), box);
+}
+
+std::vector<std::optional<ShapeCastHit>> first_touches(const QuerySource& source,
+                                                       std::span<const ShapeCast> casts,
+                                                       const QueryFilter& filter) {
+    std::vector<Placed> probes;
+    std::vector<Aabb> boxes;
+    probes.reserve(casts.size());
+    boxes.reserve(casts.size());
+    for (const ShapeCast& cast : casts) {
+        probes.push_back(probe_of(cast));
+        boxes.push_back(sweep_of(probes.back(), cast.motion));
+    }
+    std::vector<std::optional<ShapeCastHit>> hits;
+    hits.reserve(casts.size());
+    const std::optional<Aabb> all = box_of_all(boxes);
+    std::vector<QueryShape> shapes, near;
+    if (all) shapes = shapes_near(source, *all, filter);
+    for (std::size_t k = 0; k < casts.size(); k++) {
+        if (!all) {
+            hits.push_back(
+                first_touch(shapes_near(source, boxes[k], filter), casts[k], probes[k]));
+            continue;
+        }
+        near.clear();
+        for (const QueryShape& shape : shapes)
+            if (is_near(shape, boxes[k])) near.push_back(shape);
+        hits.push_back(first_touch(near, casts[k], probes[k]));
+    }
+    return hits;
 }
 
 std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, double max_distance,
@@ -302,7 +360,8 @@ Result<std::vector<std::optional<RayHit>>> Queries::cast_rays(std::span<const Ra
 Result<std::optional<ShapeCastHit>> Queries::cast_shape(const ShapeCast& cast,
                                                         const QueryFilter& filter) const {
     if (Status s = check_cast(cast); !s.ok()) return s.error();
-    return first_touch(*source_, cast, filter);
+    const Placed probe = probe_of(cast);
+    return first_touch(shapes_near(*source_, sweep_of(probe, cast.motion), filter), cast, probe);
 }
 
 Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
@@ -313,8 +372,10 @@ Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
 
 Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
     std::span<const ShapeCast> casts, const QueryFilter& filter) const {
-    return each<std::optional<ShapeCastHit>>(
-        casts, "casts", [&](const ShapeCast& cast) { return cast_shape(cast, filter); });
+    for (std::size_t k = 0; k < casts.size(); k++)
+        if (Status s = check_cast(casts[k]); !s.ok())
+            return Error{s.error().code, "casts[" + std::to_string(k) + "]: " + s.error().message};
+    return first_touches(*source_, casts, filter);
 }
 
 Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,

@@ -108,8 +108,8 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void stand(const World& world, const Way& way, const std::optional<Found>& found,
-           std::size_t index, Car& car) {
+void stand(const World& world, const Way& way, const std::optional<Found>& found, std::size_t index,
+           Car& car) {
     WheelRun& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
     if (!bears(way, found)) return;

@@ -2,8 +2,8 @@
 //
 // A static bounding-volume tree over items given by their boxes: triangles of a mesh, children of a
 // compound. Built once by splitting in two at the best of a few planes (surface area heuristic,
-// binned: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), then kept as
-// a tree of fours (Wald, Benthin, Boulos, "Getting rid of packets", 2008): the boxes of a node's
+// binned: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), then kept
+// as a tree of fours (Wald, Benthin, Boulos, "Getting rid of packets", 2008): the boxes of a node's
 // four children are looked at in one go. Items are visited as the tree of twos would, left before
 // right, those of a leaf in rising order.
 #pragma once
@@ -56,13 +56,13 @@ public:
     void cast_ray(Vec3 origin, Vec3 motion, double limit, Visit&& visit) const {
         const RayOverlap meets(origin, motion);
         nearest_first(
-            [&](const BoxLanes& boxes, Float4& key) { return meets(boxes, limit, key); },
+            [&](const BoxLanes& boxes, bool, Float4& key) { return meets(boxes, limit, key); },
             [&](std::uint32_t item) { limit = visit(item, limit); });
     }
 
-    // Of each four, test(boxes, key) says by bits which are to be gone on with; visit(item) is
-    // called for those that are items. Lower keys first, among the children of a node; of equal
-    // ones the left.
+    // Of each four, test(boxes, leaf, key) says by bits which are to be gone on with; visit(item)
+    // is called for those that are items, which are in leaves. Lower keys first, among the children
+    // of a node; of equal ones the left.
     template <class Test, class Visit>
     void nearest_first(Test&& test, Visit&& visit) const {
         if (nodes_.empty()) return;
@@ -72,7 +72,7 @@ public:
         while (top > 0) {
             const Node& n = nodes_[stack[--top]];
             Float4 key;
-            unsigned lanes = test(n.boxes, key);
+            unsigned lanes = test(n.boxes, n.leaf, key);
             int order[4], count = 0;
             for (; lanes != 0; lanes &= lanes - 1) {
                 const int lane = std::countr_zero(lanes);

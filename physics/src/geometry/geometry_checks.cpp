@@ -81,8 +81,7 @@ Status check_geometry(const char* name, const Geometry& geometry) {
 }
 
 Status check_vector(const char* name, Vec3 value, double limit) {
-    const Vec3 size = abs(value);
-    if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
+    if (is_within(value, limit)) return {};
     return invalid_argument(std::string(name) + " is (" + text(value.x) + ", " + text(value.y) +
                             ", " + text(value.z) + "); each component must be finite and at most " +
                             text(limit) + " in size");

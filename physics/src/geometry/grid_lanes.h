@@ -42,8 +42,7 @@ public:
     // From this column on. Those beyond the row's end are the last once more.
     const BoxLanes& boxes_from(std::uint32_t column) {
         const double x = (column - 0.5 * (grid_.columns - 1)) * grid_.spacing_x;
-        const Float4 from =
-            splat4(static_cast<float>(x)) + Float4{0, 1, 2, 3} * splat4(spacing_);
+        const Float4 from = splat4(static_cast<float>(x)) + Float4{0, 1, 2, 3} * splat4(spacing_);
         boxes_.low[0] = from - splat4(beside_);
         boxes_.high[0] = from + splat4(spacing_ + beside_);
         std::uint32_t at[5];
@@ -70,8 +69,9 @@ private:
     BoxLanes boxes_;
 };
 
-// Calls visit(const SurfaceTriangle&) for those of cells under the box of which test(boxes, key)
-// says by bits that they count: first of the cell under `first`, then row by row.
+// Calls visit(const SurfaceTriangle&) for those of cells under the box of which
+// test(boxes, leaf, key) says by bits that they count: first of the cell under `first`, then row by
+// row.
 template <class Test, class Visit>
 void nearest_cell_first(const HeightGrid& grid, const Aabb& box, Vec3 first, Test&& test,
                         Visit&& visit) {
@@ -87,7 +87,7 @@ void nearest_cell_first(const HeightGrid& grid, const Aabb& box, Vec3 first, Tes
         lanes.begin_row(r);
         for (std::uint32_t c = cells.column_begin; c < cells.column_end; c += 4) {
             Float4 key;
-            unsigned met = test(lanes.boxes_from(c), key);
+            unsigned met = test(lanes.boxes_from(c), true, key);
             if (cells.column_end - c < 4) met &= (1u << (cells.column_end - c)) - 1;
             for (; met != 0; met &= met - 1) {
                 const std::uint32_t at = c + static_cast<std::uint32_t>(std::countr_zero(met));

@@ -9,6 +9,7 @@
 #include "collision/narrowphase/shape_distance.h"
 #include "collision/narrowphase/sweep_surface.h"
 #include "collision/narrowphase/time_of_impact.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/bounds.h"
 #include "geometry/ray.h"
 #include "jostle/physics/limits.h"
@@ -219,10 +220,13 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
     return hits;
 }
 
+// Of those of the shapes of which may_touch() says so.
+template <class MayTouch>
 std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, const ShapeCast& cast,
-                                        const Placed& probe) {
+                                        const Placed& probe, MayTouch&& may_touch) {
     std::optional<ShapeCastHit> best;
     for (const QueryShape& shape : shapes) {
+        if (!may_touch(shape)) continue;
         const auto hit = touch_of(cast, probe, shape);
         if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
     }
@@ -235,16 +239,10 @@ std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, cons
 constexpr std::size_t together_max = 16;
 constexpr double together_area = 8;  // of the box of all, in those of each
 
-std::optional<Aabb> box_of_all(std::span<const Aabb> boxes) {
-    if (boxes.size() < 2 || boxes.size() > together_max) return {};
-    Aabb all = boxes[0];
-    double areas = half_area(all);
-    for (const Aabb& box : boxes.subspan(1)) {
-        all = unite(all, box);
-        areas += half_area(box);
-    }
-    if (half_area(all) > together_area * areas) return {};
-    return all;
+bool are_close(std::span<const Aabb> boxes, const Aabb& all) {
+    double areas = 0;
+    for (const Aabb& box : boxes) areas += half_area(box);
+    return half_area(all) <= together_area * areas;
 }
 
 // Shapes near all, but not near this one, are not asked.
@@ -256,34 +254,33 @@ bool is_near(const QueryShape& shape, const Aabb& box) {
     return overlap(grow(bounds_of(shape.placed), 1e-5 * radius_of(*shape.placed.geometry)), box);
 }
 
-std::vector<std::optional<ShapeCastHit>> first_touches(const QuerySource& source,
-                                                       std::span<const ShapeCast> casts,
-                                                       const QueryFilter& filter) {
-    std::vector<Placed> probes;
-    std::vector<Aabb> boxes;
-    probes.reserve(casts.size());
-    boxes.reserve(casts.size());
-    for (const ShapeCast& cast : casts) {
-        probes.push_back(probe_of(cast));
-        boxes.push_back(sweep_of(probes.back(), cast.motion));
-    }
-    std::vector<std::optional<ShapeCastHit>> hits;
-    hits.reserve(casts.size());
-    const std::optional<Aabb> all = box_of_all(boxes);
-    std::vector<QueryShape> shapes, near;
-    if (all) shapes = shapes_near(source, *all, filter);
+std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const ShapeCast& cast,
+                                              const QueryFilter& filter) {
+    const Placed probe = probe_of(cast);
+    return first_touch(shapes_near(source, sweep_of(probe, cast.motion), filter), cast, probe,
+                       [](const QueryShape&) { return true; });
+}
+
+// At most together_max.
+void first_touches(const QuerySource& source, std::span<const ShapeCast> casts,
+                   const QueryFilter& filter, std::vector<std::optional<ShapeCastHit>>& hits) {
+    UninitializedArray<Placed, together_max> probes;
+    UninitializedArray<Aabb, together_max> boxes;
+    Aabb all;
     for (std::size_t k = 0; k < casts.size(); k++) {
-        if (!all) {
-            hits.push_back(
-                first_touch(shapes_near(source, boxes[k], filter), casts[k], probes[k]));
-            continue;
-        }
-        near.clear();
-        for (const QueryShape& shape : shapes)
-            if (is_near(shape, boxes[k])) near.push_back(shape);
-        hits.push_back(first_touch(near, casts[k], probes[k]));
+        probes[k] = probe_of(casts[k]);
+        boxes[k] = sweep_of(probes[k], casts[k].motion);
+        all = k == 0 ? boxes[k] : unite(all, boxes[k]);
     }
-    return hits;
+    if (casts.size() < 2 || !are_close({boxes.data(), casts.size()}, all)) {
+        for (const ShapeCast& cast : casts) hits.push_back(first_touch_alone(source, cast, filter));
+        return;
+    }
+    const std::vector<QueryShape> shapes = shapes_near(source, all, filter);
+    for (std::size_t k = 0; k < casts.size(); k++)
+        hits.push_back(first_touch(shapes, casts[k], probes[k], [&](const QueryShape& shape) {
+            return is_near(shape, boxes[k]);
+        }));
 }
 
 std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, double max_distance,
@@ -360,8 +357,7 @@ Result<std::vector<std::optional<RayHit>>> Queries::cast_rays(std::span<const Ra
 Result<std::optional<ShapeCastHit>> Queries::cast_shape(const ShapeCast& cast,
                                                         const QueryFilter& filter) const {
     if (Status s = check_cast(cast); !s.ok()) return s.error();
-    const Placed probe = probe_of(cast);
-    return first_touch(shapes_near(*source_, sweep_of(probe, cast.motion), filter), cast, probe);
+    return first_touch_alone(*source_, cast, filter);
 }
 
 Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
@@ -375,7 +371,12 @@ Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
     for (std::size_t k = 0; k < casts.size(); k++)
         if (Status s = check_cast(casts[k]); !s.ok())
             return Error{s.error().code, "casts[" + std::to_string(k) + "]: " + s.error().message};
-    return first_touches(*source_, casts, filter);
+    std::vector<std::optional<ShapeCastHit>> hits;
+    hits.reserve(casts.size());
+    for (std::size_t k = 0; k < casts.size(); k += together_max)
+        first_touches(*source_, casts.subspan(k, std::min(together_max, casts.size() - k)), filter,
+                      hits);
+    return hits;
 }
 
 Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,

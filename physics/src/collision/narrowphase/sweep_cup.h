@@ -74,7 +74,7 @@ private:
 
     bool holds_ = false;
     Vec3 touch_, normal_;
-    Vec3 side_, other_;  // unit, along the face; `other` of a cylinder is its axis
+    Vec3 side_, other_;                 // unit, along the face; `other` of a cylinder is its axis
     double bend_ = 0, other_bend_ = 0;  // 1/m
     double middle_ = 0, half_ = 0;      // m along the axis of a cylinder
     double margin_ = 0;

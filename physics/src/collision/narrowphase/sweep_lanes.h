@@ -13,8 +13,8 @@ namespace jostle::physics {
 
 class SweepLanes {
 public:
-    // In the frame of the boxes; `middle` and `box` of the shape where its way begins, `gap` m: what
-    // is within it is touched.
+    // In the frame of the boxes; `middle` and `box` of the shape where its way begins, `gap` m:
+    // what is within it is touched.
     SweepLanes(const Convex& shape, Vec3 middle, const Aabb& box, Vec3 motion, double gap)
         : core_(shape.core), middle_(row(middle)), motion_(row(motion)) {
         const double way = length(motion), reach = 0.5 * length(box.high - box.low);
@@ -39,9 +39,10 @@ public:
     }
 
     // `key` is less for what lies nearer to the way of the middle, and earlier.
-    unsigned operator()(const BoxLanes& boxes, Float4& key) const {
+    // A branch that is alone is not looked at closer: what is in it is.
+    unsigned operator()(const BoxLanes& boxes, bool leaf, Float4& key) const {
         const unsigned meets = overlapping(overlap_, boxes);
-        if (meets == 0) return 0;
+        if (meets == 0 || (!leaf && (meets & (meets - 1)) == 0)) return meets;
         Float4 d[3];  // to the middle
         for (int k = 0; k < 3; k++)
             d[k] = end_[k] - larger4(smaller4(end_[k], boxes.high[k]), boxes.low[k]);

@@ -79,9 +79,8 @@ private:
     // not.
     double enters_surface() const {
         const auto* mesh = std::get_if<Mesh>(surface_.geometry);
-        const Aabb& all = mesh != nullptr
-                              ? mesh->data->bounds
-                              : std::get<HeightField>(*surface_.geometry).data->bounds;
+        const Aabb& all = mesh != nullptr ? mesh->data->bounds
+                                          : std::get<HeightField>(*surface_.geometry).data->bounds;
         const Vec3 reach = (box_.high - box_.low) * 0.5, center = (box_.low + box_.high) * 0.5;
         return ray_enters({all.low - reach, all.high + reach}, origin_ + center, motion_, 1);
     }
@@ -102,9 +101,8 @@ private:
             if (best_.fraction < before) lanes_.look_between(from, minimum(until, best_.fraction));
         };
         if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
-            mesh->data->tree->nearest_first(lanes_, [&](std::uint32_t index) {
-                look_near(triangle_of(*mesh->data, index));
-            });
+            mesh->data->tree->nearest_first(
+                lanes_, [&](std::uint32_t index) { look_near(triangle_of(*mesh->data, index)); });
         else
             nearest_cell_first(*std::get<HeightField>(*surface_.geometry).data, box,
                                origin_ + middle_ + motion_ * until, lanes_, look_near);

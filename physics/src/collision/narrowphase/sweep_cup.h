@@ -45,7 +45,7 @@ public:
             middle_ = dot(middle - touch, axis);
         }
         bend_ = upright / (2 * radius);
-        holds_ = leaves(motion, n, radius);
+        holds_ = dot(motion, n) < 0 && leaves(motion, n, radius);
     }
 
     bool hides(const Vec3 corner[3]) const {

@@ -185,6 +185,8 @@ Result<VehicleDef> Vehicles::def(CarId car) const {
 // Cars look for their ground side by side, on all threads: what each finds is its own.
 void Vehicles::before_step(World& world, double dt) {
     std::size_t kept = 0;
+    std::vector<BodyState> bodies;
+    bodies.reserve(cars_.size());
     for (std::size_t k = 0; k < cars_.size(); k++) {
         const Result<BodyState> chassis = world.body(cars_[k].def.chassis);
         // A car whose chassis is gone, or no longer moves by forces, ends.
@@ -194,6 +196,7 @@ void Vehicles::before_step(World& world, double dt) {
         }
         if (kept != k) cars_[kept] = std::move(cars_[k]);
         Car& car = cars_[kept++];
+        bodies.push_back(*chassis);
         car.active = chassis->awake;
         if (!chassis->awake && car.bodies.empty() && lost_its_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
@@ -202,12 +205,8 @@ void Vehicles::before_step(World& world, double dt) {
     cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
     const Queries queries = world.queries();
     world.share_out(static_cast<int>(cars_.size()), cars_at_once, [&](int first, int last) {
-        for (int k = first; k < last; k++) {
-            Car& car = cars_[static_cast<std::size_t>(k)];
-            if (!car.active) continue;
-            const Result<BodyState> chassis = world.body(car.def.chassis);
-            if (chassis.ok()) begin_step(world, queries, *chassis, dt, car);
-        }
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++)
+            if (cars_[k].active) begin_step(world, queries, bodies[k], dt, cars_[k]);
     });
     for (Car& car : cars_)
         if (car.active && !car.bodies.empty()) steer_and_brake(world, car);

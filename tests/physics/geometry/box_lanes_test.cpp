@@ -43,8 +43,9 @@ TEST(BoxLanes, find_what_overlaps_and_what_a_ray_enters) {
         lanes.put_nothing(3);
         Aabb one = random_box(random, 2);
         one = {one.low + about, one.high + about};
-        const Vec3 origin = about + random.vector(4),
-                   motion = round % 5 == 0 ? Vec3{0, random.in(-6, 6), 0} : random.vector(6);
+        const Vec3 origin = about + random.vector(4), towards = about - origin;
+        const Vec3 motion =
+            round % 5 == 0 ? Vec3{0, 2 * towards.y, 0} : towards * 2 + random.vector(1);
         Float4 enters;
         const unsigned overlaps = overlapping(four_times(one), lanes);
         const unsigned rays = RayOverlap(origin, motion)(lanes, 1, enters);

@@ -2,16 +2,14 @@
 //
 // wire-bench: how many bits and how much time snapshots of the catalogue's scenes cost. Every frame
 // is decoded and compared with the original; a difference ends the run.
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "jostle/scenes/catalog.h"
+#include "measure.h"
+#include "recorded_scene.h"
 #include "wire/frame_codec.h"
-#include "wire/quantize.h"
 
 namespace {
 
@@ -27,91 +25,30 @@ Examples:
 
 Exit status: 0 done, 1 a frame did not come back or a scene failed, 2 wrong flags.)";
 
-// Processor time of this thread in seconds: what else the machine does then matters less.
-double cpu_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 struct Flags {
     std::vector<std::string> scenes = {"sandbox", "pile", "pyramid", "dominoes", "billiards"};
     std::vector<int> ages = {1, 2, 6};
+    std::vector<std::uint32_t> codecs = {1, 2};
     double seconds = 10;
     std::string json;
-};
-
-// The scene's frames, one per tick, and what quantising them cost.
-struct Recording {
-    std::vector<wire::QuantizedFrame> frames;
-    double quantize_ns_per_body = 0;
 };
 
 struct Figures {
     double moving = 0, bytes = 0, bits = 0, encode_ns = 0, decode_ns = 0;
 };
 
-std::optional<Recording> record(const std::string& name, double seconds) {
-    const auto scene = scenes::find_scene(name);
-    if (!scene) {
-        std::fprintf(stderr, "wire-bench: there is no scene \"%s\"; there are", name.c_str());
-        for (const auto& entry : scenes::catalog())
-            std::fprintf(stderr, " %s", std::string(entry.name).c_str());
-        std::fputs("\n", stderr);
-        return std::nullopt;
-    }
-    auto built = scenes::build_scene(*scene);
-    if (!built) {
-        std::fprintf(stderr, "wire-bench: %s: %s\n", name.c_str(), built.error().message.c_str());
-        return std::nullopt;
-    }
-    Recording recording;
-    std::vector<physics::BodyState> bodies;
-    double spent = 0;
-    std::size_t quantized = 0;
-    const auto ticks = static_cast<std::uint32_t>(seconds * scene->hz);
-    for (std::uint32_t tick = 1; tick <= ticks; tick++) {
-        if (const auto status = built->world.step(1 / scene->hz); !status) {
-            std::fprintf(stderr, "wire-bench: %s: %s\n", name.c_str(),
-                         status.error().message.c_str());
-            return std::nullopt;
-        }
-        built->world.copy_bodies(bodies);
-        const auto began = cpu_seconds();
-        wire::QuantizedFrame frame{.frame = tick};
-        frame.entities.reserve(bodies.size());
-        for (const physics::BodyState& body : bodies) {
-            const auto& [p, q] = body.pose;
-            frame.entities.push_back(wire::quantize(
-                body.id.index + 1, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !body.awake, {}));
-        }
-        spent += cpu_seconds() - began;
-        quantized += bodies.size();
-        recording.frames.push_back(std::move(frame));
-    }
-    recording.quantize_ns_per_body =
-        spent * 1e9 / static_cast<double>(std::max<std::size_t>(quantized, 1));
-    return recording;
-}
-
-std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base) {
-    std::size_t moving = 0;
-    for (std::size_t i = 0; i < now.entities.size(); i++)
-        moving += wire::same_pose(now.entities[i], base.entities[i]) ? 0 : 1;
-    return moving;
-}
-
 // Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
+std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
+                               wire::Codec codec) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
         const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
-        const auto began = cpu_seconds();
-        const auto packed = wire::encode_frame(frames[i], bases, {});
-        const auto encoded = cpu_seconds();
-        const auto back = wire::decode_frame(frames[i].frame, packed, bases, {});
-        decoding += cpu_seconds() - encoded;
+        const auto began = bench::cpu_seconds();
+        const auto packed = wire::encode_frame(frames[i], bases, {}, codec);
+        const auto encoded = bench::cpu_seconds();
+        const auto back = wire::decode_frame(frames[i].frame, packed, bases, {}, 1u << 20, codec);
+        decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
         if (!back.ok() || *back != frames[i]) {
             std::fprintf(stderr, "wire-bench: frame %u did not come back: %s\n", frames[i].frame,
@@ -119,7 +56,7 @@ std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, 
             return std::nullopt;
         }
         bytes += packed.size();
-        moving += count_moving(frames[i], frames[i - age]);
+        moving += bench::count_moving(frames[i], frames[i - age]);
         count++;
     }
     const double per_frame = static_cast<double>(std::max<std::size_t>(count, 1));
@@ -133,29 +70,36 @@ std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, 
 
 int run(const Flags& flags) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    std::printf("%-10s %6s %4s %8s %8s %6s %8s %8s\n", "scene", "bodies", "age", "moving", "bytes",
-                "bits", "encode", "decode");
+    std::printf("%-10s %6s %4s %5s %8s %8s %6s %8s %8s\n", "scene", "bodies", "age", "codec",
+                "moving", "bytes", "bits", "encode", "decode");
     for (const std::string& scene : flags.scenes) {
-        const auto recording = record(scene, flags.seconds);
-        if (!recording) return 1;
+        const auto recording = bench::record_scene(scene, flags.seconds, {});
+        if (!recording.ok()) {
+            std::fprintf(stderr, "wire-bench: %s\n", recording.error().message.c_str());
+            return 1;
+        }
         const std::size_t bodies =
             recording->frames.empty() ? 0 : recording->frames[0].entities.size();
-        for (const int age : flags.ages) {
-            const auto f = measure(recording->frames, static_cast<std::size_t>(age));
-            if (!f) return 1;
-            std::printf("%-10s %6zu %4d %8.1f %8.1f %6.1f %8.0f %8.0f\n", scene.c_str(), bodies,
-                        age, f->moving, f->bytes, f->bits, f->encode_ns, f->decode_ns);
-            std::fflush(stdout);
-            rows.push_back({{"scene", scene},
-                            {"bodies", bodies},
-                            {"age_ticks", age},
-                            {"moving_per_frame", f->moving},
-                            {"bytes_per_frame", f->bytes},
-                            {"bits_per_moving_body", f->bits},
-                            {"encode_ns_per_moving_body", f->encode_ns},
-                            {"decode_ns_per_moving_body", f->decode_ns},
-                            {"quantize_ns_per_body", recording->quantize_ns_per_body}});
-        }
+        for (const int age : flags.ages)
+            for (const std::uint32_t codec : flags.codecs) {
+                const auto f = measure(recording->frames, static_cast<std::size_t>(age),
+                                       static_cast<wire::Codec>(codec));
+                if (!f) return 1;
+                std::printf("%-10s %6zu %4d %5u %8.1f %8.1f %6.1f %8.0f %8.0f\n", scene.c_str(),
+                            bodies, age, codec, f->moving, f->bytes, f->bits, f->encode_ns,
+                            f->decode_ns);
+                std::fflush(stdout);
+                rows.push_back({{"scene", scene},
+                                {"bodies", bodies},
+                                {"age_ticks", age},
+                                {"codec", codec},
+                                {"moving_per_frame", f->moving},
+                                {"bytes_per_frame", f->bytes},
+                                {"bits_per_moving_body", f->bits},
+                                {"encode_ns_per_moving_body", f->encode_ns},
+                                {"decode_ns_per_moving_body", f->decode_ns},
+                                {"quantize_ns_per_body", recording->quantize_ns_per_body}});
+            }
     }
     if (flags.json.empty()) return 0;
     std::ofstream out(flags.json);
@@ -177,6 +121,9 @@ int main(int argc, char** argv) {
     app.add_option("--age", flags.ages, "Ticks between a frame and its base; may be repeated")
         ->capture_default_str()
         ->check(CLI::Range(1, 60));
+    app.add_option("--codec", flags.codecs, "1 or 2; may be repeated")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 2));
     app.add_option("--json", flags.json, "Writes the figures here as JSON");
     app.footer(footer);
     try {

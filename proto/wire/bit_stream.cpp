@@ -13,20 +13,32 @@ std::uint64_t low_mask(unsigned count) {
 }  // namespace
 
 void BitWriter::bits(std::uint64_t value, unsigned count) {
-    pending_ |= (value & low_mask(count)) << pending_bits_;
+    value &= low_mask(count);
+    pending_ |= value << pending_bits_;
     pending_bits_ += count;
-    while (pending_bits_ >= 8) {
-        bytes_.push_back(static_cast<std::byte>(pending_ & 0xff));
-        pending_ >>= 8;
-        pending_bits_ -= 8;
+    if (pending_bits_ < 64) return;
+    pending_bits_ -= 64;
+    put_word();
+    // What did not fit. None of it, if it fitted just so: count is below 64.
+    pending_ = value >> (count - pending_bits_);
+}
+
+void BitWriter::put_word() {
+    if (bytes_.size() < size_ + 8) bytes_.resize(2 * size_ + 256);
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(&bytes_[size_], &pending_, 8);
+    } else {
+        for (unsigned k = 0; k < 8; k++)
+            bytes_[size_ + k] = static_cast<std::byte>(pending_ >> 8 * k & 0xff);
     }
+    size_ += 8;
 }
 
 void BitWriter::rice(std::uint64_t value, unsigned k) {
     const std::uint64_t high = value >> k;
     if (high < rice_escape) {
-        bits(low_mask(static_cast<unsigned>(high)), static_cast<unsigned>(high) + 1);
-        bits(value, k);
+        const auto ones = static_cast<unsigned>(high);
+        bits(low_mask(ones) | (value & low_mask(k)) << (ones + 1), ones + 1 + k);
     } else {
         bits(low_mask(rice_escape), rice_escape);
         bits(value, rice_escape_bits);
@@ -41,9 +53,12 @@ void BitWriter::exp_golomb(std::uint64_t value, unsigned k) {
 }
 
 std::vector<std::byte> BitWriter::finish() {
-    if (pending_bits_ > 0) bytes_.push_back(static_cast<std::byte>(pending_ & 0xff));
+    const std::size_t last = (pending_bits_ + 7) / 8;
+    put_word();
+    bytes_.resize(size_ - 8 + last);
     pending_ = 0;
     pending_bits_ = 0;
+    size_ = 0;
     return std::move(bytes_);
 }
 

@@ -35,7 +35,7 @@ class BitWriter {
 public:
     void bits(std::uint64_t value, unsigned count);  // count <= 57
     // Rice code: value >> k in unary (ones, then a zero), then the low k bits. What would take
-    // rice_escape ones or more escapes; it is below 2^rice_escape_bits.
+    // rice_escape ones or more escapes; it is below 2^rice_escape_bits. k is at most 40.
     void rice(std::uint64_t value, unsigned k);
     // Exponential Golomb code of order k: for counts and gaps, below 2^40.
     void exp_golomb(std::uint64_t value, unsigned k);
@@ -43,9 +43,12 @@ public:
     std::vector<std::byte> finish();
 
 private:
-    std::vector<std::byte> bytes_;
+    void put_word();
+
+    std::vector<std::byte> bytes_;  // longer than what is in it
+    std::size_t size_ = 0;
     std::uint64_t pending_ = 0;
-    unsigned pending_bits_ = 0;  // below 8 between calls
+    unsigned pending_bits_ = 0;  // below 64 between calls
 };
 
 class BitReader {

@@ -30,11 +30,10 @@ std::int64_t root(std::int64_t x) {
 Four unpack(const EntityState& state, std::int64_t n) {
     Four q{};
     std::int64_t sum = 0;
-    std::size_t from = 0;
-    for (std::size_t k = 0; k < 4; k++) {
-        if (k == state.largest) continue;
-        q[k] = state.rotation[from++];
-        sum += q[k] * q[k];
+    for (std::size_t k = 0; k < 3; k++) {
+        const std::int64_t c = state.rotation[k];
+        q[others[state.largest][k]] = c;
+        sum += c * c;
     }
     q[state.largest] = root(n - sum);
     return q;
@@ -49,10 +48,6 @@ void face(Four& q, const Four& towards) {
         for (std::int64_t& c : q) c = -c;
 }
 
-bool same_rotation(const EntityState& a, const EntityState& b) {
-    return a.largest == b.largest && a.rotation == b.rotation;
-}
-
 void predict_position(Prediction& p, const EntityState& base, const EntityState* base2,
                       const EntityState* base3, const Spacing& t) {
     for (std::size_t k = 0; k < 3; k++) {
@@ -60,6 +55,8 @@ void predict_position(Prediction& p, const EntityState& base, const EntityState*
         const std::int64_t d = base2 ? b1 - base2->position[k] : 0;
         const std::int64_t before =
             base3 ? scaled(std::int64_t{base2->position[k]} - base3->position[k], t.dt2, t.dt3) : d;
+        p.position_step[k] = d;
+        p.position_bend[k] = d - before;
         // Kept within int32, so that a residual never needs more than 33 bits.
         p.position[k] =
             std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll, 2147483647ll);
@@ -72,7 +69,7 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
     const std::int64_t n = 2 * m * m;
     const Four q1 = unpack(base, n);
     p.rotation = q1;
-    Four change{};
+    Four& change = p.rotation_bend;
     const bool turned =
         base2 && !(same_rotation(base, *base2) && (!base3 || same_rotation(*base2, *base3)));
     if (turned) {
@@ -97,6 +94,7 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
                 t.dt1 == t.dt2 ? step2
                                : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
             const bool bends = bend * m >= n / 4;
+            p.rotation_step = step;
             for (std::size_t k = 0; k < 4; k++)
                 p.rotation[k] = q1[k] + scaled(step[k], t.dt1, t.dt2) -
                                 (bends ? divide_rounded(q1[k] * bend, n) : 0);
@@ -107,11 +105,10 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
         if (magnitude(p.rotation[k]) > magnitude(p.rotation[largest])) largest = k;
     p.largest = static_cast<std::uint8_t>(largest);
     const std::int64_t sign = p.rotation[largest] < 0 ? -1 : 1;
-    std::size_t to = 0;
-    for (std::size_t k = 0; k < 4; k++) {
-        if (k == largest) continue;
-        p.components[to++] = sign * p.rotation[k];
-        p.rotation_change += magnitude(change[k]);
+    for (std::size_t k = 0; k < 3; k++) {
+        const std::size_t from = others[largest][k];
+        p.components[k] = sign * p.rotation[from];
+        p.rotation_change += magnitude(change[from]);
     }
 }
 

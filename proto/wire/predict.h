@@ -12,6 +12,9 @@
 
 namespace jostle::wire {
 
+// The components that are sent when one is left out.
+inline constexpr std::uint8_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+
 // Ticks between the frames: 1 to 255, and 1 where a frame is missing.
 struct Spacing {
     std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;  // frame - base, base - base2, base2 - base3
@@ -24,8 +27,11 @@ struct Prediction {
     std::uint8_t largest = 0;  // index of the largest of those
     // The other three, as EntityState::rotation would have them.
     std::array<std::int64_t, 3> components{};
-    // How much the last step differed from the one before: it tells how many bits the difference
-    // from the true pose will take.
+    // The last step, and how much it differed from the one before, which tells how large the
+    // difference from the true pose will be. A turn too large to predict from counts as no step.
+    std::array<std::int64_t, 3> position_step{}, position_bend{};
+    std::array<std::int64_t, 4> rotation_step{}, rotation_bend{};
+    // Sums of the magnitudes of both bends; of a rotation without its largest component.
     std::int64_t position_change = 0, rotation_change = 0;
 };
 

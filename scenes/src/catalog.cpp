@@ -65,6 +65,10 @@ constexpr Listed listed[] = {
      demolition},
     {{"ragdoll_stairs", "Twelve figures tip off a ramp and fall down the stairs; walk up to them."},
      ragdoll_stairs},
+    {{"katamari",
+      "901 cubes: a big one rolls about by itself and draws the small ones along; snapshots of it "
+      "are what codecs are compared by."},
+     katamari},
     // What jostle-bench measures, by letter.
     {{"lab_pyramid_465",
       "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (laboratory a)."},

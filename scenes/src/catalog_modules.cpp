@@ -12,6 +12,7 @@
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
+#include "katamari.h"
 
 namespace jostle::scenes {
 namespace {
@@ -32,6 +33,7 @@ void register_catalog_modules() {
         make_known<modules::Characters>("character");
         make_known<modules::Destruction>("destruction");
         make_known<modules::Fields>("fields");
+        make_known<Katamari>("katamari");
         make_known<modules::Ragdolls>("ragdoll");
         make_known<modules::Vehicles>("vehicle");
     });

@@ -63,6 +63,7 @@ SceneDescription harbour();
 SceneDescription parkour();
 SceneDescription race_track();
 SceneDescription demolition();
+SceneDescription katamari();
 SceneDescription lab_pyramid_465();
 SceneDescription lab_pyramid_5050();
 SceneDescription lab_boxes_1000();

@@ -38,6 +38,11 @@ private:
     std::deque<wire::QuantizedFrame> frames_;
 };
 
+// One of both.
+inline wire::Codec codec_of(std::uint8_t byte) {
+    return (byte & 0x80) != 0 ? wire::Codec::range : wire::Codec::bits;
+}
+
 // Mostly what servers use, else anything.
 inline wire::QuantSpec take_spec(Reader& in) {
     switch (in.number<std::uint8_t>() % 4) {

@@ -192,29 +192,34 @@ void write_play(const fs::path& folder) {
 
 // ---- frames ----
 
-// Kinds of records: tests/fuzz/frames.h, how far back each base lies.
+// Kinds of records: tests/fuzz/frames.h, how far back each base lies, and the codec.
+std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
+    std::string out(1, golden.name == "precise" ? '\1' : '\0');
+    const auto find = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        for (const wire::GoldenFrame& g : golden.frames)
+            if (number != 0 && g.frame.frame == number) return &g.frame;
+        return nullptr;
+    };
+    std::uint32_t newest = 0;
+    for (std::size_t i = 0; i < 8; i++) {
+        const wire::GoldenFrame& g = golden.frames[i];
+        const auto packed =
+            encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, golden.spec, codec);
+        std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
+        bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
+        const int bases = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
+        const int kind = (0b010101 & ((1 << 2 * bases) - 1)) | (codec == wire::Codec::range) << 7;
+        out += record(static_cast<std::uint8_t>(kind), bytes);
+        newest = g.frame.frame;
+    }
+    return out;
+}
+
 void write_frames(const fs::path& folder) {
     Seeds decode(folder, "frame_decode"), round_trip(folder, "frame_round_trip");
-    for (const wire::GoldenSequence& golden : wire::golden_sequences()) {
-        std::string out(1, golden.name == "precise" ? '\1' : '\0');
-        const auto find = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
-            for (const wire::GoldenFrame& g : golden.frames)
-                if (number != 0 && g.frame.frame == number) return &g.frame;
-            return nullptr;
-        };
-        std::uint32_t newest = 0;
-        for (std::size_t i = 0; i < 8; i++) {
-            const wire::GoldenFrame& g = golden.frames[i];
-            const auto packed =
-                encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, golden.spec);
-            std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
-            bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
-            const int bases = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
-            out += record(static_cast<std::uint8_t>(0b010101 & ((1 << 2 * bases) - 1)), bytes);
-            newest = g.frame.frame;
-        }
-        decode.add(out);
-    }
+    for (const wire::GoldenSequence& golden : wire::golden_sequences())
+        for (const wire::Codec codec : {wire::Codec::bits, wire::Codec::range})
+            decode.add(frames_of(golden, codec));
     Seeds channels(folder, "channel_decode");
     wire::ChangingChannels changing(7);
     for (int k = 0; k < 8; k++) {

@@ -248,23 +248,25 @@ TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
 
 TEST(SceneFaults, a_module_is_one_that_the_program_knows_and_comes_once) {
     test::know_turntable();
-    expect_refused(with_module("\n\"tag\": \"submarine\""),
-                   "line 6: modules[0].tag: is \"submarine\"; the modules of this program are "
-                   "boat, character, destruction, fields, hovercraft, ragdoll, turntable, vehicle");
-    expect_refused(with_module("\"settings\": {}"),
-                   "modules[0].tag: is \"\"; the modules of this program are boat, "
-                   "character, destruction, fields, hovercraft, ragdoll, turntable, vehicle");
+    expect_refused(
+        with_module("\n\"tag\": \"submarine\""),
+        "line 6: modules[0].tag: is \"submarine\"; the modules of this program are "
+        "boat, character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
+    expect_refused(
+        with_module("\"settings\": {}"),
+        "modules[0].tag: is \"\"; the modules of this program are boat, "
+        "character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
     expect_refused(with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
                    "line 6: modules[1].tag: is \"turntable\" again; a world has one module of a "
                    "tag");
     SceneDescription scene{.name = "a", .modules = {{.tag = "submarine"}}};
     const auto built = build_scene(scene);
     ASSERT_FALSE(built.ok());
-    EXPECT_EQ(
-        built.error().message,
-        "modules[0] 'submarine': module \"submarine\" is not one that this program knows "
-        "(boat, character, destruction, fields, hovercraft, ragdoll, turntable, vehicle); call "
-        "register_module() before");
+    EXPECT_EQ(built.error().message,
+              "modules[0] 'submarine': module \"submarine\" is not one that this program knows "
+              "(boat, character, destruction, fields, hovercraft, katamari, ragdoll, turntable, "
+              "vehicle); call "
+              "register_module() before");
 }
 
 TEST(SceneFaults, settings_of_a_module_are_numbers_and_its_bodies_are_there) {

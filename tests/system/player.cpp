@@ -44,6 +44,7 @@ void Player::hello(const std::string& world, const std::string& name, bool event
     message.mutable_hello()->set_world(world);
     message.mutable_hello()->set_name(name);
     message.mutable_hello()->set_events(events);
+    message.mutable_hello()->set_codec(2);
     send(message);
 }
 

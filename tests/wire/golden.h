@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The golden frames: sequences of frames chosen so that together they take every path of the codec.
-// Each is a file proto/golden/NAME.bin (WIRE.md, "Golden frames", has its layout) that C++ and
-// TypeScript decode alike.
+// Each is a file proto/golden/NAME.bin for codec 1 and range_NAME.bin for codec 2 (WIRE.md, "Golden
+// frames", has their layout) that C++ and TypeScript decode alike.
 #pragma once
 
 #include <string>
@@ -70,16 +70,20 @@ inline std::vector<GoldenSequence> golden_sequences() {
     return sequences;
 }
 
-// The whole file: "JGLD", u32 version 1, u32 units_per_meter, u32 M, u32 frames; per frame u32
+inline std::string golden_name(const GoldenSequence& sequence, Codec codec) {
+    return (codec == Codec::range ? "range_" : "") + sequence.name + ".bin";
+}
+
+// The whole file: "JGLD", u32 codec, u32 units_per_meter, u32 M, u32 frames; per frame u32
 // frame, base, base2, base3, crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8
 // largest, i16 r r r, u8 at_rest, then the packed bytes.
-inline std::vector<std::byte> golden_file(const GoldenSequence& sequence) {
+inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec codec) {
     std::vector<std::byte> out;
     const auto put = [&](std::uint32_t value, int size = 4) {
         for (int k = 0; k < size; k++) out.push_back(static_cast<std::byte>(value >> (8 * k)));
     };
     for (const char c : {'J', 'G', 'L', 'D'}) out.push_back(static_cast<std::byte>(c));
-    put(1);
+    put(static_cast<std::uint32_t>(codec));
     put(static_cast<std::uint32_t>(sequence.spec.units_per_meter));
     put(static_cast<std::uint32_t>(sequence.spec.rotation_component));
     put(static_cast<std::uint32_t>(sequence.frames.size()));
@@ -89,8 +93,8 @@ inline std::vector<std::byte> golden_file(const GoldenSequence& sequence) {
         return nullptr;
     };
     for (const GoldenFrame& g : sequence.frames) {
-        const auto packed =
-            encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, sequence.spec);
+        const auto packed = encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)},
+                                         sequence.spec, codec);
         put(g.frame.frame);
         put(g.base);
         put(g.base2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin, and channels.jchn.
+// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin and
+// FOLDER/range_NAME.bin, and channels.jchn.
 #include <cstdio>
 #include <fstream>
 
@@ -29,8 +30,10 @@ int main(int argc, char** argv) {
     }
     const std::string folder = std::string(argv[1]) + "/";
     bool written = write(folder + "channels.jchn", jostle::wire::golden_channels());
+    using jostle::wire::Codec;
     for (const auto& sequence : jostle::wire::golden_sequences())
-        written =
-            write(folder + sequence.name + ".bin", jostle::wire::golden_file(sequence)) && written;
+        for (const Codec codec : {Codec::bits, Codec::range})
+            written = write(folder + golden_name(sequence, codec), golden_file(sequence, codec)) &&
+                      written;
     return written ? 0 : 1;
 }

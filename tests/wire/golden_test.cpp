@@ -14,15 +14,17 @@
 namespace jostle::wire {
 
 TEST(Golden, committed_files_are_what_the_encoder_makes_today) {
-    for (const GoldenSequence& sequence : golden_sequences()) {
-        std::ifstream in(std::string(GOLDEN_FOLDER "/") + sequence.name + ".bin", std::ios::binary);
-        ASSERT_TRUE(in) << sequence.name;
-        const std::string text((std::istreambuf_iterator<char>(in)), {});
-        const auto made = golden_file(sequence);
-        ASSERT_EQ(text.size(), made.size()) << sequence.name;
-        for (std::size_t i = 0; i < made.size(); i++)
-            ASSERT_EQ(static_cast<std::byte>(text[i]), made[i]) << sequence.name << " byte " << i;
-    }
+    for (const GoldenSequence& sequence : golden_sequences())
+        for (const Codec codec : {Codec::bits, Codec::range}) {
+            const std::string name = golden_name(sequence, codec);
+            std::ifstream in(GOLDEN_FOLDER "/" + name, std::ios::binary);
+            ASSERT_TRUE(in) << name;
+            const std::string text((std::istreambuf_iterator<char>(in)), {});
+            const auto made = golden_file(sequence, codec);
+            ASSERT_EQ(text.size(), made.size()) << name;
+            for (std::size_t i = 0; i < made.size(); i++)
+                ASSERT_EQ(static_cast<std::byte>(text[i]), made[i]) << name << " byte " << i;
+        }
 }
 
 // A golden set that missed a path would prove little: count what the sequences exercise.

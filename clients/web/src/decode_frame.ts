@@ -1,41 +1,34 @@
-// The twin of proto/wire in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden.
+// The twin of proto/wire in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
+// codec 2 in range_frame.ts.
 
 import { BitReader, bitWidth, unZigZag } from './bit_reader';
 import { crc32 } from './crc32';
+import {
+  DecodeError,
+  Finder,
+  INT32_MAX,
+  INT32_MIN,
+  isRotation,
+  isSound,
+  merge,
+  samePose,
+  survivorsOf,
+  type Bases,
+  type EntityState,
+  type Four,
+  type QuantSpec,
+  type QuantizedFrame,
+  type Spacing,
+  type Survivor,
+  type Three,
+} from './frame_state';
+import { predict } from './predict';
+import { RangeFrameReader } from './range_frame';
 
-export interface EntityState {
-  readonly id: number;
-  /** Units of 1 / unitsPerMeter m. */
-  readonly position: readonly [number, number, number];
-  /** Which quaternion component was left out: 0 x, 1 y, 2 z, 3 w. */
-  readonly largest: number;
-  readonly rotation: readonly [number, number, number];
-  readonly atRest: boolean;
-}
+export { DecodeError, isSound, type Bases, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
 
-export interface QuantizedFrame {
-  readonly frame: number;
-  /** In rising order of id. */
-  readonly entities: readonly EntityState[];
-}
-
-export interface QuantSpec {
-  readonly unitsPerMeter: number;
-  readonly rotationComponent: number; // M
-}
-
-export interface Bases {
-  readonly base?: QuantizedFrame | undefined;
-  readonly base2?: QuantizedFrame | undefined;
-  readonly base3?: QuantizedFrame | undefined;
-}
-
-export class DecodeError extends Error {}
-
-/** Whether the arithmetic below is exact with this quantisation (WIRE.md). */
-export function isSound({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
-  return Number.isInteger(u) && u >= 1 && u <= 65536 && Number.isInteger(m) && m >= 1 && m <= 16383;
-}
+/** The highest codec that decodeFrame() knows. */
+export const NEWEST_CODEC = 2;
 
 const GAP_ORDER = 4;
 const STILL_ORDER = 5;
@@ -43,174 +36,12 @@ const POSITION_ORDER = 12;
 const MAX_SPACING = 255;
 const KP = [0, 0, 0, 1, 2, 2, 3, 3, 4, 5, 6, 7];
 const KR = [0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8];
-const INT32_MIN = -2147483648;
-const INT32_MAX = 2147483647;
-
-interface Spacing {
-  readonly dt1: number;
-  readonly dt2: number;
-  readonly dt3: number;
-}
-
-interface Survivor {
-  readonly b1: EntityState;
-  readonly b2: EntityState | undefined;
-  readonly b3: EntityState | undefined;
-}
-
-type Three = [number, number, number];
-type Four = [number, number, number, number];
-
-function sameRotation(a: EntityState, b: EntityState): boolean {
-  return (
-    a.largest === b.largest &&
-    a.rotation[0] === b.rotation[0] &&
-    a.rotation[1] === b.rotation[1] &&
-    a.rotation[2] === b.rotation[2]
-  );
-}
-
-function samePose(a: EntityState, b: EntityState): boolean {
-  return (
-    a.position[0] === b.position[0] &&
-    a.position[1] === b.position[1] &&
-    a.position[2] === b.position[2] &&
-    sameRotation(a, b)
-  );
-}
-
 function isStill(s: Survivor): boolean {
   if (s.b1.atRest || !s.b2) return true;
   return samePose(s.b1, s.b2) && (!s.b3 || samePose(s.b1, s.b3));
 }
 
-// ---- prediction: integers, every product below 2^53 ----
-
-/** a / b to the nearest integer, halves away from zero; b > 0. */
-function div(a: number, b: number): number {
-  const half = Math.trunc(b / 2);
-  return a >= 0 ? Math.trunc((a + half) / b) : -Math.trunc((-a + half) / b);
-}
-
-function scale(v: number, n: number, d: number): number {
-  return n === d ? v : div(v * n, d);
-}
-
-function unpack(state: EntityState, n: number, q: Four): Four {
-  let sum = 0;
-  let from = 0;
-  for (let k = 0; k < 4; k++) {
-    if (k === state.largest) continue;
-    q[k] = state.rotation[from++]!;
-    sum += q[k]! * q[k]!;
-  }
-  // Below 2^53 the square root of a double is off by less than one.
-  let root = Math.floor(Math.sqrt(Math.max(0, n - sum)));
-  while (root * root > n - sum && root > 0) root--;
-  while ((root + 1) * (root + 1) <= n - sum) root++;
-  q[state.largest] = root;
-  return q;
-}
-
-function face(q: Four, towards: Four): void {
-  const dot = q[0] * towards[0] + q[1] * towards[1] + q[2] * towards[2] + q[3] * towards[3];
-  if (dot < 0) for (let k = 0; k < 4; k++) q[k] = -q[k]!;
-}
-
-interface Prediction {
-  position: Three;
-  largest: number;
-  components: Three;
-  positionChange: number;
-  rotationChange: number;
-}
-
-// What predict works in: thousands of bodies sixty times a second should leave nothing to collect.
-const q1: Four = [0, 0, 0, 0];
-const q2: Four = [0, 0, 0, 0];
-const q3: Four = [0, 0, 0, 0];
-const q: Four = [0, 0, 0, 0];
-const step: Four = [0, 0, 0, 0];
-const change: Four = [0, 0, 0, 0];
-const prediction: Prediction = {
-  position: [0, 0, 0],
-  largest: 0,
-  components: [0, 0, 0],
-  positionChange: 0,
-  rotationChange: 0,
-};
-
-/** The result is good until the next call. */
-function predict(s: Survivor, t: Spacing, m: number): Prediction {
-  const { b1 } = s;
-  const b2 = b1.atRest ? undefined : s.b2;
-  const b3 = b2 ? s.b3 : undefined;
-  const { position, components } = prediction;
-  let positionChange = 0;
-  for (let k = 0; k < 3; k++) {
-    const d = b2 ? b1.position[k]! - b2.position[k]! : 0;
-    const before = b2 && b3 ? scale(b2.position[k]! - b3.position[k]!, t.dt2, t.dt3) : d;
-    position[k] = Math.min(INT32_MAX, Math.max(INT32_MIN, b1.position[k]! + scale(d, t.dt1, t.dt2)));
-    positionChange += Math.abs(d - before);
-  }
-
-  const n = 2 * m * m;
-  unpack(b1, n, q1);
-  for (let k = 0; k < 4; k++) {
-    q[k] = q1[k]!;
-    change[k] = 0;
-  }
-  if (b2 && !(sameRotation(b1, b2) && (!b3 || sameRotation(b2, b3)))) {
-    face(unpack(b2, n, q2), q1);
-    let step2 = 0;
-    for (let k = 0; k < 4; k++) {
-      step[k] = q1[k]! - q2[k]!;
-      step2 += step[k]! * step[k]!;
-    }
-    if (b3) {
-      face(unpack(b3, n, q3), q2);
-      for (let k = 0; k < 4; k++) change[k] = step[k]! - scale(q2[k]! - q3[k]!, t.dt2, t.dt3);
-    }
-    if (step2 <= Math.trunc(n / 2)) {
-      const bend =
-        t.dt1 === t.dt2 ? step2 : div(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
-      const bends = bend * m >= Math.trunc(n / 4);
-      for (let k = 0; k < 4; k++)
-        q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (bends ? div(q1[k]! * bend, n) : 0);
-    }
-  }
-  let largest = 0;
-  for (let k = 1; k < 4; k++) if (Math.abs(q[k]!) > Math.abs(q[largest]!)) largest = k;
-  const sign = q[largest]! < 0 ? -1 : 1;
-  let rotationChange = 0;
-  let to = 0;
-  for (let k = 0; k < 4; k++) {
-    if (k === largest) continue;
-    components[to++] = sign * q[k]!;
-    rotationChange += Math.abs(change[k]!);
-  }
-  prediction.largest = largest;
-  prediction.positionChange = positionChange;
-  prediction.rotationChange = rotationChange;
-  return prediction;
-}
-
-// ---- decoding ----
-
-/** Walks a frame's entities along rising ids. */
-class Finder {
-  private at = 0;
-  constructor(private readonly frame: QuantizedFrame | undefined) {}
-  find(id: number): EntityState | undefined {
-    const entities = this.frame?.entities;
-    if (!entities) return undefined;
-    while (this.at < entities.length && entities[this.at]!.id < id) this.at++;
-    const found = entities[this.at];
-    return found?.id === id ? found : undefined;
-  }
-}
-
-class Decoder {
+class BitFrameReader {
   private readonly in: BitReader;
 
   constructor(
@@ -222,7 +53,7 @@ class Decoder {
 
   decode(bases: Bases, t: Spacing, maxEntities: number): EntityState[] {
     const removed = new Set(this.readPositions(bases.base?.entities.length ?? 0, 'removed'));
-    const survivors = this.survivors(bases, removed);
+    const survivors = survivorsOf(bases, removed);
     const spawned = this.readSpawned(bases, maxEntities - survivors.length);
     const kept = this.readSurvivors(survivors, t);
     if (!this.in.atCleanEnd()) this.fail('bits are left over or missing');
@@ -253,27 +84,8 @@ class Decoder {
     return positions;
   }
 
-  private survivors(bases: Bases, removed: Set<number>): Survivor[] {
-    const in2 = new Finder(bases.base2);
-    const in3 = new Finder(bases.base2 ? bases.base3 : undefined);
-    const out: Survivor[] = [];
-    (bases.base?.entities ?? []).forEach((b1, i) => {
-      if (removed.has(i)) return;
-      const b2 = in2.find(b1.id);
-      out.push({ b1, b2, b3: b2 ? in3.find(b1.id) : undefined });
-    });
-    return out;
-  }
-
   private checkRotation(r: readonly number[]): void {
-    const m = this.spec.rotationComponent;
-    let sum = 0;
-    let most = 0;
-    for (let k = 0; k < 3; k++) {
-      sum += r[k]! * r[k]!;
-      most = Math.max(most, Math.abs(r[k]!));
-    }
-    if (most > m || sum > 2 * m * m) this.fail('a rotation that is none');
+    if (!isRotation(r, this.spec.rotationComponent)) this.fail('a rotation that is none');
   }
 
   private readComponents(): { largest: number; rotation: Three } {
@@ -368,11 +180,6 @@ class Decoder {
   }
 }
 
-function merge(kept: EntityState[], spawned: EntityState[]): EntityState[] {
-  if (spawned.length === 0) return kept;
-  return [...kept, ...spawned].sort((a, b) => a.id - b.id);
-}
-
 /** Foreign bytes: throws DecodeError that says what was wrong and where. */
 export function decodeFrame(
   frame: number,
@@ -380,8 +187,10 @@ export function decodeFrame(
   bases: Bases,
   spec: QuantSpec,
   maxEntities = 1 << 20,
+  codec = 1,
 ): QuantizedFrame {
   if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
+  if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
   const base2 = bases.base ? bases.base2 : undefined;
   const base3 = base2 ? bases.base3 : undefined;
   const t: Spacing = {
@@ -392,7 +201,8 @@ export function decodeFrame(
   for (const dt of [t.dt1, t.dt2, t.dt3])
     if (dt < 1 || dt > MAX_SPACING)
       throw new DecodeError(`frame ${frame} is not 1 to 255 ticks after its bases`);
-  const entities = new Decoder(packed, spec).decode({ base: bases.base, base2, base3 }, t, maxEntities);
+  const reader = codec === 2 ? new RangeFrameReader(packed, spec) : new BitFrameReader(packed, spec);
+  const entities = reader.decode({ base: bases.base, base2, base3 }, t, maxEntities);
   return { frame, entities };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "rpc/library_logs.h"
+#include "rpc/libraries.h"
 
+#include <absl/synchronization/mutex.h>
 #include <google/protobuf/stubs/logging.h>
 #include <grpc/support/log.h>
 
@@ -31,7 +32,8 @@ void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::str
 
 }  // namespace
 
-void send_library_logs_to_ours() {
+void tame_libraries() {
+    absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
     gpr_set_log_function(write_grpc);
     google::protobuf::SetLogHandler(write_protobuf);
 }

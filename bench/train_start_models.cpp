@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+//
+// train-start-models FOLDER: how codec 2's models begin, counted over scenes of the catalogue. It
+// wrote proto/wire/start_models.cpp and clients/web/src/start_models.ts, which are part of the
+// format: running it again, over scenes that move differently by now, makes another codec.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+
+#include "recorded_scene.h"
+#include "wire/range_walk.h"
+
+namespace jostle::bench {
+namespace {
+
+using wire::Bases;
+using wire::BitModel;
+using wire::FrameModels;
+
+// Not katamari: what codecs are compared by should be new to them.
+constexpr const char* scenes[] = {"pile",           "sandbox",    "ragdolls",
+                                  "lab_player_901", "demolition", "race_track"};
+constexpr int ages[2][2] = {{1, 2}, {6, 3}};  // ticks to the base, for each table
+constexpr double seconds = 15;
+
+using Counts = std::vector<std::array<double, 2>>;  // zeros and ones, for each model
+
+// Takes the place of an encoder.
+struct Counter {
+    static constexpr bool encoding = true;
+
+    bool bit(BitModel& model, bool value) {
+        counts[static_cast<std::size_t>(&model - wire::all_of(models).data())][value ? 1 : 0]++;
+        return value;
+    }
+    std::uint64_t raw(std::uint64_t value, unsigned) { return value; }
+
+    FrameModels& models;
+    Counts& counts;
+};
+
+void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& bases) {
+    FrameModels models;
+    Counter counter{.models = models, .counts = counts};
+    const wire::QuantSpec spec;
+    const wire::Succession to = wire::succession_of(frame, bases);
+    wire::WalkedLists lists = wire::lists_of(to);
+    wire::RangeWalk walk(counter, models, spec);
+    walk.entities(lists, bases, frame.entities.size());
+    std::vector<wire::EntityState> none;
+    walk.survivors(to.kept, none, wire::survivors_of(bases, to.removed),
+                   wire::spacing_of(frame.frame, bases));
+}
+
+// Nobody goes or comes in those scenes: here every half second a body in twenty does.
+wire::QuantizedFrame with_absences(const wire::QuantizedFrame& frame) {
+    wire::QuantizedFrame some{.frame = frame.frame, .entities = {}};
+    for (const wire::EntityState& entity : frame.entities)
+        if ((frame.frame / 30 + 7 * entity.id) % 20 != 0) some.entities.push_back(entity);
+    return some;
+}
+
+void count(Counts& counts, const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
+    Counts comings(counts.size()), stays(counts.size());
+    count(comings, frames[0], {});
+    for (std::size_t i = 3 * age; i < frames.size(); i++) {
+        count(stays, frames[i], {&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]});
+        const wire::QuantizedFrame now = with_absences(frames[i]),
+                                   base = with_absences(frames[i - age]);
+        count(comings, now, {&base, nullptr, nullptr});
+    }
+    const std::size_t sections = offsetof(FrameModels, wakes_none) / sizeof(BitModel);
+    for (std::size_t i = 0; i < counts.size(); i++)
+        for (std::size_t bit = 0; bit < 2; bit++)
+            counts[i][bit] += (i < sections ? comings : stays)[i][bit];
+}
+
+// A character for each model (start_models.h).
+std::string letters(const Counts& counts) {
+    static constexpr char alphabet[] =
+        "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+,-./:;<=>";
+    std::string text;
+    for (const auto& [zeros, ones] : counts) {
+        const double odds = std::log((ones + 0.4) / (zeros + 0.4));
+        const long level = std::clamp(std::lround(odds / 0.4 + 19.5), 0l, 39l);
+        text += alphabet[2 * level + (zeros + ones < 4 ? 0 : 1)];
+    }
+    return text;
+}
+
+void write(const std::string& path, const std::string (&tables)[2], const char* head,
+           const char* row, const char* between, const char* tail) {
+    std::ofstream out(path);
+    out << head;
+    for (const std::string& table : tables) {
+        for (std::size_t at = 0; at < table.size(); at += 80) {
+            char line[160];
+            std::snprintf(line, sizeof line, row, table.substr(at, 80).c_str());
+            out << line;
+        }
+        if (&table == &tables[0]) out << between;
+    }
+    out << tail;
+}
+
+}  // namespace
+
+int train(const std::string& folder) {
+    Counts counts[2];
+    for (Counts& table : counts) table.resize(wire::frame_model_count);
+    for (const char* scene : scenes) {
+        const auto recorded = record_scene(scene, seconds, {});
+        if (!recorded.ok()) {
+            std::fprintf(stderr, "train-start-models: %s\n", recorded.error().message.c_str());
+            return 1;
+        }
+        for (std::size_t table = 0; table < 2; table++)
+            for (const int age : ages[table])
+                count(counts[table], recorded->frames, static_cast<std::size_t>(age));
+    }
+    const std::string tables[2] = {letters(counts[0]), letters(counts[1])};
+    write(
+        folder + "/start_models.cpp", tables,
+        "// SPDX-License-Identifier: MIT\n//\n// Written by bench/train_start_models.cpp; part of "
+        "the format.\n#include \"wire/start_models.h\"\n\nnamespace jostle::wire {\n\nconst "
+        "std::string_view start_letters[2] = {\n",
+        "    \"%s\"\n", "    ,\n", "};\n\n}  // namespace jostle::wire\n");
+    write(folder + "/start_models.ts", tables,
+          "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, \"How "
+          "models "
+          "begin\").\n\nexport const START_LETTERS = [\n  [\n",
+          "    '%s',\n", "  ].join(''),\n  [\n", "  ].join(''),\n] as const;\n");
+    return 0;
+}
+
+}  // namespace jostle::bench
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: train-start-models FOLDER\n");
+        return 2;
+    }
+    return jostle::bench::train(argv[1]);
+}

@@ -1,0 +1,65 @@
+// Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/wire/frame_models.h.
+
+import type { Models } from './range_decoder';
+import { START_LETTERS } from './start_models';
+
+export const MAGNITUDE = 5; // models of a number: not 0, negative, above 1, above 3, odd
+export const FIRST_WIDTH = 2; // of a number above 3: bits below its leading one
+export const LAST_WIDTH = 14;
+export const TAIL = 2 * (LAST_WIDTH - FIRST_WIDTH) + 1;
+export const COUNT = 40;
+
+let total = 0;
+function take(models: number): number {
+  total += models;
+  return total - models;
+}
+
+export const CHANGES_ENTITIES = take(1);
+export const REMOVED = take(COUNT);
+export const REMOVED_GAP = take(COUNT);
+export const SPAWNED = take(COUNT);
+export const ID_GAP = take(COUNT);
+export const POSITION_STEP = take(3 * COUNT);
+export const POSITION_NEGATIVE = take(1);
+export const TURNED = take(1);
+export const SPAWNED_RESTS = take(1);
+export const WAKES_NONE = take(1);
+export const RESTING_RUN = take(COUNT);
+export const STAYS_AT_REST = take(1);
+export const CHANGES = take(3);
+export const FALLS_ASLEEP = take(3 * 2);
+export const POSITION = take(4 * 2 * 7 * 3 * 4 * MAGNITUDE);
+export const POSITION_TAIL = take(4 * TAIL);
+export const SAME_LARGEST = take(4);
+export const OTHER_LARGEST = take(2);
+export const ROTATION = take(4 * 7 * 3 * 5 * MAGNITUDE);
+export const ROTATION_TAIL = take(4 * TAIL);
+export const MODEL_COUNT = total;
+
+const ALPHABET = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+,-./:;<=>';
+const LEVELS = [64, 64, 64, 89, 133, 198, 295, 439, 652, 968, 1434, 2117, 3108, 4531, 6537, 9296, 12964, 17625, 23222, 29502];
+const TRAINED = 8;
+
+function read(letters: string): Models {
+  const one = new Uint16Array(MODEL_COUNT);
+  const seen = new Uint8Array(MODEL_COUNT);
+  for (let i = 0; i < MODEL_COUNT; i++) {
+    const index = ALPHABET.indexOf(letters[i]!);
+    const level = index >> 1;
+    one[i] = level < 20 ? LEVELS[level]! : 65536 - LEVELS[39 - level]!;
+    seen[i] = index % 2 === 0 ? 0 : TRAINED;
+  }
+  return { one, seen };
+}
+
+const start = START_LETTERS.map(read);
+const working: Models = { one: new Uint16Array(MODEL_COUNT), seen: new Uint8Array(MODEL_COUNT) };
+
+/** As a frame begins whose base is so many ticks old. Good until the next call. */
+export function freshModels(baseAge: number): Models {
+  const { one, seen } = start[baseAge > 2 ? 1 : 0]!;
+  working.one.set(one);
+  working.seen.set(seen);
+  return working;
+}

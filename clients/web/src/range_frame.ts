@@ -1,0 +1,279 @@
+// Frames of codec 2: the twin of proto/wire/range_walk.h, decoding only; written from proto/WIRE.md.
+
+import { bitWidth } from './bit_reader';
+import * as M from './frame_models';
+import {
+  DecodeError,
+  Finder,
+  INT32_MAX,
+  INT32_MIN,
+  isRotation,
+  merge,
+  samePose,
+  survivorsOf,
+  type Bases,
+  type EntityState,
+  type QuantSpec,
+  type Spacing,
+  type Survivor,
+  type Three,
+} from './frame_state';
+import { predict, type Prediction } from './predict';
+import { RangeDecoder } from './range_decoder';
+
+const MOTIONLESS = 0;
+const MOVING = 1;
+const STOPPED = 2;
+
+function paceOf(s: Survivor): number {
+  if (!s.b2 || s.b2.atRest || !samePose(s.b1, s.b2)) return MOVING;
+  return s.b3 && samePose(s.b1, s.b3) ? MOTIONLESS : STOPPED;
+}
+
+const width = (v: number, most: number) => Math.min(bitWidth(Math.abs(v)), most);
+
+/** -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above. */
+function signedClass(v: number): number {
+  if (v < 0) return v <= -4 ? 0 : v <= -2 ? 1 : 2;
+  return v >= 4 ? 6 : v >= 2 ? 5 : v === 1 ? 4 : 3;
+}
+
+function sizeClass(v: number): number {
+  return v === 0 ? 0 : v <= 3 ? 1 : 2;
+}
+
+// What a turn works in: thousands of bodies sixty times a second should leave nothing to collect.
+const r: Three = [0, 0, 0];
+const step: Three = [0, 0, 0];
+const bend: Three = [0, 0, 0];
+
+const NOBODY: EntityState = { id: 0, position: [0, 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false };
+
+export class RangeFrameReader {
+  private in!: RangeDecoder;
+
+  constructor(
+    private readonly packed: Uint8Array,
+    private readonly spec: QuantSpec,
+  ) {}
+
+  decode(bases: Bases, t: Spacing, maxEntities: number): EntityState[] {
+    this.in = new RangeDecoder(this.packed, M.freshModels(t.dt1));
+    const inBase = bases.base?.entities.length ?? 0;
+    const changes = this.in.bit(M.CHANGES_ENTITIES);
+    const removed = changes ? this.readRemoved(inBase) : new Set<number>();
+    const limit = maxEntities - (inBase - removed.size);
+    if (limit < 0) this.fail('more entities than the limit');
+    const spawned = changes ? this.readSpawned(bases, limit) : [];
+    const kept = this.readSurvivors(survivorsOf(bases, removed), t);
+    this.checkEnd();
+    if (!this.in.atCleanEnd) this.fail('bytes are left over');
+    return merge(kept, spawned);
+  }
+
+  private fail(what: string): never {
+    throw new DecodeError(`${what} (at byte ${this.in.position})`);
+  }
+
+  private checkEnd(): void {
+    if (this.in.pastEnd) this.fail('the data ends early');
+  }
+
+  // ---- numbers ----
+
+  /** The width of value + 1 in unary, then its bits below the leading one. */
+  private count(models: number): number {
+    let wide = 0;
+    while (wide < M.COUNT && this.in.bit(models + wide)) wide++;
+    return 2 ** wide + this.in.raw(wide) - 1;
+  }
+
+  private number(models: number, tail: number): number {
+    if (!this.in.bit(models)) return 0;
+    const negative = this.in.bit(models + 1);
+    let size = 1;
+    if (this.in.bit(models + 2)) {
+      if (this.in.bit(models + 3)) size = this.large(tail);
+      else size = this.in.bit(models + 4) ? 3 : 2;
+    }
+    return negative ? -size : size;
+  }
+
+  private large(tail: number): number {
+    const steps = M.LAST_WIDTH - M.FIRST_WIDTH;
+    let k = 0;
+    while (k < steps && this.in.bit(tail + k)) k++;
+    let wide = M.FIRST_WIDTH + k;
+    if (k === steps) wide += this.in.raw(5);
+    const second = this.in.bit(tail + steps + k) ? 3 : 2;
+    return second * 2 ** (wide - 1) + this.in.raw(wide - 1);
+  }
+
+  // ---- entities that go and come ----
+
+  private readRemoved(size: number): Set<number> {
+    const total = this.count(M.REMOVED);
+    if (total > size) this.fail('removed: more than there are');
+    const positions = new Set<number>();
+    let next = 0;
+    for (let i = 0; i < total; i++) {
+      const position = next + this.count(M.REMOVED_GAP);
+      if (position >= size) this.fail('removed: a position past the end');
+      positions.add(position);
+      next = position + 1;
+    }
+    this.checkEnd();
+    return positions;
+  }
+
+  private readSpawned(bases: Bases, limit: number): EntityState[] {
+    const total = this.count(M.SPAWNED);
+    if (total > limit) this.fail('spawned: more entities than the limit');
+    const known = new Finder(bases.base);
+    const out: EntityState[] = [];
+    let before = NOBODY;
+    for (let i = 0; i < total; i++) {
+      before = this.readNewcomer(before);
+      this.checkEnd();
+      if (known.find(before.id)) this.fail('spawned: an id that the base has');
+      out.push(before);
+    }
+    return out;
+  }
+
+  private readNewcomer(before: EntityState): EntityState {
+    const id = before.id + 1 + this.count(M.ID_GAP);
+    if (id > 0xffffffff) this.fail('spawned: an id beyond 32 bits');
+    const position: Three = [0, 0, 0];
+    for (let k = 0; k < 3; k++) {
+      const size = this.count(M.POSITION_STEP + k * M.COUNT);
+      const negative = size !== 0 && this.in.bit(M.POSITION_NEGATIVE);
+      position[k] = this.int32(before.position[k]! + (negative ? -size : size), 'spawned: a position');
+    }
+    let { largest, rotation } = before;
+    if (this.in.bit(M.TURNED)) ({ largest, rotation } = this.readComponents());
+    return { id, position, largest, rotation, atRest: this.in.bit(M.SPAWNED_RESTS) };
+  }
+
+  private readComponents(): { largest: number; rotation: Three } {
+    const largest = this.in.raw(2);
+    const bits = bitWidth(this.spec.rotationComponent) + 1;
+    const rotation: Three = [0, 0, 0];
+    for (let k = 0; k < 3; k++) rotation[k] = this.in.raw(bits) - 2 ** (bits - 1);
+    this.checkRotation(rotation);
+    return { largest, rotation };
+  }
+
+  private checkRotation(rotation: readonly number[]): void {
+    if (!isRotation(rotation, this.spec.rotationComponent)) this.fail('a rotation that is none');
+  }
+
+  private int32(v: number, what: string): number {
+    if (v < INT32_MIN || v > INT32_MAX) this.fail(`${what} out of range`);
+    return v;
+  }
+
+  // ---- entities that stay ----
+
+  private readSurvivors(survivors: Survivor[], t: Spacing): EntityState[] {
+    const out: EntityState[] = [];
+    let resting = 0;
+    for (const s of survivors) if (s.b1.atRest) resting++;
+    let run = this.restingRun(resting);
+    for (const s of survivors) {
+      if (!s.b1.atRest) {
+        out.push(this.readAwake(s, t));
+        continue;
+      }
+      resting--;
+      if (run > 0) {
+        run--;
+        out.push(s.b1);
+        continue;
+      }
+      const atRest = this.in.bit(M.STAYS_AT_REST);
+      out.push(this.readPose(s, t, atRest));
+      run = this.restingRun(resting);
+    }
+    return out;
+  }
+
+  /** How many at rest stay as they are before the next that does not, of so many that are left. */
+  private restingRun(left: number): number {
+    if (left === 0) return 0;
+    if (this.in.bit(M.WAKES_NONE)) return left;
+    const run = this.count(M.RESTING_RUN);
+    if (run >= left) this.fail('a run of resting entities past the end');
+    this.checkEnd();
+    return run;
+  }
+
+  private readAwake(s: Survivor, t: Spacing): EntityState {
+    const pace = paceOf(s);
+    const changed = this.in.bit(M.CHANGES + pace);
+    const atRest = this.in.bit(M.FALLS_ASLEEP + 2 * pace + (changed ? 1 : 0));
+    if (changed) return this.readPose(s, t, atRest);
+    return atRest ? { ...s.b1, atRest } : s.b1;
+  }
+
+  private readPose(s: Survivor, t: Spacing, atRest: boolean): EntityState {
+    const p = predict(s, t, this.spec.rotationComponent);
+    const position: Three = [0, 0, 0];
+    let off = 0; // sum of the magnitudes so far
+    for (let k = 0; k < 3; k++) {
+      const d = p.positionStep[k]!;
+      const dd = p.positionBend[k]!;
+      const back = (d !== 0 ? d : dd) < 0;
+      const wide = width(d, 3);
+      const others = sizeClass(p.positionChange - Math.abs(dd));
+      const before = k === 0 ? 0 : 1 + (width(off, 4) >> 1);
+      const context = (((wide * 2 + (k === 1 ? 1 : 0)) * 7 + signedClass(back ? -dd : dd)) * 3 + others) * 4 + before;
+      const told = this.number(M.POSITION + context * M.MAGNITUDE, M.POSITION_TAIL + wide * M.TAIL);
+      position[k] = this.int32(p.position[k]! + (back ? -told : told), 'a position');
+      off += Math.abs(told);
+    }
+    const largest = this.readLargest(p);
+    const rotation = this.readRotation(p, largest, off !== 0);
+    this.checkEnd();
+    return { id: s.b1.id, position, largest, rotation, atRest };
+  }
+
+  /** Which component is left out: the predicted one mostly, the less so the less it leads. */
+  private readLargest(p: Prediction): number {
+    let second = 0;
+    for (let k = 0; k < 4; k++) if (k !== p.largest) second = Math.max(second, Math.abs(p.rotation[k]!));
+    const lead = width(Math.abs(p.rotation[p.largest]!) - second, 15) >> 2;
+    if (this.in.bit(M.SAME_LARGEST + lead)) return p.largest;
+    let on = 2;
+    if (!this.in.bit(M.OTHER_LARGEST)) on = this.in.bit(M.OTHER_LARGEST + 1) ? 1 : 0;
+    return (p.largest + 1 + on) & 3;
+  }
+
+  private readRotation(p: Prediction, largest: number, movedOff: boolean): Three {
+    const sign = p.rotation[largest]! < 0 ? -1 : 1;
+    let to = 0;
+    let change = 0;
+    for (let k = 0; k < 4; k++) {
+      if (k === largest) continue;
+      r[to] = sign * p.rotation[k]!;
+      step[to] = sign * p.rotationStep[k]!;
+      bend[to] = sign * p.rotationBend[k]!;
+      change += Math.abs(bend[to++]!);
+    }
+    const rotation: Three = [0, 0, 0];
+    let off = 0;
+    for (let k = 0; k < 3; k++) {
+      const d = step[k]!;
+      const dd = bend[k]!;
+      const back = (d !== 0 ? d : dd) < 0;
+      const wide = width(d, 3);
+      const before = k === 0 ? (movedOff ? 1 : 0) : 2 + width(off, 2);
+      const context = ((wide * 7 + signedClass(back ? -dd : dd)) * 3 + sizeClass(change - Math.abs(dd))) * 5 + before;
+      const told = this.number(M.ROTATION + context * M.MAGNITUDE, M.ROTATION_TAIL + wide * M.TAIL);
+      rotation[k] = r[k]! + (back ? -told : told) + 0; // + 0: no negative zero
+      off += Math.abs(told);
+    }
+    this.checkRotation(rotation);
+    return rotation;
+  }
+}

@@ -638,6 +638,7 @@ private:
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
         const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
+        report_impulse(world_, own, other, hit);
         if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
             note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.

@@ -10,6 +10,7 @@
 #include "feature_cost.h"
 #include "integrators/integrators.h"
 #include "modules.h"
+#include "network/network.h"
 #include "roads/roads.h"
 #include "rollback.h"
 #include "speed/speed.h"
@@ -26,6 +27,7 @@ Examples:
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
   jostle-bench modules
+  jostle-bench network
   jostle-bench roads --help
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
@@ -48,6 +50,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_features(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
+    jostle::bench::add_network(app, status);
     jostle::bench::add_roads(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);

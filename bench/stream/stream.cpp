@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 
+#include "jostle/base/format_text.h"
 #include "load/load_run.h"
 #include "measure.h"
 #include "processes/server_process.h"
@@ -22,7 +23,8 @@ namespace {
 constexpr const char* footer = R"(
 Each row is a process that sends to sinks (jostle-load --sink) over loopback, sixty messages a second to each. A message costs
 what the process takes with all clients, less what it takes with one, for each snapshot that arrived: physics and encoding are
-not in it, acks that are read are. The floors send the same bytes to all and do nothing else: raw over bare sockets, grpc-floor
+not in it, acks that are read are. What did not send sixty a second, in three attempts, is not compared: something else
+has the processor, or that is the limit. The floors send the same bytes to all and do nothing else: raw over bare sockets, grpc-floor
 from a completion queue of gRPC, websocket-floor with Beast. grpc and websocket are jostle-server with a scene of bodies that only
 turn, as many as make a snapshot of --bytes; then the floors send as many bytes as it did. Rows are measured in turns; the
 median of the rounds is shown, and for ratios the median of each round's ratio.
@@ -82,19 +84,36 @@ Result<int> fit_scene(StreamRequest request, const std::string& path) {
 
 using Costs = std::map<StreamKind, std::vector<StreamCost>>;
 
+bool kept_rate(const StreamCost& cost) {
+    return cost.snapshots_per_second >= keeps_rate * 60;
+}
+
 double median_of(const std::vector<StreamCost>& costs, double StreamCost::*field) {
     std::vector<double> values;
     for (const StreamCost& cost : costs) values.push_back(cost.*field);
     return spread_of(values).median;
 }
 
+// Of the rounds in which both kept their rate; nothing: there was none.
 std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
     const auto floor = floor_of(kind);
     if (!floor) return std::nullopt;
     std::vector<double> ratios;
-    for (std::size_t k = 0; k < costs.at(kind).size(); k++)
-        ratios.push_back(costs.at(kind)[k].us_per_message / costs.at(*floor)[k].us_per_message);
-    return spread_of(ratios);
+    for (std::size_t k = 0; k < costs.at(kind).size(); k++) {
+        const StreamCost &ours = costs.at(kind)[k], &least = costs.at(*floor)[k];
+        if (kept_rate(ours) && kept_rate(least))
+            ratios.push_back(ours.us_per_message / least.us_per_message);
+    }
+    return ratios.empty() ? std::nullopt : std::optional(spread_of(ratios));
+}
+
+std::string us_text(const std::vector<StreamCost>& rows) {
+    std::vector<double> us;
+    for (const StreamCost& row : rows)
+        if (kept_rate(row)) us.push_back(row.us_per_message);
+    if (us.empty()) return format_text("%27s", "not at full rate");
+    const Spread spread = spread_of(us);
+    return format_text("%8.2f %8.2f to %6.2f", spread.median, spread.low, spread.high);
 }
 
 void print(const Costs& costs) {
@@ -102,18 +121,11 @@ void print(const Costs& costs) {
                 "to the floor", "rate", "bytes", "messages", "age p50", "p99", "kB");
     for (const StreamKind kind : kinds) {
         const auto& rows = costs.at(kind);
-        std::vector<double> us;
-        for (const StreamCost& row : rows) us.push_back(row.us_per_message);
-        const Spread spread = spread_of(us);
         const auto ratio = ratio_of(costs, kind);
-        std::string floor = "";
-        if (ratio) {
-            char text[64];
-            std::snprintf(text, sizeof text, "%.2f (%.2f)", ratio->median, ratio->high);
-            floor = text;
-        }
-        std::printf("%-16s %8.2f %8.2f to %6.2f %14s %7.1f %6.0f %9.1f %7.2f %7.2f %8.1f\n",
-                    name_of(kind), spread.median, spread.low, spread.high, floor.c_str(),
+        const std::string floor =
+            ratio ? format_text("%.2f (%.2f)", ratio->median, ratio->high) : "";
+        std::printf("%-16s %s %14s %7.1f %6.0f %9.1f %7.2f %7.2f %8.1f\n", name_of(kind),
+                    us_text(rows).c_str(), floor.c_str(),
                     median_of(rows, &StreamCost::snapshots_per_second),
                     median_of(rows, &StreamCost::snapshot_bytes),
                     median_of(rows, &StreamCost::messages_per_second),
@@ -139,11 +151,11 @@ nlohmann::ordered_json rows_json(const Costs& costs) {
 }
 
 // A machine that does something else as well may keep a server from its rate, and what it sends
-// then costs more each: so it is asked again, and in the end believed.
+// then costs more each: so it is asked again. What never kept it is told, and not compared.
 Result<StreamCost> measure_at_full_rate(StreamKind kind, const StreamRequest& request) {
     for (int attempt = 1;; attempt++) {
         auto cost = measure_stream(kind, request);
-        if (!cost.ok() || cost->snapshots_per_second >= keeps_rate * 60) return cost;
+        if (!cost.ok() || kept_rate(*cost)) return cost;
         show_progress("");
         std::fprintf(stderr, "jostle-bench: %s sent %.1f a second, not 60%s\n", name_of(kind),
                      cost->snapshots_per_second, attempt < rate_attempts ? ": once more" : "");

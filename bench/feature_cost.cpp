@@ -12,6 +12,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "jostle/modules/boats.h"
+#include "jostle/modules/character.h"
+#include "jostle/modules/destruction.h"
+#include "jostle/modules/fields.h"
+#include "jostle/modules/ragdoll.h"
+#include "jostle/modules/vehicle.h"
 #include "jostle/physics/physics.h"
 #include "measure.h"
 #include "result_file.h"
@@ -34,6 +40,7 @@ Idle means:  continuous  sweeps are on, nobody is fast        joints     one joi
              kinematics  one kinematic body that stands       meshes     a mesh of 200 triangles, a box asleep on it
              listeners   one that does nothing, asked about   fields     wind in a box that holds nobody
                          new contacts when there are some
+             mod-NAME    a module in which nothing is
 
 Examples:
   jostle-bench features
@@ -113,14 +120,31 @@ void add_field(World& world) {
                              .region = Aabb{{far, 0, 0}, {far + 10, 10, 10}}}));
 }
 
+// There, and making nothing.
+template <class Module>
+void add_module(World& world) {
+    world.add_module(std::make_unique<Module>()).expect();
+}
+
 struct Feature {
     const char* name;
     void (*add)(World&);  // null: it is a flag of the world
 };
-constexpr Feature features[] = {
-    {"nothing", nullptr},      {"continuous", nullptr},     {"joints", add_joint},
-    {"triggers", add_trigger}, {"events", add_reporter},    {"kinematics", add_kinematic},
-    {"meshes", add_mesh},      {"listeners", add_listener}, {"fields", add_field}};
+constexpr Feature features[] = {{"nothing", nullptr},
+                                {"continuous", nullptr},
+                                {"joints", add_joint},
+                                {"triggers", add_trigger},
+                                {"events", add_reporter},
+                                {"kinematics", add_kinematic},
+                                {"meshes", add_mesh},
+                                {"listeners", add_listener},
+                                {"fields", add_field},
+                                {"mod-fields", add_module<modules::Fields>},
+                                {"mod-boats", add_module<modules::Boats>},
+                                {"mod-characters", add_module<modules::Characters>},
+                                {"mod-ragdolls", add_module<modules::Ragdolls>},
+                                {"mod-vehicles", add_module<modules::Vehicles>},
+                                {"mod-destruction", add_module<modules::Destruction>}};
 
 World make_world(const Feature* feature) {
     const bool continuous = feature != nullptr && feature->name == std::string("continuous");

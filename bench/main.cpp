@@ -14,6 +14,7 @@
 #include "roads/roads.h"
 #include "rollback.h"
 #include "speed/speed.h"
+#include "stream/stream.h"
 #include "thread_scaling.h"
 
 namespace {
@@ -32,6 +33,7 @@ Examples:
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
   jostle-bench stability --peers none
+  jostle-bench stream --clients 300
   jostle-bench threads --at-most 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
@@ -53,6 +55,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     jostle::bench::add_stability(app, status);
+    jostle::bench::add_stream(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
     try {

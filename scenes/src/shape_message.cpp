@@ -330,14 +330,11 @@ void write_outline(v1::Shape& out, const Geometry& geometry, const Transform& po
     if (!(pose.rotation == Quat{})) set(*out.mutable_rotation(), pose.rotation);
 }
 
-void write_shape(v1::Shape& out, const ShapeDef& def) {
+void write_touch(v1::Shape& out, const ShapeDef& def) {
     const ShapeDef plain;
-    write_outline(out, def.geometry, def.pose);
-    out.set_density(def.density);
-    if (def.mass > 0) out.set_mass(def.mass);
     const Material& m = def.material;
-    out.set_friction(m.friction);
-    out.set_restitution(m.restitution);
+    if (m.friction != plain.material.friction) out.set_friction(m.friction);
+    if (m.restitution != plain.material.restitution) out.set_restitution(m.restitution);
     if (m.rolling_friction != 0) out.set_rolling_friction(m.rolling_friction);
     if (m.torsional_friction != 0) out.set_torsional_friction(m.torsional_friction);
     if (!(m.surface_velocity == Vec3{})) set(*out.mutable_surface_velocity(), m.surface_velocity);
@@ -350,6 +347,15 @@ void write_shape(v1::Shape& out, const ShapeDef& def) {
     if (def.filter.mask != plain.filter.mask) out.mutable_filter()->set_mask(def.filter.mask);
     if (def.filter.group != 0) out.mutable_filter()->set_group(def.filter.group);
     if (def.trigger) out.set_trigger(true);
+}
+
+void write_shape(v1::Shape& out, const ShapeDef& def) {
+    write_outline(out, def.geometry, def.pose);
+    write_touch(out, def);
+    out.set_density(def.density);
+    if (def.mass > 0) out.set_mass(def.mass);
+    out.set_friction(def.material.friction);
+    out.set_restitution(def.material.restitution);
     if (def.report_stays) out.set_report_stays(true);
 }
 

@@ -8,7 +8,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr auto poll_period = std::chrono::milliseconds(20);
+constexpr auto poll_period = std::chrono::milliseconds(100);
 constexpr auto goodbye_time = std::chrono::milliseconds(100);
 
 }  // namespace

@@ -78,8 +78,10 @@ Status check(const Config& c) {
         {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
-        {"stream.ack_window_min", c.stream.ack_window_min, 1, 1000},
-        {"stream.ack_window_max", c.stream.ack_window_max, 1, 1000},
+        {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
+        {"stream.ack_ms", c.stream.ack_ms, 1, 1000},
+        {"stream.cell_m", c.stream.cell_m, 1, 100000},
+        {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
@@ -97,8 +99,6 @@ Status check(const Config& c) {
         if (!(r.low <= r.value && r.value <= r.high))
             return invalid_argument(std::string(r.key) + " is " + text(r.value) +
                                     "; it must be from " + text(r.low) + " to " + text(r.high));
-    if (c.stream.ack_window_max < c.stream.ack_window_min)
-        return invalid_argument("stream.ack_window_max is below stream.ack_window_min");
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid_argument(std::string(key) + ": " + parsed.error().message);

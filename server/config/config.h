@@ -54,12 +54,15 @@ struct TickSettings {
 };
 
 struct StreamSettings {
-    int ack_window_min = 4;  // snapshots in flight
-    int ack_window_max = 30;
+    int ack_window_max = 30;      // messages on the way to a client
+    int ack_ms = 100;             // how often a client acknowledges
     double hello_seconds = 5;     // a stream that says nothing is closed
     double silence_seconds = 10;  // a client that says nothing at all is gone
-    double stats_per_second = 10;
-    int codec = 2;  // of snapshots: the highest that clients are offered
+    double stats_per_second = 2;
+    int codec = 2;       // of snapshots: the highest that clients are offered
+    double cell_m = 32;  // edge of the parts of a world that clients with an interest are told of
+    // Snapshots a second to a client while nothing in its world moves.
+    double heartbeats_per_second = 4;
 };
 
 // Certificates of both listeners, PEM; read again when they change.

@@ -27,7 +27,8 @@ using asio::ip::tcp;
 namespace {
 
 // Timeouts and statistics need no better; frames wake the thread by themselves.
-constexpr auto housekeeping_period = std::chrono::milliseconds(20);
+constexpr auto housekeeping_period = std::chrono::milliseconds(50);
+constexpr auto idle_period = std::chrono::milliseconds(250);  // without WebSockets
 // When no file descriptor is left, trying again at once would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
@@ -181,12 +182,13 @@ void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Requ
     const auto session =
         std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
     play_sessions.push_back(session);
+    if (play_sessions.size() == 1) schedule_housekeeping();  // sooner than an idle one
     session->start(request);
 }
 
 void Gateway::Impl::schedule_housekeeping() {
     if (ending) return;
-    housekeeping.expires_after(housekeeping_period);
+    housekeeping.expires_after(play_sessions.empty() ? idle_period : housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();

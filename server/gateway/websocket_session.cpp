@@ -8,6 +8,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <string_view>
+#include <vector>
 
 #include "base/socket_options.h"
 #include "base/text.h"
@@ -145,15 +146,22 @@ void WebSocketSession::advance(Clock::time_point now) {
     if (std::optional<OutMessage> message = link_->take_message(now)) {
         outgoing_ = std::move(*message);
         writing_ = true;
-        std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
-        if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
-        socket_->async_write(pieces,
-                             [self = shared_from_this()](beast::error_code error, std::size_t) {
-                                 self->on_wrote(error);
-                             });
+        write();
         return;
     }
     if (const std::optional<Status>& end = link_->end()) close(*end, now);
+}
+
+void WebSocketSession::write() {
+    const auto wrote = [self = shared_from_this()](beast::error_code error, std::size_t) {
+        self->on_wrote(error);
+    };
+    std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
+    if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
+    if (outgoing_.cells.empty()) return socket_->async_write(pieces, wrote);
+    std::vector<const_buffer> all(pieces.begin(), pieces.end());
+    for (const SharedBytes& cell : outgoing_.cells) all.push_back(boost::asio::buffer(*cell));
+    socket_->async_write(all, wrote);
 }
 
 void WebSocketSession::close(const Status& end, Clock::time_point now) {

@@ -42,6 +42,7 @@ private:
     void read();
     void on_read(boost::beast::error_code error);
     void on_wrote(boost::beast::error_code error);
+    void write();
     void close(const Status& end, Clock::time_point now);
 
     PlayContext& context_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "host/apply_action.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "jostle/modules/blast.h"
 #include "jostle/modules/destruction.h"
+#include "jostle/modules/hand.h"
 
 namespace jostle::server {
 
@@ -15,10 +15,6 @@ using namespace physics;
 
 namespace {
 
-constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a body
-// What many of them may: a body that is faster for other reasons is not slowed down.
-constexpr double pushed_speed_max = 50;  // m/s
-constexpr double pushed_spin_max = 60;   // rad/s
 // N s/m^2 for each m/s: a crate of a metre and 1000 kg/m^3 gets about that speed.
 constexpr double blast_strength = 1000;
 // m for each m of its radius and m/s: so near, walls that can break do.
@@ -74,15 +70,8 @@ struct Apply {
         about = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
-        const BodyState body = *state.world.body((*entity)->body);
-        const double most = body.mass * impulse_speed_max, size = length(c.impulse);
-        const Vec3 impulse = size > most ? c.impulse * (most / size) : c.impulse;
-        Vec3 point = c.point.value_or(body.center);
-        // A point far outside the body would be a lever of any length.
-        const Vec3 arm = point - body.center;
-        const double reach = 2;
-        if (length(arm) > reach) point = body.center + arm * (reach / length(arm));
-        return push(body, impulse, point);
+        return from_solver(modules::push_by_hand(state.world, *state.world.body((*entity)->body),
+                                                 c.impulse, c.point));
     }
 
     Status operator()(const GrabCommand& c) const {
@@ -130,9 +119,9 @@ struct Apply {
             walls->break_near(state.world, c.center, blast_breaks * c.radius * c.speed);
         Status status;
         for (const modules::BlastPush& p : *pushes) {
-            const Status pushed =
-                push(*state.world.body(p.body), p.impulse, p.center, p.angular_impulse);
-            if (!pushed.ok()) status = pushed;
+            const Status pushed = modules::push_within_limits(
+                state.world, *state.world.body(p.body), p.impulse, p.center, p.angular_impulse);
+            if (!pushed.ok()) status = from_solver(pushed);
         }
         return status;
     }
@@ -166,26 +155,6 @@ struct Apply {
     }
 
 private:
-    // However many pushes come, together they make nothing faster than the caps.
-    Status push(const BodyState& body, Vec3 impulse, Vec3 point, Vec3 angular = {}) const {
-        if (Status s = state.world.apply_impulse(body.id, impulse, point); !s.ok())
-            return from_solver(s);
-        if (Status s = state.world.apply_angular_impulse(body.id, angular); !s.ok())
-            return from_solver(s);
-        const BodyState pushed = *state.world.body(body.id);
-        const auto capped = [](Vec3 now, Vec3 before, double cap) {
-            const double most = std::max(cap, length(before)), size = length(now);
-            return size > most ? now * (most / size) : now;
-        };
-        const Vec3 v = capped(pushed.linear_velocity, body.linear_velocity, pushed_speed_max);
-        if (!(v == pushed.linear_velocity))
-            if (Status s = state.world.set_linear_velocity(body.id, v); !s.ok())
-                return from_solver(s);
-        const Vec3 w = capped(pushed.angular_velocity, body.angular_velocity, pushed_spin_max);
-        if (w == pushed.angular_velocity) return {};
-        return from_solver(state.world.set_angular_velocity(body.id, w));
-    }
-
     bool is_crowded(const SpawnCommand& c) const {
         const auto shapes =
             state.world.queries().overlap_shape(c.shape.geometry, compose(c.pose, c.shape.pose));

@@ -12,6 +12,7 @@
 #include <string>
 #include <variant>
 
+#include "base/clock.h"
 #include "jostle/base/result.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/module.h"
@@ -71,6 +72,9 @@ struct InputResult {
                              // not_found, permission_denied or resource_exhausted
     std::uint32_t tick = 0;  // in which it was applied
     EntityId entity = 0;     // which one it was about, if any; of a refused one, too
+    // us that it came before the tick it was meant for was due; negative: after. Nothing: no world
+    // saw it.
+    std::optional<std::int64_t> margin_us = {};
 };
 
 class ResultQueue;
@@ -80,6 +84,8 @@ struct Command {
     std::uint32_t sequence = 0;  // rises by one or more per client, from 1
     Action action;
     std::shared_ptr<ResultQueue> reply;  // null: nobody waits for the result
+    Clock::time_point received{};
+    std::uint32_t tick = 0;  // which it is meant for, if that is still to come; 0: the next
 };
 
 }  // namespace jostle::server

@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "host/entity_registry.h"
 
-#include "host/drivers.h"
-
+#include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "host/drivers.h"
+
 namespace jostle::server {
+
+namespace {
+
+double reach_of(const physics::World& world, physics::ShapeId shape, physics::Vec3 origin) {
+    const auto box = world.bounds(shape);
+    if (!box.ok()) return std::numeric_limits<double>::infinity();
+    const physics::Vec3 low = box->low - origin, high = box->high - origin;
+    return length(physics::Vec3{std::max(-low.x, high.x), std::max(-low.y, high.y),
+                                std::max(-low.z, high.z)});
+}
+
+}  // namespace
 
 EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
                              std::optional<std::uint32_t> color, std::string name) {
@@ -13,8 +27,11 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     auto description = std::make_shared<EntityDescription>();
     const EntityId id = description->id = next_id_++;
     description->type = state.type;
-    for (const physics::ShapeId shape : world.shapes_of(body))
+    for (const physics::ShapeId shape : world.shapes_of(body)) {
         description->shapes.push_back(*world.shape(shape));
+        description->reach =
+            std::max(description->reach, reach_of(world, shape, state.pose.position));
+    }
     description->owner = owner;
     description->color = color;
     description->name = std::move(name);

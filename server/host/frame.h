@@ -11,6 +11,7 @@
 #include "base/clock.h"
 #include "host/command.h"
 #include "host/module_channels.h"
+#include "host/pose_list.h"
 #include "host/tick_events.h"
 #include "jostle/physics/world.h"
 
@@ -26,22 +27,23 @@ struct EntityDescription {
     std::string name;
     double mass = 0;        // kg
     bool drivable = false;  // a module lets somebody drive it
+    double reach = 0;       // m from its origin to its furthest corner; infinite for planes
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers
 // mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
-struct EntityPose {
-    EntityId id = 0;
-    physics::Transform pose;
-    bool awake = false;
-};
-
 struct Frame {
-    std::uint32_t tick = 0;            // from 1
-    Clock::time_point due;             // when the tick was due
-    std::vector<EntityPose> entities;  // in rising order of id, as in the entity list
+    std::uint32_t tick = 0;  // from 1
+    Clock::time_point due;   // when the tick was due
+    // The same beside the world's epoch and the tick's number: how much was left out since.
+    std::int64_t late_us = 0;
+    PoseList entities;  // as in the entity list
+    // The newest tick, this one included, in which a client could see something change: a pose, who
+    // is awake, the entity list, a channel. And the newest one before that, as of the tick before:
+    // until then what the frame before shows was as it is there.
+    std::uint32_t changed_at = 0, before_changed_at = 0;
     std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client asked for events.
     std::shared_ptr<const RecentEvents> events;

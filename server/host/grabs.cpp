@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "host/grabs.h"
 
+#include "jostle/modules/hand.h"
+
 namespace jostle::server {
 
 using namespace physics;
 
-namespace {
-
-constexpr JointSpring hand{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
-constexpr double acceleration_max = 200;  // m/s^2: a hand may be strong, not endless
-constexpr double turn_damping = 4;        // 1/s: a held body stops spinning about the hand
-
-}  // namespace
-
 Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 point) {
     release(world, client);
-    const Result<JointId> joint =
-        world.create_joint({.body_b = body.id,
-                            .frame_b = {.position = apply_inverse(body.pose, point)},
-                            .kind = GrabJoint{.target = point,
-                                              .spring = hand,
-                                              .max_force = body.mass * acceleration_max,
-                                              .turn_damping = turn_damping}});
+    const Result<JointId> joint = world.create_joint(modules::held_at(body, point));
     if (!joint.ok()) return joint.error();
     held_[client] = {body.id, *joint};
     return {};

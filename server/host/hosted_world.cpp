@@ -97,22 +97,55 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
     return frame;
 }
 
-void HostedWorld::copy_into(Frame& frame) {
-    frame.entity_list = state_.entities.list();
-    frame.channels = channels_.channels();
-    state_.world.copy_bodies(bodies_);
-    frame.entities.clear();
-    frame.entities.reserve(bodies_.size());
-    frame.awake = 0;
-    for (const BodyState& body : bodies_) {
-        frame.awake += body.awake && body.type == BodyType::dynamic ? 1 : 0;
-        frame.entities.push_back({state_.entities.by_body()[body.id.index], body.pose, body.awake});
+// What neither is awake nor was so in the last frame has not moved, unless a call says so.
+void HostedWorld::copy_poses(bool all) {
+    const World& world = state_.world;
+    const auto& by_body = state_.entities.by_body();
+    if (all) {
+        std::vector<EntityPose> poses;
+        world.copy_bodies(bodies_);
+        poses.reserve(bodies_.size());
+        for (const BodyState& body : bodies_)
+            poses.push_back({by_body[body.id.index], body.pose, body.awake});
+        // Bodies come by index; an index that was used again holds a later entity.
+        std::ranges::sort(poses, {}, &EntityPose::id);
+        poses_.assign(poses);
+        place_of_body_.assign(by_body.size(), 0);
+        std::size_t place = 0;
+        for (const auto& [id, entity] : state_.entities.all())
+            place_of_body_[entity.body.index] = place++;
+        return;
     }
-    // Bodies come by index; an index that was used again holds a later entity.
-    std::sort(frame.entities.begin(), frame.entities.end(),
-              [](const EntityPose& a, const EntityPose& b) { return a.id < b.id; });
-    frame.contacts = state_.world.profile().touching;
-    frame.step_ms = state_.world.profile().step_ms;
+    for (const BodyId id : awake_)
+        if (const Result<BodyState> body = world.body(id); body.ok() && !body->awake)
+            poses_.set(place_of_body_[id.index], body->pose, false);
+    for (const BodyState& body : bodies_)
+        poses_.set(place_of_body_[body.id.index], body.pose, body.awake);
+}
+
+void HostedWorld::copy_into(Frame& frame) {
+    const World& world = state_.world;
+    const bool list_changed = entity_list_ != state_.entities.list();
+    world.copy_awake_bodies(bodies_);
+    frame.awake = 0;
+    for (const BodyState& body : bodies_)
+        frame.awake += body.awake && body.type == BodyType::dynamic ? 1 : 0;
+    std::vector<BodyId> awake;
+    awake.reserve(bodies_.size());
+    for (const BodyState& body : bodies_) awake.push_back(body.id);
+    copy_poses(list_changed || changes_at_rest_ != world.changes_at_rest());
+    awake_ = std::move(awake);
+    changes_at_rest_ = world.changes_at_rest();
+
+    bool moved = false;
+    frame.entities = poses_.take(moved);
+    frame.entity_list = entity_list_ = state_.entities.list();
+    frame.before_changed_at = changed_at_;
+    if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
+    frame.changed_at = changed_at_;
+    frame.channels = told_ = channels_.channels();
+    frame.contacts = world.profile().touching;
+    frame.step_ms = world.profile().step_ms;
 }
 
 }  // namespace jostle::server

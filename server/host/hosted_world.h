@@ -35,7 +35,7 @@ public:
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
-    // Fills what a world knows of a frame; the host adds times.
+    // Fills what a world knows of a frame; the host adds times. `frame.tick` is set.
     void copy_into(Frame& frame);
     // What happened in the last step; nothing when nothing did. Before the next command.
     std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
@@ -68,7 +68,17 @@ private:
     ModuleChannels channels_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
-    std::vector<physics::BodyState> bodies_;            // reused from tick to tick
+    void copy_poses(bool all);
+
+    std::vector<physics::BodyState> bodies_;  // reused from tick to tick
+    // As of the last frame.
+    PoseEditor poses_;
+    std::vector<std::size_t> place_of_body_;  // in the entity list, by index of the body
+    std::vector<physics::BodyId> awake_;
+    std::uint64_t changes_at_rest_ = 0;
+    std::shared_ptr<const EntityList> entity_list_;
+    std::shared_ptr<const Channels> told_;
+    std::uint32_t changed_at_ = 0;
 };
 
 }  // namespace jostle::server

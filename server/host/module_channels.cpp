@@ -95,7 +95,12 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
         return a.kind == b.kind && a.entity == b.entity;
     };
     next_->erase(std::unique(next_->begin(), next_->end(), same), next_->end());
-    channels_ = std::exchange(next_, nullptr);
+    // A list that says nothing new is the old one.
+    const auto says_the_same = [](const Channel& a, const Channel& b) {
+        return a.kind == b.kind && a.entity == b.entity && a.values == b.values;
+    };
+    if (!std::ranges::equal(*next_, *channels_, says_the_same)) channels_ = std::move(next_);
+    next_ = nullptr;
 }
 
 void ModuleChannels::add(Channel channel) {

@@ -35,16 +35,18 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
       hz_(scene_->hz),
       work_per_second_(world.work_per_second()),
       gravity_(scene_->world.gravity),
+      epoch_(Clock::now()),
       channel_kinds_(world.channel_kinds()),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      early_(static_cast<std::size_t>(settings.command_queue_max)),
       watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
     first->tick = tick_ = 1;
-    first->due = Clock::now();
+    first->due = epoch_ + from_seconds(1 / hz_);
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
@@ -111,7 +113,8 @@ void WorldHost::interrupt(std::string reason) {
 }
 
 void WorldHost::run() {
-    TickClock clock(Clock::now(), hz_, settings_.catch_up_max);
+    // Tick 1 is the world as it was made; the clock counts from there.
+    TickClock clock(epoch_ + from_seconds(1 / hz_), hz_, settings_.catch_up_max);
     std::function<void()> wait = [&] {
         timer_->due.expires_at(clock.next_due());
         timer_->due.async_wait([&](const boost::system::error_code& error) {
@@ -153,13 +156,14 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     watch_.begin_tick(began);
     tick_++;
     const std::optional<std::string> why = paused();
-    apply_commands(why);
+    apply_commands(why, due);
     const bool allowed = why && steps_.begin_step();
     watch_.begin_step();
     const bool stepped = (!why || allowed) && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
+    frame->late_us = late_us(due);
     frame->late_ticks = late_ticks;
     frame->events = events_;
     frame->paused = why;
@@ -175,25 +179,34 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
-// What was asked since the last tick, in order of arrival; then who left. A leaver's own commands
-// were pushed before, so those who left are taken first.
-void WorldHost::apply_commands(const std::optional<std::string>& paused) {
+// What was asked since the last tick, in order of arrival, but for what is meant for a later one;
+// then who left. A leaver's own commands were pushed before, so those who left are taken first.
+void WorldHost::apply_commands(const std::optional<std::string>& paused, Clock::time_point due) {
     {
         const std::lock_guard lock(leave_mutex_);
         leavers_taken_.swap(leavers_);
     }
     commands_.drain_into(batch_);
+    early_.sort_out(batch_, tick_, leavers_taken_);
     results_.clear();
-    for (const Command& command : batch_)
-        if (paused)
-            results_.push_back(
-                {.sequence = command.sequence,
-                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused},
-                 .tick = tick_});
-        else
-            results_.push_back(world_.apply(command, tick_));
+    for (const Command& command : batch_) results_.push_back(answer(command, paused, due));
     for (const Command& command : leavers_taken_) world_.apply(command, tick_);
     leavers_taken_.clear();
+}
+
+InputResult WorldHost::answer(const Command& command, const std::optional<std::string>& paused,
+                              Clock::time_point due) {
+    InputResult result{.sequence = command.sequence, .tick = tick_};
+    if (paused)
+        result.status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+    else
+        result = world_.apply(command, tick_);
+    const std::int64_t meant = command.tick == 0 ? tick_ : command.tick;
+    const std::chrono::duration<double> wait =
+        due - command.received +
+        std::chrono::duration<double>(static_cast<double>(meant - tick_) / hz_);
+    result.margin_us = static_cast<std::int64_t>(1e6 * wait.count());
+    return result;
 }
 
 bool WorldHost::step(bool allowed) {
@@ -252,6 +265,13 @@ void WorldHost::serve_queries() {
         queries_.put(world_.query_frame(tick_, parts));
 }
 
+// A microsecond is rounding.
+std::int64_t WorldHost::late_us(Clock::time_point due) const {
+    const Clock::time_point on_time = epoch_ + from_seconds(static_cast<double>(tick_) / hz_);
+    const auto late = std::chrono::duration_cast<std::chrono::microseconds>(due - on_time).count();
+    return std::abs(late) <= 1 ? 0 : late;
+}
+
 // The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
 void WorldHost::measure(Frame& frame, Clock::time_point began) {
     recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
@@ -263,6 +283,8 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
 
 void WorldHost::publish(std::shared_ptr<Frame> frame) {
     FramePtr old;  // freed outside the lock
+    const std::uint32_t events = frame->events->count;
+    bool news = frame->changed_at == frame->tick || !batch_.empty();
     {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));
@@ -270,7 +292,8 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     // After the frame: who hears that a body was spawned finds it there.
     for (std::size_t i = 0; i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
-    if (settings_.on_frame) settings_.on_frame();
+    news = news || events != old->events->count;
+    if (settings_.on_frame) settings_.on_frame(news);
 }
 
 }  // namespace jostle::server

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/bounded_queue.h"
+#include "host/early_commands.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
 #include "host/step_allowance.h"
@@ -35,8 +36,9 @@ struct WorldHostSettings {
     int catch_up_max = 4;
     int physics_threads = 1;
     bool own_thread = true;  // false: it ticks only when tick() is called
-    // Called on the world's thread after each frame; must only wake somebody.
-    std::function<void()> on_frame;
+    // Called on the world's thread after each frame, with whether something happened in it; must
+    // only wake somebody.
+    std::function<void(bool news)> on_frame;
     Metrics* metrics = nullptr;  // null: nobody counts
 };
 
@@ -104,6 +106,8 @@ public:
     double hz() const { return hz_; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
+    // When tick 0 would have been due, on the server's clock.
+    std::uint64_t epoch_us() const { return to_us(epoch_); }
     // What its modules tell clients: a channel's kind is a place in this list.
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channel_kinds_; }
 
@@ -112,11 +116,14 @@ private:
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick_late(Clock::time_point due, std::uint32_t late_ticks);
-    void apply_commands(const std::optional<std::string>& paused);
+    void apply_commands(const std::optional<std::string>& paused, Clock::time_point due);
+    InputResult answer(const Command& command, const std::optional<std::string>& paused,
+                       Clock::time_point due);
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
+    std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
@@ -127,6 +134,7 @@ private:
     const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
+    const Clock::time_point epoch_;
     const std::vector<physics::ChannelKind> channel_kinds_;
     const WorldHostSettings settings_;
 
@@ -140,6 +148,7 @@ private:
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
+    EarlyCommands early_;  // the tick thread's own
     std::mutex leave_mutex_;
     std::vector<Command> leavers_;  // at most one of each client
     mutable std::mutex pause_mutex_;

@@ -29,10 +29,11 @@ constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
 constexpr auto keyframe_period = 250ms;
-// Results travel together: a client learns what became of an input at most this much later.
-constexpr auto results_period = 50ms;
+// Entities told at once to who sees a part of a world, and about how many bytes one takes.
+constexpr std::size_t roster_part_max = 64, entity_bytes = 48;
 // A client that has been told and still sends this many times its rate is cut off.
 constexpr int flood_factor = 5;
+constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 constexpr auto rate_notice_period = 1s;
 
 // Every n-th tick, so that no more than `wanted` snapshots a second are sent.
@@ -173,7 +174,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     const Result<ClientId> client = context_.sessions.enter(world->id(), network_of(peer_.address));
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
-    feed_ = context_.feeds.feed_of(world);
+    feed_ = context_.feeds.feed_of(world, context_.config.stream.cell_m);
     result_queue_ = std::make_shared<ResultQueue>();
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
@@ -181,6 +182,10 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     limits_.messages_per_second += world->hz() / divider;
     admission_.emplace(limits_, hello.spectator, now);
     flow_.emplace(context_.config.stream, world->hz(), divider);
+    if (hello.interest || hello.max_kbps != 0) {
+        sight_.emplace(hello.max_kbps * 125.0);
+        if (hello.interest) sight_->look_at(*hello.interest);
+    }
     if (hello.events) {
         wants_events_ = true;
         world->add_event_listener();
@@ -196,12 +201,14 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .tick = frame->tick,
          .tick_hz = world->hz(),
          .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-         .ack_window = static_cast<std::uint32_t>(flow_->window()),
+         .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
+         .epoch_us = world->epoch_us(),
          .gravity = world->gravity(),
          .channels = world->channel_kinds(),
-         .codec = codec_}));
+         .codec = codec_,
+         .cells = sight_.has_value()}));
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
                     .name = hello.name,
@@ -226,24 +233,29 @@ void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
     if (batch.ack) on_message(*batch.ack, now);
     client_time_us_ = batch.client_time_us;
     std::uint32_t sequence = batch.first_sequence;
-    for (const Result<Action>& input : batch.inputs) push_input(sequence++, input, now);
+    for (std::size_t k = 0; k < batch.inputs.size(); k++)
+        push_input(sequence++, batch.inputs[k], batch.ticks[k], now);
 }
 
 // What came before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    if (Status status = try_push(sequence, input, now); !status.ok())
+    if (Status status = try_push(sequence, input, tick, now); !status.ok())
         results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
-    if (!feed_->host().push(
-            {.client = client_, .sequence = sequence, .action = *input, .reply = result_queue_}))
+    if (!feed_->host().push({.client = client_,
+                             .sequence = sequence,
+                             .action = *input,
+                             .reply = result_queue_,
+                             .received = now,
+                             .tick = tick}))
         return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
     return {};
 }
@@ -253,10 +265,19 @@ void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
+    if (sight_) sight_->reset();
 }
 
 void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
     send(encode_pong(ping.client_time_us, to_us(now)));
+}
+
+void ClientLink::on_message(const Interest& interest, Clock::time_point now) {
+    if (!sight_)
+        return refuse(Error{ErrorCode::failed_precondition,
+                            "an interest in a stream without one; name the first in the hello"},
+                      now);
+    sight_->look_at(interest);
 }
 
 void ClientLink::on_message(const Leave&, Clock::time_point now) {
@@ -379,15 +400,13 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
             on_frame(*frame, now);
         }
         write_waits_ = false;
-        if (auto results = take_results(now)) return results;
-        if (auto snapshot = take_snapshot(now)) return snapshot;
-        if (auto events = take_events()) return events;
-        return take_stats(now);
+        return take_snapshot(now);
     }
     if (waiting_.empty()) return std::nullopt;
     OutMessage message = std::move(waiting_.front());
     waiting_.pop_front();
     if (!message.shared) replies_waiting_--;
+    if (flow_) flow_->on_other_sent();
     return message;
 }
 
@@ -405,15 +424,24 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
+// Whether this frame is one to send. Frames that came and went while a write was pending were
+// skipped because of it.
 void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_waits_ && seen_tick_ != 0) {
         skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
     }
     seen_tick_ = frame.tick;
-    snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
-    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
+    snapshot_due_ = snapshot_due_ || (has_news(frame, now) && flow_->may_send(frame.tick, now));
+    watch_.saw_frame(*flow_, skipped_waiting_);
+}
+
+// Anything since the last snapshot; and now and then nothing, so that the client knows so much.
+bool ClientLink::has_news(const Frame& frame, Clock::time_point now) const {
+    return frame.changed_at > baselines_.last() || more_to_tell_ || !results_.empty() ||
+           (wants_events_ && event_cursor_ < frame.events->count) ||
+           now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
 
 void ClientLink::collect_results() {
@@ -422,62 +450,70 @@ void ClientLink::collect_results() {
                     std::make_move_iterator(fresh.end()));
 }
 
-std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
-    if (results_.empty() || now - last_results_ < results_period) return std::nullopt;
-    last_results_ = now;
+// What only this client is told with a snapshot; each number when it is another than last time.
+Private ClientLink::own_part() {
+    std::uint32_t answered = told_.input_sequence;
+    std::int64_t margin_us = 0;
     for (const InputResult& result : results_) {
-        answered_sequence_ = std::max(answered_sequence_, result.sequence);
+        answered = std::max(answered, result.sequence);
+        margin_us = result.margin_us.value_or(margin_us);
     }
-    watch_.answered(results_);
-    OutMessage message{encode_input_results(results_), nullptr};
-    results_.clear();
-    return message;
+    const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
+    Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
+    own.input_margin_us =
+        static_cast<std::int32_t>(std::clamp(margin_us, -margin_us_max, margin_us_max));
+    if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
+    if (skipped != told_.snapshots_skipped)
+        own.snapshots_skipped = told_.snapshots_skipped = skipped;
+    return own;
 }
 
-std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
-    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) {
-        return std::nullopt;
-    }
+// A field, or nothing when it is too early for the next.
+std::string ClientLink::take_stats(const FramePtr& frame, Clock::time_point now) {
+    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) return {};
     last_stats_ = now;
-    const WorldHost& world = feed_->host();
-    const auto clients = static_cast<std::uint32_t>(context_.sessions.clients_in(world.id()));
-    return OutMessage{{}, feed_->world_stats(world.frame(), clients)};
+    const auto clients =
+        static_cast<std::uint32_t>(context_.sessions.clients_in(feed_->host().id()));
+    return *feed_->world_stats(frame, clients);
 }
 
-// Events of a tick follow the first snapshot of that tick or a later one, so that the client has
-// been told of the entities. How many ticks may wait is up to the frame, which holds the newest
-// few.
-std::optional<OutMessage> ClientLink::take_events() {
-    if (!wants_events_) return std::nullopt;
-    const FramePtr frame = feed_->host().frame();
-    const auto& ticks = frame->events->ticks;
-    const std::uint32_t gone = frame->events->count - static_cast<std::uint32_t>(ticks.size());
+// The fields of all ticks up to the frame's, so that the client has been told of the entities. How
+// many ticks may wait is up to the frame, which holds the newest few.
+std::string ClientLink::take_events(const Frame& frame) {
+    std::string fields;
+    if (!wants_events_) return fields;
+    const auto& ticks = frame.events->ticks;
+    const std::uint32_t gone = frame.events->count - static_cast<std::uint32_t>(ticks.size());
     if (event_cursor_ < gone) {
         events_missed_ += gone - event_cursor_;
         event_cursor_ = gone;
     }
-    while (event_cursor_ < frame->events->count) {
-        const auto& tick = ticks[event_cursor_ - gone];
-        if (tick->tick > baselines_.last()) return std::nullopt;
-        event_cursor_++;
-        SharedBytes shared = feed_->events(tick);
-        if (shared->size() <= events_bytes_max)
-            return OutMessage{encode_events_head(std::exchange(events_missed_, 0), shared->size()),
-                              std::move(shared)};
-        events_missed_++;
+    for (; event_cursor_ < frame.events->count; event_cursor_++) {
+        const SharedBytes shared = feed_->events(ticks[event_cursor_ - gone]);
+        if (shared->size() > events_bytes_max) {
+            events_missed_++;
+            continue;
+        }
+        if (fields.size() + shared->size() > events_bytes_max) break;  // with the next one
+        fields += encode_events_head(std::exchange(events_missed_, 0), shared->size());
+        fields += *shared;
     }
-    return std::nullopt;
+    return fields;
 }
 
 // Shapes before the bodies that have them, each once in a stream.
 void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
     const auto messages = feed_->entity_list_change(entity_list_, entities);
-    for (const auto& geometry : messages->geometry) {
+    push(*messages);
+    entity_list_ = entities;
+}
+
+void ClientLink::push(const RosterMessages& messages) {
+    for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
         for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
     }
-    for (const SharedBytes& roster : messages->rosters) waiting_.push_back({{}, roster});
-    entity_list_ = entities;
+    for (const SharedBytes& roster : messages.rosters) waiting_.push_back({{}, roster});
 }
 
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
@@ -486,20 +522,96 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= baselines_.last()) return std::nullopt;
+    if (sight_) return take_part(frame, now);
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
-    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick),
-                                                     channel_kinds_, codec_);
-    const Private own{.input_sequence = answered_sequence_,
-                      .echo_client_time_us = client_time_us_,
-                      .snapshots_skipped = flow_->skipped() + skipped_waiting_};
+    return snapshot_of(frame, now, {}, {});
+}
+
+// The part of the frame that the client sees and can be told of now. A cell comes after the rosters
+// of all that is in it, and so not before the next snapshot.
+OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
+    if (frame->entity_list != entity_list_) tell_removed(frame->entity_list);
+    std::vector<SharedBytes> cells;
+    const CellFeed::Cells there = feed_->cells_of(frame);
+    more_to_tell_ = false;
+    for (const auto& part : sight_->wanted(feed_->cells(), *there, frame->tick, now)) {
+        if (part.new_members && !tell_members(*part.state.content)) {
+            more_to_tell_ = true;
+            continue;
+        }
+        SharedBytes bytes = feed_->cells().encoding(part.state, part.bases, codec_);
+        if (!sight_->affords(bytes->size(), part.fresh)) {
+            more_to_tell_ = true;
+            if (part.fresh) continue;
+            break;
+        }
+        sight_->spend(bytes->size(), part.fresh);
+        sight_->on_sent(part, frame->tick);
+        cells.push_back(std::move(bytes));
+    }
+    const std::vector<CellId> left = sight_->take_left();
+    std::string fields = left.empty() ? std::string() : encode_cells_left_field(left);
+    OutMessage message = snapshot_of(frame, now, std::move(fields), std::move(cells));
+    sight_->spend(message.head.size() + message.shared->size(), false);
+    return message;
+}
+
+// Of what is in the cell and not known yet, as much as there is budget for. True: all was known.
+bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
+    EntityList fresh;
+    bool all = true;
+    for (const wire::EntityState& entity : cell.entities) {
+        if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
+        all = false;
+        if (fresh.size() == roster_part_max || !sight_->affords(fresh.size() * entity_bytes, true))
+            break;
+        const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
+                                                 [](const auto& known) { return known->id; });
+        if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
+    }
+    if (fresh.empty()) return all;
+    const RosterMessages messages = feed_->roster_of(fresh);
+    push(messages);
+    for (const SharedBytes& roster : messages.rosters) sight_->spend(roster->size(), true);
+    for (const auto& entity : fresh) {
+        if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
+        known_entities_[entity->id] = true;
+    }
+    return all;
+}
+
+// Who is gone, of those that this client knows.
+void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities) {
+    if (entity_list_) {
+        std::vector<EntityId> gone;
+        for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
+            if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
+        if (!gone.empty()) waiting_.push_back({encode_removed(gone), nullptr});
+        for (const EntityId id : gone) known_entities_[id] = false;
+    }
+    entity_list_ = entities;
+}
+
+OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+                                   std::vector<SharedBytes> cells) {
+    std::size_t cells_bytes = 0;
+    for (const SharedBytes& cell : cells) cells_bytes += cell->size();
+    SharedBytes shared =
+        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
+                                    sight_ ? std::nullopt : std::optional(codec_));
+    more += take_stats(frame, now) + take_events(*frame);
+    OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
+                       std::move(shared), std::move(cells)};
+    watch_.answered(results_);
+    results_.clear();
     snapshot_due_ = false;
+    last_snapshot_ = now;
     seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
-    OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
     watch_.sent_snapshot(message.size());
     return message;
 }

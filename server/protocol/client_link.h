@@ -25,7 +25,9 @@
 #include "protocol/out_message.h"
 #include "protocol/peer.h"
 #include "protocol/play_context.h"
+#include "protocol/server_message.h"
 #include "replication/baseline_tracker.h"
+#include "replication/interest_view.h"
 #include "session/admission.h"
 #include "session/flow_control.h"
 
@@ -47,7 +49,7 @@ public:
     // A message could not be read or made by a fault of ours: nothing is sent any more.
     void on_fault(Clock::time_point now);
     // The next message to write. Nothing: call again when a message arrived, a world has a new
-    // frame or 20 ms passed. When nobody called for half a second, this process or its machine
+    // frame or 50 ms passed. When nobody called for half a second, this process or its machine
     // stood still, and that was not the client's silence.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.
@@ -66,14 +68,17 @@ private:
     void on_message(const Ack& ack, Clock::time_point now);
     void on_message(const Ping& ping, Clock::time_point now);
     void on_message(const Leave& leave, Clock::time_point now);
+    void on_message(const Interest& interest, Clock::time_point now);
 
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
     Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
     Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
     Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
-    void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
-    Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
+    void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
+    Status try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void forgive_pause(Clock::time_point now);
@@ -85,10 +90,17 @@ private:
     void collect_results();
 
     std::optional<OutMessage> next_message(Clock::time_point now);
-    std::optional<OutMessage> take_results(Clock::time_point now);
-    std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
-    std::optional<OutMessage> take_events();
+    OutMessage take_part(const FramePtr& frame, Clock::time_point now);
+    OutMessage snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+                           std::vector<SharedBytes> cells);
+    bool tell_members(const wire::QuantizedFrame& cell);
+    void tell_removed(const std::shared_ptr<const EntityList>& entities);
+    void push(const RosterMessages& messages);
+    bool has_news(const Frame& frame, Clock::time_point now) const;
+    Private own_part();
+    std::string take_stats(const FramePtr& frame, Clock::time_point now);
+    std::string take_events(const Frame& frame);
     void tell_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
@@ -113,16 +125,19 @@ private:
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // received
-    std::uint32_t answered_sequence_ = 0;
-    std::uint32_t client_time_us_ = 0;
-    int dropped_ = 0;  // messages since dropping_since_
-    Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};
+    std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
+    int dropped_ = 0;                   // messages since dropping_since_
+    Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
+    Private told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
+    wire::Codec codec_ = wire::Codec::bits;
+    std::optional<InterestView> sight_;  // nothing: it is told of all of the world
+    std::vector<bool> known_entities_;   // by id: what it was told of, when it has a sight
+    bool more_to_tell_ = false;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
-    wire::Codec codec_ = wire::Codec::bits;
     bool wants_events_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent

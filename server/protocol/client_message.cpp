@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
 #include <utility>
 
 #include "jostle/scenes/shape_message.h"
@@ -114,7 +115,29 @@ Ack decode(const v1::Ack& ack) {
     return {ack.frame(), ack.need_keyframe()};
 }
 
+Result<Interest> decode(const v1::Interest& interest) {
+    const physics::Vec3 focus = to_vector(interest.focus());
+    const auto within = [](double value) { return std::abs(value) <= 1e9; };
+    if (!within(focus.x) || !within(focus.z))
+        return invalid_argument("interest.focus is not a place within 1e9 m");
+    if (!(interest.radius() == 0 || interest.radius() >= 1))
+        return invalid_argument("interest.radius is not 0, for all of the world, or 1 m or more");
+    Interest decoded{.x_m = focus.x, .z_m = focus.z};
+    if (interest.radius() != 0) decoded.radius_m = interest.radius();
+    return decoded;
+}
+
 Result<ClientMessage> decode(const v1::Hello& hello) {
+    std::optional<Interest> sees;
+    if (hello.has_interest()) {
+        const Result<Interest> interest = decode(hello.interest());
+        if (!interest.ok()) return invalid_argument("hello." + interest.error().message);
+        sees = *interest;
+    }
+    if (hello.max_kbps() != 0 && hello.max_kbps() < hello_kbps_min)
+        return invalid_argument(
+            fmt::format("hello.max_kbps is {}; it is 0, for no bound, or {} or more",
+                        hello.max_kbps(), hello_kbps_min));
     if (hello.name().size() > client_name_bytes_max) {
         return invalid_argument(fmt::format("hello.name has {} bytes; at most {} are allowed",
                                             hello.name().size(), client_name_bytes_max));
@@ -132,7 +155,9 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .events = hello.events(),
                                .token = hello.token(),
                                .channels = {hello.channels().begin(), hello.channels().end()},
-                               .codec = hello.codec()}};
+                               .codec = hello.codec(),
+                               .max_kbps = hello.max_kbps(),
+                               .interest = sees}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {
@@ -149,7 +174,10 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
     decoded.client_time_us = batch.client_time_us();
     if (batch.has_ack()) decoded.ack = decode(batch.ack());
     decoded.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
-    for (const v1::Input& input : batch.inputs()) decoded.inputs.push_back(action_of(input));
+    for (const v1::Input& input : batch.inputs()) {
+        decoded.inputs.push_back(action_of(input));
+        decoded.ticks.push_back(input.tick());
+    }
     return ClientMessage{std::move(decoded)};
 }
 
@@ -172,6 +200,11 @@ Result<ClientMessage> decode_client_message(std::string_view bytes) {
             return ClientMessage{Ping{message.ping().client_time_us()}};
         case v1::ClientMessage::kLeave:
             return ClientMessage{Leave{}};
+        case v1::ClientMessage::kInterest: {
+            const Result<Interest> interest = decode(message.interest());
+            if (!interest.ok()) return interest.error();
+            return ClientMessage{*interest};
+        }
         case v1::ClientMessage::MESSAGE_NOT_SET:
             break;
     }

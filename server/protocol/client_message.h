@@ -13,12 +13,14 @@
 
 #include "host/command.h"
 #include "jostle/base/result.h"
+#include "replication/interest_view.h"
 
 namespace jostle::server {
 
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
 inline constexpr int hello_channels_max = 64;
+inline constexpr std::uint32_t hello_kbps_min = 16;
 
 struct Hello {
     std::uint32_t protocol = 0;
@@ -29,6 +31,8 @@ struct Hello {
     std::string token;
     std::vector<std::string> channels;  // names of kinds; "*": all
     std::uint32_t codec = 0;            // the highest that it understands; 0: 1
+    std::uint32_t max_kbps = 0;         // 0: no bound
+    std::optional<Interest> interest;
 };
 struct Ack {
     std::uint32_t frame = 0;
@@ -37,6 +41,7 @@ struct Ack {
 struct InputBatch {
     std::uint32_t first_sequence = 0;
     std::vector<Result<Action>> inputs;  // an error refuses that input alone
+    std::vector<std::uint32_t> ticks;    // one for each: which it is meant for; 0: the next
     std::optional<Ack> ack;
     std::uint32_t client_time_us = 0;
 };
@@ -45,7 +50,7 @@ struct Ping {
 };
 struct Leave {};
 
-using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave>;
+using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave, Interest>;
 
 // The bytes of one ClientMessage. An error refuses the whole message.
 Result<ClientMessage> decode_client_message(std::string_view bytes);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What happened in a tick, as the Events message of play.proto: a piece that all who asked share,
-// and before it one of the client's own. The two, one after the other, are one ServerMessage. Pure
-// functions; any thread.
+// and before it one of the client's own. The two, one after the other, are a field of a Snapshot.
+// Pure functions; any thread.
 #pragma once
 
 #include <cstddef>

@@ -12,18 +12,16 @@ namespace jostle::server {
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedOutputStream;
 
-std::string encode_head(int field_number, const google::protobuf::MessageLite& own,
-                        std::size_t shared_bytes) {
+std::string encode_head(int field_number, std::string_view own, std::size_t shared_bytes) {
     const std::uint32_t tag =
         WireFormatLite::MakeTag(field_number, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
-    const std::size_t own_bytes = own.ByteSizeLong();
     std::array<std::uint8_t, 10> bytes{};  // a tag and a length of five bytes at most each
     std::uint8_t* end = CodedOutputStream::WriteTagToArray(tag, bytes.data());
     end = CodedOutputStream::WriteVarint32ToArray(
-        static_cast<std::uint32_t>(own_bytes + shared_bytes), end);
+        static_cast<std::uint32_t>(own.size() + shared_bytes), end);
     std::string head(reinterpret_cast<const char*>(bytes.data()),
                      static_cast<std::size_t>(end - bytes.data()));
-    own.AppendToString(&head);
+    head += own;
     return head;
 }
 

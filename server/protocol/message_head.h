@@ -3,16 +3,14 @@
 // The beginning of a ServerMessage whose end is shared by many clients (out_message.h).
 #pragma once
 
-#include <google/protobuf/message_lite.h>
-
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace jostle::server {
 
-// A field of ServerMessage whose content is `own` and, after these bytes, `shared_bytes` more: its
-// tag, its length, then the fields of `own`.
-std::string encode_head(int field_number, const google::protobuf::MessageLite& own,
-                        std::size_t shared_bytes);
+// A field of a message whose content is `own` and, after these bytes, `shared_bytes` more: its
+// tag, its length, then `own`.
+std::string encode_head(int field_number, std::string_view own, std::size_t shared_bytes);
 
 }  // namespace jostle::server

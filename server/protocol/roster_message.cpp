@@ -75,10 +75,11 @@ private:
 
     v1::Roster& roster() { return *message_.mutable_roster(); }
 
-    // Only what a viewer draws: where it is and how big. Density and material stay with the server.
+    // What a viewer draws, where it is and how big, and what decides its touch.
     void write(v1::Shape& to, const physics::ShapeState& shape) {
         const auto large = table_.find_or_add(shape.geometry);
         scenes::write_outline(to, large ? physics::Geometry{} : shape.geometry, shape.pose);
+        scenes::write_touch(to, physics::def_of(shape));
         if (!large) return;
         to.set_geometry(large->id);
         if (std::ranges::find(out_.geometry, large) == out_.geometry.end())
@@ -105,11 +106,19 @@ private:
 
 RosterMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry) {
-    const Difference difference = difference_of(from, to);
+    Difference difference = difference_of(from, to);
     RosterWriter writer(geometry);
     for (const EntityId id : difference.removed) writer.remove(id);
     for (const auto& entity : difference.added) writer.add(*entity);
-    return writer.take();
+    RosterMessages messages = writer.take();
+    messages.removed = std::move(difference.removed);
+    return messages;
+}
+
+std::string encode_removed(std::span<const EntityId> entities) {
+    v1::ServerMessage message;
+    message.mutable_roster()->mutable_removed()->Add(entities.begin(), entities.end());
+    return message.SerializeAsString();
 }
 
 }  // namespace jostle::server

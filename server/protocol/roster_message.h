@@ -5,6 +5,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "host/frame.h"
@@ -15,9 +17,13 @@ namespace jostle::server {
 struct RosterMessages {
     std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
     std::vector<SharedBytes> rosters;                            // what is gone first
+    std::vector<EntityId> removed;                               // likewise
 };
 
 // From one entity list to another. Both are in rising order of id, and an entity never changes.
+// A Roster that only tells who is gone.
+std::string encode_removed(std::span<const EntityId> entities);
+
 RosterMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry);
 

@@ -64,11 +64,13 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_tick(from.tick);
     welcome.set_tick_hz(from.tick_hz);
     welcome.set_snapshot_hz(from.snapshot_hz);
-    welcome.set_ack_window(from.ack_window);
+    welcome.set_ack_ms(from.ack_ms);
     v1::QuantSpec& quant = *welcome.mutable_quant();
     quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
     quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
     welcome.set_server_time_us(from.server_time_us);
+    welcome.set_epoch_us(from.epoch_us);
+    welcome.set_cells(from.cells);
     write_vector(*welcome.mutable_gravity(), from.gravity);
     for (const physics::ChannelKind& kind : from.channels) {
         v1::ChannelKind& to = *welcome.add_channels();
@@ -90,19 +92,6 @@ std::string encode_geometry_part(const GeometryPiece& piece) {
     return message.SerializeAsString();
 }
 
-std::string encode_input_results(std::span<const InputResult> results) {
-    v1::ServerMessage message;
-    for (const InputResult& from : results) {
-        v1::InputResult& to = *message.mutable_input_results()->add_results();
-        to.set_sequence(from.sequence);
-        to.set_code(input_code_of(from.status));
-        to.set_tick(from.tick);
-        to.set_entity(from.entity);
-        if (!from.status.ok()) to.set_message(from.status.error().message);
-    }
-    return message.SerializeAsString();
-}
-
 std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
     v1::ServerMessage message;
     message.mutable_pong()->set_client_time_us(client_time_us);
@@ -110,9 +99,9 @@ std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_
     return message.SerializeAsString();
 }
 
-std::string encode_world_stats(const Frame& frame, std::uint32_t clients) {
-    v1::ServerMessage message;
-    v1::WorldStats& stats = *message.mutable_stats();
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
+    v1::Snapshot fields;
+    v1::WorldStats& stats = *fields.mutable_stats();
     stats.set_tick(frame.tick);
     stats.set_bodies(static_cast<std::uint32_t>(frame.entities.size()));
     stats.set_awake(static_cast<std::uint32_t>(frame.awake));
@@ -122,7 +111,7 @@ std::string encode_world_stats(const Frame& frame, std::uint32_t clients) {
     stats.set_step_ms_max(frame.tick_ms_max);
     stats.set_paused(frame.paused.value_or(""));
     stats.set_late_ticks(frame.late_ticks);
-    return message.SerializeAsString();
+    return fields.SerializeAsString();
 }
 
 std::string encode_notice(NoticeKind kind, const std::string& text) {
@@ -135,12 +124,11 @@ std::string encode_notice(NoticeKind kind, const std::string& text) {
 std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
     snapshot.set_frame(encoded.frame);
-    snapshot.set_base_frame(encoded.bases.base);
-    snapshot.set_base2_frame(encoded.bases.base2);
-    snapshot.set_base3_frame(encoded.bases.base3);
+    snapshot.set_bases(wire::encode_base_frames(encoded.frame, encoded.bases));
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
-    snapshot.set_server_time_us(to_us(encoded.due));
+    snapshot.set_late_us(encoded.late_us);
+    snapshot.set_still(encoded.still);
     if (const auto& told = encoded.channels; !told.bytes.empty()) {
         snapshot.set_channels(told.bytes.data(), told.bytes.size());
         snapshot.set_channels_crc(told.crc);
@@ -148,13 +136,53 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     return snapshot.SerializeAsString();
 }
 
-std::string encode_snapshot_head(const Private& from, std::size_t shared_bytes) {
+std::string encode_cell_field(const EncodedCell& from) {
     v1::Snapshot fields;
-    v1::Private& own = *fields.mutable_own();
-    own.set_input_sequence(from.input_sequence);
-    own.set_echo_client_time_us(from.echo_client_time_us);
-    own.set_snapshots_skipped(from.snapshots_skipped);
-    return encode_head(v1::ServerMessage::kSnapshotFieldNumber, fields, shared_bytes);
+    v1::CellPart& cell = *fields.add_cells();
+    cell.set_cell(from.id);
+    cell.set_number(from.number);
+    cell.set_bases(wire::encode_base_frames(from.number, from.bases));
+    cell.set_packed(from.packed.data(), from.packed.size());
+    cell.set_crc(from.crc);
+    return fields.SerializeAsString();
+}
+
+std::string encode_cells_left_field(std::span<const CellId> cells) {
+    v1::Snapshot fields;
+    fields.mutable_cells_left()->Add(cells.begin(), cells.end());
+    return fields.SerializeAsString();
+}
+
+namespace {
+
+void write_results(v1::Private& to, std::span<const InputResult> results) {
+    for (const InputResult& from : results) {
+        v1::InputResult& result = *to.add_results();
+        result.set_sequence(from.sequence);
+        result.set_code(input_code_of(from.status));
+        result.set_tick(from.tick);
+        result.set_entity(from.entity);
+        if (!from.status.ok()) result.set_message(from.status.error().message);
+    }
+}
+
+}  // namespace
+
+std::string encode_snapshot_head(const Private& from, std::string_view more,
+                                 std::size_t shared_bytes) {
+    v1::Snapshot fields;
+    if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
+        !from.results.empty()) {
+        v1::Private& own = *fields.mutable_own();
+        own.set_input_sequence(from.input_sequence);
+        own.set_echo_client_time_us(from.echo_client_time_us);
+        own.set_snapshots_skipped(from.snapshots_skipped);
+        own.set_input_margin_us(from.input_margin_us);
+        write_results(own, from.results);
+    }
+    std::string own = fields.SerializeAsString();
+    own += more;
+    return encode_head(v1::ServerMessage::kSnapshotFieldNumber, own, shared_bytes);
 }
 
 }  // namespace jostle::server

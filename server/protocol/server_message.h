@@ -11,6 +11,7 @@
 
 #include "host/command.h"
 #include "host/frame.h"
+#include "replication/cell_feed.h"
 #include "replication/snapshot_cache.h"
 
 namespace jostle::server {
@@ -21,12 +22,13 @@ struct Welcome {
     std::uint32_t tick = 0;
     double tick_hz = 0;
     std::uint32_t snapshot_hz = 0;
-    std::uint32_t ack_window = 0;
+    std::uint32_t ack_ms = 0;
     wire::QuantSpec quant;
-    std::uint64_t server_time_us = 0;
+    std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
     std::vector<physics::ChannelKind> channels;
     wire::Codec codec = wire::Codec::bits;
+    bool cells = false;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 
@@ -38,23 +40,30 @@ struct GeometryPiece {
     std::string_view data;
 };
 std::string encode_geometry_part(const GeometryPiece& piece);
-std::string encode_input_results(std::span<const InputResult> results);
 std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
-std::string encode_world_stats(const Frame& frame, std::uint32_t clients);
 std::string encode_notice(NoticeKind kind, const std::string& message);
 
-// --- snapshots: a shared piece and a private one, one after the other, are one ServerMessage ---
+// --- snapshots: a shared piece and a client's own, one after the other, are one ServerMessage ---
 
+// What is zero, or empty, is as it was told last.
 struct Private {
     std::uint32_t input_sequence = 0;
     std::uint32_t echo_client_time_us = 0;
     std::uint32_t snapshots_skipped = 0;
+    std::span<const InputResult> results;
+    std::int32_t input_margin_us = 0;
 };
+// Fields of jostle.v1.Snapshot that some get with it.
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
 // The fields of jostle.v1.Snapshot that all clients share.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
+// A field of jostle.v1.Snapshot that all clients share who see the cell.
+std::string encode_cell_field(const EncodedCell& cell);
+std::string encode_cells_left_field(std::span<const CellId> cells);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
-// client's own field.
-std::string encode_snapshot_head(const Private& own, std::size_t shared_bytes);
+// client's own field and `more` fields.
+std::string encode_snapshot_head(const Private& own, std::string_view more,
+                                 std::size_t shared_bytes);
 
 }  // namespace jostle::server

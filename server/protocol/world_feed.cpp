@@ -19,8 +19,20 @@ SharedBytes share(std::string bytes) {
 
 }  // namespace
 
-WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host)
-    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, encode_shared_snapshot) {}
+WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host, double cell_m)
+    : host_(std::move(host)),
+      snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
+      cells_(cell_m, wire::QuantSpec{}, encode_cell_field) {}
+
+CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
+    return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
+}
+
+RosterMessages WorldFeed::roster_of(const EntityList& entities) {
+    const std::lock_guard lock(mutex_);
+    static const EntityList nothing;
+    return roster_messages(nothing, entities, geometry_);
+}
 
 std::shared_ptr<const RosterMessages> WorldFeed::entity_list_change(
     const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
@@ -40,7 +52,7 @@ std::shared_ptr<const RosterMessages> WorldFeed::entity_list_change(
 SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
     const std::lock_guard lock(mutex_);
     if (stats_frame_ != frame || stats_clients_ != clients) {
-        stats_ = share(encode_world_stats(*frame, clients));
+        stats_ = share(encode_stats_field(*frame, clients));
         stats_frame_ = frame;
         stats_clients_ = clients;
     }
@@ -58,13 +70,14 @@ SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
     return bytes;
 }
 
-std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host) {
+std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
+                                               double cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
     std::weak_ptr<WorldFeed>& known = feeds_[host.get()];
     std::shared_ptr<WorldFeed> feed = known.lock();
     if (!feed) {
-        feed = std::make_shared<WorldFeed>(host);
+        feed = std::make_shared<WorldFeed>(host, cell_m);
         known = feed;
     }
     return feed;

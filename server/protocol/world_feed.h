@@ -15,21 +15,28 @@
 
 #include "host/world_host.h"
 #include "protocol/roster_message.h"
+#include "replication/cell_feed.h"
 #include "replication/snapshot_cache.h"
 
 namespace jostle::server {
 
 class WorldFeed {
 public:
-    explicit WorldFeed(std::shared_ptr<WorldHost> host);
+    WorldFeed(std::shared_ptr<WorldHost> host, double cell_m);
 
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
+    CellFeed& cells() { return cells_; }
+    // The cells of a frame, or of a newer one.
+    CellFeed::Cells cells_of(const FramePtr& frame);
 
     // The messages that take a client from one entity list to another; null `from`: it knows
     // nothing yet.
     std::shared_ptr<const RosterMessages> entity_list_change(
         const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
+    // A field of a Snapshot.
+    // The messages that tell of these entities.
+    RosterMessages roster_of(const EntityList& entities);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
@@ -43,6 +50,7 @@ private:
 
     const std::shared_ptr<WorldHost> host_;
     SnapshotCache snapshots_;
+    CellFeed cells_;
     std::mutex mutex_;
     GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // the newest few
@@ -55,7 +63,8 @@ private:
 // The feed of each world that has clients. Any thread.
 class WorldFeeds {
 public:
-    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host);
+    // `cell_m`: edge of the cells of a feed that is made.
+    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host, double cell_m);
 
 private:
     std::mutex mutex_;

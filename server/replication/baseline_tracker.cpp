@@ -9,8 +9,8 @@ constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 betwee
 
 }  // namespace
 
-BaseNumbers BaselineTracker::bases_for(std::uint32_t frame) const {
-    BaseNumbers bases;
+wire::BaseFrames BaselineTracker::bases_for(std::uint32_t frame) const {
+    wire::BaseFrames bases;
     if (sent_.empty() || frame - sent_.back() > oldest_base) return bases;
     bases.base = sent_.back();
     // The newest sent frame that is at least half of dt1 before `before`.

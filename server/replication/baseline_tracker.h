@@ -17,7 +17,7 @@ public:
     // The bases for the frame that is to be sent now: the last one sent, and two older ones about
     // as far apart, because extrapolating a short step over a long one multiplies the rounding
     // noise.
-    BaseNumbers bases_for(std::uint32_t frame) const;
+    wire::BaseFrames bases_for(std::uint32_t frame) const;
     void on_sent(std::uint32_t frame);
     // The client lost track: the next snapshot is absolute.
     void reset() { sent_.clear(); }

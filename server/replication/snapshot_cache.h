@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "host/frame.h"
+#include "wire/base_frames.h"
 #include "wire/channel_codec.h"
 #include "wire/frame_codec.h"
 
@@ -24,20 +25,14 @@ namespace jostle::server {
 
 using SharedBytes = std::shared_ptr<const std::string>;
 
-// Frame numbers, 0: none.
-struct BaseNumbers {
-    std::uint32_t base = 0, base2 = 0, base3 = 0;
-
-    auto operator<=>(const BaseNumbers&) const = default;
-};
-
 // What an encoding is made of; `serialize` turns it into the bytes that clients share.
 struct EncodedSnapshot {
     std::uint32_t frame = 0;
-    BaseNumbers bases;
+    wire::BaseFrames bases;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
-    Clock::time_point due;
+    std::int64_t late_us = 0;
+    std::uint32_t still = 0;        // ticks after the base in which nothing changed
     wire::PackedChannels channels;  // of the kinds that were asked for, against the base
 };
 
@@ -51,9 +46,12 @@ public:
 
     // The frame against those bases; bases that fell off the ring are left out, and without a first
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
-    // Never null.
-    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds = 0,
-                         wire::Codec codec = wire::Codec::bits);
+    // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
+    // null.
+    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames bases, std::uint64_t kinds = 0,
+                         std::optional<wire::Codec> poses = wire::Codec::bits);
+    // The frame's entities as integers.
+    wire::QuantizedFrame quantized(const FramePtr& frame);
     // Whether the frame can still be a base.
     bool holds(std::uint32_t frame) const;
 
@@ -64,25 +62,27 @@ public:
 
 private:
     struct Asked {
-        BaseNumbers bases;
+        wire::BaseFrames bases;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
-        wire::Codec codec = wire::Codec::bits;
+        std::optional<wire::Codec> poses;
 
         auto operator<=>(const Asked&) const = default;
     };
     struct Entry {
+        FramePtr frame;
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
-        Clock::time_point due;
         wire::Channels channels;
-        std::map<std::pair<BaseNumbers, wire::Codec>, std::vector<std::byte>> packed;
+        std::map<std::pair<wire::BaseFrames, wire::Codec>, std::vector<std::byte>> packed;
         std::map<Asked, SharedBytes> encodings;
     };
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
     // channels with them.
-    const std::vector<std::byte>& packed(Entry& entry, const BaseNumbers& bases, wire::Codec codec);
-    Entry& entry_of(const Frame& frame);
+    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& bases,
+                                         wire::Codec codec);
+    Entry& entry_of(const FramePtr& frame);
+    void quantize(Entry& entry, const Entry* before) const;
     Entry* find(std::uint32_t frame);
 
     const wire::QuantSpec spec_;

@@ -15,7 +15,7 @@ namespace jostle::server {
 namespace {
 
 // How often timeouts and watches are looked at.
-constexpr auto housekeeping_period = std::chrono::milliseconds(50);
+constexpr auto housekeeping_period = std::chrono::milliseconds(100);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr int calls_asked_for = 16;
 // Who asks stands back behind who plays.

@@ -11,7 +11,7 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "rpc/health_methods.h"
-#include "rpc/library_logs.h"
+#include "rpc/libraries.h"
 #include "rpc/reflection.h"
 
 namespace jostle::server {
@@ -103,7 +103,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
 }
 
 Status GrpcServer::start() {
-    send_library_logs_to_ours();
+    tame_libraries();
     if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(

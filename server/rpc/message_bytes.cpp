@@ -27,7 +27,11 @@ grpc::ByteBuffer to_byte_buffer(const OutMessage& message) {
         slices[count++] = grpc::Slice(message.head.data(), message.head.size());
     }
     if (message.shared && !message.shared->empty()) slices[count++] = share(message.shared);
-    return grpc::ByteBuffer(slices.data(), count);
+    if (message.cells.empty()) return grpc::ByteBuffer(slices.data(), count);
+    std::vector<grpc::Slice> all(slices.begin(),
+                                 slices.begin() + static_cast<std::ptrdiff_t>(count));
+    for (const SharedBytes& cell : message.cells) all.push_back(share(cell));
+    return grpc::ByteBuffer(all.data(), all.size());
 }
 
 void copy_bytes(std::string& out, const grpc::ByteBuffer& buffer) {

@@ -10,7 +10,9 @@ namespace jostle::server {
 namespace {
 
 // Timeouts and statistics need no better; frames and messages wake the thread by themselves.
-constexpr auto shard_housekeeping_period = std::chrono::milliseconds(20);
+constexpr auto shard_housekeeping_period = std::chrono::milliseconds(50);
+// Of one that has no streams: each time that a thread wakes costs a quiet server.
+constexpr auto idle_shard_period = std::chrono::milliseconds(250);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr std::size_t plays_asked_for = 16;
 constexpr std::size_t streams_without_hello_max = 256;
@@ -71,7 +73,7 @@ void PlayShard::stop() {
 }
 
 void PlayShard::run() {
-    Clock::time_point housekeeping = Clock::now() + shard_housekeeping_period;
+    housekeeping_ = Clock::now() + idle_shard_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -84,7 +86,7 @@ void PlayShard::run() {
         void* tag = nullptr;
         bool ok = false;
         // gRPC takes its deadlines on the system clock; the distance is what counts.
-        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
+        const auto wait = std::max(Clock::duration::zero(), housekeeping_ - Clock::now());
         const auto deadline = std::chrono::system_clock::now() + wait;
         const auto next = queue_->AsyncNext(&tag, &ok, deadline);
         if (next == grpc::CompletionQueue::SHUTDOWN) break;
@@ -98,9 +100,10 @@ void PlayShard::run() {
                 advance_all(now);
             }
         }
-        if (now >= housekeeping && !stopping_) {
+        if (now >= housekeeping_ && !stopping_) {
             housekeep(now);
-            housekeeping = now + shard_housekeeping_period;
+            housekeeping_ = now + (streams_.empty() ? Clock::duration(idle_shard_period)
+                                                    : Clock::duration(shard_housekeeping_period));
         }
     }
     streams_.clear();
@@ -124,6 +127,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
                 owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             streams_.push_back(std::move(owned));
+            housekeeping_ = std::min(housekeeping_, now + shard_housekeeping_period);
             stream_count_.store(streams_.size(), std::memory_order_relaxed);
             break;
         }

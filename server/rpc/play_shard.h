@@ -56,6 +56,7 @@ private:
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
     std::size_t first_ = 0;  // whose write starts first this time
+    Clock::time_point housekeeping_{};
     std::atomic<std::size_t> stream_count_{0};
     grpc::Alarm alarm_;
     std::mutex wake_mutex_;           // no alarm may be set on a queue that shuts down

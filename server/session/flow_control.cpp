@@ -8,53 +8,62 @@
 namespace jostle::server {
 namespace {
 
-constexpr int slowdown_max = 6;  // 60 Hz down to 10
-constexpr auto two_hits_within = std::chrono::seconds(1);
-constexpr auto clean_before_faster = std::chrono::seconds(5);
-constexpr double slack_s = 0.05;  // of the window beyond the round trip
-// What snapshots wait for a slow client looks like jitter too, and must not widen its window.
-constexpr double jitter_share_max_s = 0.2;
+constexpr int window_min = 2, window_at_first = 4;
+constexpr double slack_s = 0.05;  // of the window beyond round trip and ack period
+// What stands for a round and is longer is the client's pace. A slow one is always reading one
+// message, so one that waits is none too many.
+constexpr double queue_max_s = 0.04, queue_max_messages = 1;
+constexpr auto round_length = std::chrono::milliseconds(250);
+constexpr int round_acks = 2;
+constexpr double rate_min = 1;
+constexpr double below_delivered = 0.95;  // so that a queue does not grow again
+constexpr double first_raise = 1.1, next_raise = 1.5;
+constexpr auto pause_min = std::chrono::seconds(1), pause_max = std::chrono::seconds(2);
+constexpr double full_share = 0.8;  // who is delivered so much of the rate takes all of it
+
+double seconds(Clock::duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
 
 }  // namespace
 
 FlowControl::FlowControl(const StreamSettings& settings, double hz, int divider)
     : settings_(settings),
-      hz_(hz),
       divider_(std::max(1, divider)),
-      window_(settings.ack_window_min) {
-    update_window({});
+      full_rate_(hz / divider_),
+      rate_(full_rate_),
+      window_learned_(window_at_first),
+      pause_(pause_min) {}
+
+// While the rate rises the window goes by what arrived: it bounds what a rate that is too high
+// adds.
+int FlowControl::window() const {
+    const double way_s = rtt_min_s_ + settings_.ack_ms / 1000.0 + slack_s;
+    const double rate = limited_ ? std::min(rate_, delivered_rate_) : rate_;
+    const int wanted = static_cast<int>(std::lround(rate * way_s));
+    return std::clamp(std::min(wanted, window_learned_), window_min, settings_.ack_window_max);
 }
 
 bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
-    if (slowdown_ > 1 && clean_since_ != Clock::time_point{} &&
-        now - clean_since_ >= clean_before_faster) {
-        slowdown_ /= 2;
-        clean_since_ = now;
-    }
-    if (tick % static_cast<std::uint32_t>(divider()) != 0) {
-        if (tick % static_cast<std::uint32_t>(divider_) == 0) slowed_++;
+    if (tick % static_cast<std::uint32_t>(divider_) != 0) return false;
+    if (flights_.empty()) emptying_ = false;
+    if (limited_ && now < next_send_) {
+        slowed_++;
         return false;
     }
-    if (in_flight() < window_) return true;
+    // Only a snapshot is acknowledged: when none is on the way, one must go.
+    if (flights_.empty() || (in_flight_ + others_ < window() && !emptying_)) return true;
     skipped_++;
-    hit_window(now);
     return false;
 }
 
-void FlowControl::hit_window(Clock::time_point now) {
-    clean_since_ = now;
-    if (std::exchange(blocked_, true)) return;
-    if (last_hit_ != Clock::time_point{} && now - last_hit_ <= two_hits_within &&
-        slowdown_ < slowdown_max) {
-        slowdown_ = std::min(slowdown_max, slowdown_ * 2);
-        last_hit_ = {};
-    } else {
-        last_hit_ = now;
-    }
-}
-
 void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
-    flights_.push_back({frame, now});
+    flights_.push_back({frame, now, others_ + 1, flights_.empty()});
+    in_flight_ += others_ + 1;
+    others_ = 0;
+    // An even pace; what was late by less than a step does not move those that follow.
+    const Clock::duration step = from_seconds(1 / rate_);
+    next_send_ = std::max(next_send_, now - step) + step;
 }
 
 void FlowControl::on_ack(std::uint32_t frame, Clock::time_point now) {
@@ -63,23 +72,69 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::time_point now) {
     const auto at = std::find_if(flights_.begin(), flights_.end(),
                                  [&](const Flight& f) { return f.frame == frame; });
     if (at == flights_.end()) return;
-    update_window(now - at->at);
+    const Flight sent = *at;
+    const double rtt = seconds(now - sent.at);
+    learn_round_trip(sent, rtt);
+    int delivered = 0;
+    for (auto flight = flights_.begin(); flight <= at; ++flight) delivered += flight->messages;
     flights_.erase(flights_.begin(), at + 1);
-    blocked_ = blocked_ && in_flight() >= window_;
+    in_flight_ -= delivered;
+
+    window_learned_ = std::min(window_learned_ + delivered, settings_.ack_window_max);
+    look_at_queue(sent, rtt, delivered, now);
 }
 
-void FlowControl::update_window(Clock::duration round_trip) {
-    const double rtt = std::chrono::duration<double>(round_trip).count();
-    if (rtt > 0) {
-        rtt_s_ = rtt;
-        // The minimum forgets slowly, so that a route that became longer is believed after a while.
-        rtt_min_s_ = measured_ ? std::min(rtt, rtt_min_s_ * 1.001) : rtt;
-        jitter_s_ = measured_ ? 0.95 * jitter_s_ + 0.05 * std::abs(rtt - rtt_min_s_) : 0;
-        measured_ = true;
+// What was sent before the rate was lowered says nothing of the new one.
+void FlowControl::look_at_queue(const Flight& flight, double rtt, int delivered,
+                                Clock::time_point now) {
+    if (round_.begun == Clock::time_point{} || flight.at <= lowered_) {
+        round_ = {.begun = now};  // what came before took no time that is known
+        return;
     }
-    const double seconds = rtt_min_s_ + std::min(2 * jitter_s_, jitter_share_max_s) + slack_s;
-    window_ = std::clamp(static_cast<int>(std::ceil(seconds * hz_ / divider())),
-                         settings_.ack_window_min, settings_.ack_window_max);
+    const double queue_s = rtt - rtt_min_s_;
+    round_.queue_s = round_.acks == 0 ? queue_s : std::min(round_.queue_s, queue_s);
+    round_.acks++;
+    round_.delivered += delivered;
+    if (now - round_.begun >= round_length && round_.acks >= round_acks) end_round(now);
+}
+
+// Others on the way make a queue: only what was alone says how long the way is, and any how long it
+// is at most.
+void FlowControl::learn_round_trip(const Flight& flight, double rtt) {
+    rtt_s_ = rtt;
+    if (!measured_ || rtt < rtt_min_s_ || flight.alone) rtt_min_s_ = rtt;
+    measured_ = true;
+}
+
+void FlowControl::end_round(Clock::time_point now) {
+    delivered_rate_ = round_.delivered / seconds(now - round_.begun);
+    if (round_.queue_s > std::max(queue_max_s, queue_max_messages / delivered_rate_))
+        slow_down(now);
+    else if (limited_ && now >= raise_at_)
+        speed_up();
+    round_ = {.begun = now};
+}
+
+void FlowControl::slow_down(Clock::time_point now) {
+    // A queue that the last time did not take away may be none: the way became longer.
+    emptying_ = limited_ && !raised_;
+    pause_ = std::exchange(raised_, false) ? std::min<Clock::duration>(pause_ * 2, pause_max)
+                                           : pause_min;
+    raise_at_ = now + pause_;
+    limited_ = true;
+    lowered_ = now;
+    rate_ = std::max(rate_min, below_delivered * std::min(rate_, delivered_rate_));
+    // What is on the way is read by then, but for what a round trip holds.
+    const double drain_s = in_flight_ / std::max(delivered_rate_, rate_min) - rtt_min_s_;
+    next_send_ = now + from_seconds(std::max(0.0, drain_s));
+}
+
+// A little at first, to see whether a queue comes; then quickly. When the full rate arrives it is
+// over.
+void FlowControl::speed_up() {
+    limited_ = rate_ < full_rate_ || delivered_rate_ < full_share * full_rate_;
+    rate_ = std::min(full_rate_, rate_ * (raised_ ? next_raise : first_raise));
+    raised_ = limited_;
 }
 
 }  // namespace jostle::server

@@ -3,6 +3,7 @@
 // The client's half of the play stream, without a network: what it says, when, and what it makes of
 // what it hears.
 #include "conversation.h"
+#include "wire/base_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ struct Stream {
         v1::ServerMessage message;
         v1::Snapshot& s = *message.mutable_snapshot();
         s.set_frame(frame);
-        s.set_base_frame(base ? base->frame : 0);
+        s.set_bases(base ? wire::encode_base_frames(frame, {.base = base->frame}) : 0);
         s.set_packed(packed.data(), packed.size());
         s.set_crc(wire::frame_crc(quantized));
         return message;
@@ -90,7 +91,7 @@ TEST(Conversation, results_that_nobody_takes_do_not_pile_up) {
     stream.welcome();
     for (std::uint32_t i = 1; i <= 5000; i++) {
         v1::ServerMessage message;
-        v1::InputResult& result = *message.mutable_input_results()->add_results();
+        v1::InputResult& result = *message.mutable_snapshot()->mutable_own()->add_results();
         result.set_sequence(i);
         result.set_code(v1::INPUT_CODE_APPLIED);
         stream.hear(message);
@@ -152,7 +153,7 @@ TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     EXPECT_FALSE(stream.conversation.view().pose_of(2));
 }
 
-TEST(Conversation, a_snapshot_from_no_time_is_decoded_but_not_shown) {
+TEST(Conversation, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
     Stream stream;
     stream.welcome();
     v1::ServerMessage pong;
@@ -160,10 +161,11 @@ TEST(Conversation, a_snapshot_from_no_time_is_decoded_but_not_shown) {
     pong.mutable_pong()->set_server_time_us(5'000'000);
     stream.hear(pong);
     v1::ServerMessage snapshot = stream.snapshot(1, 2, nullptr);
-    snapshot.mutable_snapshot()->set_server_time_us(0x8000000000000000);
+    snapshot.mutable_snapshot()->set_late_us(std::numeric_limits<std::int64_t>::min());
     stream.hear(snapshot);
     EXPECT_EQ(stream.conversation.stats().snapshots, 1u);
-    EXPECT_TRUE(stream.conversation.buffer().sample(5'000'000, {}).empty());
+    const auto times = stream.conversation.view().times_of(snapshot.snapshot());
+    EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
 }
 
 TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
@@ -195,8 +197,9 @@ TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     EXPECT_TRUE(hello.hello().events());
     for (std::uint32_t tick = 5; tick < 8; tick++) {
         v1::ServerMessage message;
-        message.mutable_events()->set_tick(tick);
-        message.mutable_events()->add_woke(tick * 10);
+        v1::Events& events = *message.mutable_snapshot()->add_events();
+        events.set_tick(tick);
+        events.add_woke(tick * 10);
         listener.receive(message.SerializeAsString(), stream.now);
     }
     const auto events = listener.take_events();
@@ -213,8 +216,9 @@ TEST(Conversation, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) 
     stream.welcome();
     for (std::uint32_t tick = 1; tick <= 1030; tick++) {
         v1::ServerMessage message;
-        message.mutable_events()->set_tick(tick);
-        if (tick == 2) message.mutable_events()->set_missed(7);  // by the server already
+        v1::Events& told = *message.mutable_snapshot()->add_events();
+        told.set_tick(tick);
+        if (tick == 2) told.set_missed(7);  // by the server already
         stream.hear(message);
     }
     const auto events = stream.conversation.take_events();

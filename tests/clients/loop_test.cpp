@@ -130,6 +130,21 @@ TEST_F(LoopTest, many_clients_and_owners_that_leave_without_a_word) {
     EXPECT_TRUE(soon([&] { return another->stats().snapshots == 1; }));
 }
 
+TEST_F(LoopTest, over_a_bad_link_everything_takes_its_time_in_both_directions) {
+    Loop loop;
+    auto far = options();
+    far.link.delay_ms = 60;
+    const auto began = Clock::now();
+    const auto client = Client::connect(loop, far);
+    for (int i = 0; i < 40; i++) client->send({});
+    EXPECT_TRUE(soon([&] { return client->stats().snapshots == 1; }));
+    EXPECT_GE(Clock::now() - began, std::chrono::milliseconds(120));
+    client->leave();
+    EXPECT_TRUE(soon([&] { return service.leaves == 1; }));
+    EXPECT_EQ(service.inputs, 40);
+    EXPECT_EQ(client->stats().stream_failures, 0u) << client->stats().last_error;
+}
+
 TEST_F(LoopTest, a_loop_may_go_before_its_clients) {
     std::shared_ptr<Client> client;
     {

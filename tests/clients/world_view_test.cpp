@@ -2,6 +2,7 @@
 //
 // What a client knows of the modules of its world, snapshot by snapshot.
 #include "jostle/client/world_view.h"
+#include "wire/base_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told
         wire::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
     v1::Snapshot s;
     s.set_frame(number);
-    s.set_base_frame(base);
+    s.set_bases(wire::encode_base_frames(number, {.base = base}));
     s.set_packed(packed.data(), packed.size());
     s.set_crc(wire::frame_crc(frame));
     const wire::PackedChannels changed =

@@ -8,6 +8,7 @@
 #include "fuzz/mutate_message.h"
 #include "fuzz/reader.h"
 #include "fuzz/target.h"
+#include "wire/base_frames.h"
 
 namespace jostle::fuzz {
 
@@ -66,8 +67,9 @@ private:
 
     bool put_crc(v1::Snapshot& snapshot) const {
         wire::Bases bases;
-        const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
-                                         snapshot.base3_frame()};
+        const auto told = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+        if (!told.ok()) return false;
+        const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
         const wire::QuantizedFrame** const slots[] = {&bases.base, &bases.base2, &bases.base3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
@@ -83,9 +85,11 @@ private:
     // What a program asks of its client between two messages.
     void look(std::int32_t later_ms) {
         const client::WorldView& view = conversation_.view();
-        const std::int64_t now = conversation_.clock().server_us(now_);
-        static_cast<void>(conversation_.buffer().sample(now, view.spec()));
-        static_cast<void>(conversation_.buffer().sample(later_ms, view.spec()));
+        const auto now = static_cast<std::int64_t>(client::to_us(now_));
+        for (const std::int64_t us : {now, now + 1000 * std::int64_t{later_ms}}) {
+            static_cast<void>(conversation_.buffer().sample(us, view.spec()));
+            static_cast<void>(conversation_.input_clock().tick(us));
+        }
         for (const auto& [id, entity] : view.entities()) static_cast<void>(view.pose_of(id));
         for (const wire::Channel& channel : view.channels())
             expect(channel.values != nullptr, "a channel that is there has values");

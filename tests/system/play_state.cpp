@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "wire/base_frames.h"
+
 namespace jostle::test {
 
 namespace {
@@ -49,20 +51,11 @@ void PlayState::take(const v1::ServerMessage& message) {
         case v1::ServerMessage::kSnapshot:
             take(message.snapshot());
             break;
-        case v1::ServerMessage::kInputResults:
-            take(message.input_results());
-            break;
         case v1::ServerMessage::kPong:
             pongs++;
             break;
-        case v1::ServerMessage::kStats:
-            stats++;
-            break;
         case v1::ServerMessage::kNotice:
             notices.push_back(message.notice());
-            break;
-        case v1::ServerMessage::kEvents:
-            take(message.events());
             break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             expect(false, "an empty message");
@@ -98,8 +91,8 @@ void PlayState::take(const v1::Events& happened) {
     events.push_back(happened);
 }
 
-void PlayState::take(const v1::InputResults& batch) {
-    for (const v1::InputResult& result : batch.results()) {
+void PlayState::take_results(const v1::Private& own) {
+    for (const v1::InputResult& result : own.results()) {
         expect(results.emplace(result.sequence(), result).second,
                "input " + std::to_string(result.sequence()) + " was answered twice");
     }
@@ -114,8 +107,12 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     const std::string name = "snapshot " + std::to_string(snapshot.frame());
     snapshots++;
     snapshot_bytes += snapshot.packed().size();
-    keyframes += snapshot.base_frame() == 0;
-    skipped = snapshot.own().snapshots_skipped();
+    keyframes += snapshot.bases() == 0;
+    stats += snapshot.has_stats();
+    if (const std::uint32_t told = snapshot.own().snapshots_skipped(); told != 0) skipped = told;
+    if (const std::int32_t told = snapshot.own().input_margin_us(); told != 0)
+        input_margin_us = told;
+    take_results(snapshot.own());
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
     const auto base_of = [&](std::uint32_t frame) {
@@ -124,8 +121,11 @@ void PlayState::take(const v1::Snapshot& snapshot) {
                name + " refers to frame " + std::to_string(frame) + ", which was never sent");
         return base;
     };
-    const wire::Bases bases{base_of(snapshot.base_frame()), base_of(snapshot.base2_frame()),
-                            base_of(snapshot.base3_frame())};
+    const auto told_bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    expect(told_bases.ok(), name + " names bases that cannot be");
+    if (!told_bases.ok()) return;
+    const wire::Bases bases{base_of(told_bases->base), base_of(told_bases->base2),
+                            base_of(told_bases->base3)};
     const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
                                static_cast<std::int32_t>(welcome.quant().rotation_component())};
     auto frame = wire::decode_frame(snapshot.frame(), std::as_bytes(std::span(snapshot.packed())),
@@ -138,11 +138,18 @@ void PlayState::take(const v1::Snapshot& snapshot) {
                                [&](const auto& entity) { return entities.contains(entity.id); }),
            name + " holds an entity that no roster named");
 
-    ages_ms.push_back(age_ms(snapshot.server_time_us()));
+    ages_ms.push_back(age_ms(due_us(snapshot)));
     crc_of[snapshot.frame()] = snapshot.crc();
     newest_frame = snapshot.frame();
     ring_.push_back(std::move(*frame));
     if (ring_.size() > ring_size) ring_.pop_front();
+    for (const v1::Events& tick : snapshot.events()) take(tick);
+}
+
+std::uint64_t PlayState::due_us(const v1::Snapshot& snapshot) const {
+    const double since = snapshot.frame() * 1e6 / welcome.tick_hz();
+    return static_cast<std::uint64_t>(static_cast<double>(welcome.epoch_us()) + since +
+                                      static_cast<double>(snapshot.late_us()));
 }
 
 }  // namespace jostle::test

@@ -30,6 +30,7 @@ public:
     std::size_t snapshot_bytes = 0;
     std::uint32_t newest_frame = 0;
     std::uint32_t skipped = 0;                         // as the server tells
+    std::int32_t input_margin_us = 0;                  // likewise
     std::vector<double> ages_ms;                       // of each snapshot when it was decoded
     std::map<std::uint32_t, std::uint32_t> crc_of;     // by frame
     std::set<std::uint64_t> geometry;                  // told
@@ -48,7 +49,8 @@ public:
 private:
     void take(const v1::Roster& roster);
     void take(const v1::Snapshot& snapshot);
-    void take(const v1::InputResults& results);
+    void take_results(const v1::Private& own);
+    std::uint64_t due_us(const v1::Snapshot& snapshot) const;
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool promise, const std::string& what);

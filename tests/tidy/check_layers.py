@@ -29,6 +29,7 @@ FLOORS = {
     "physics/examples": [PUBLIC],
     "modules/module_base": [PUBLIC],
     "modules/fields": [PUBLIC, "modules/module_base"],
+    "modules/hand": [PUBLIC],
     "modules/character": [PUBLIC, "modules/module_base"],
     "modules/ragdoll": [PUBLIC, "modules/module_base"],
     "modules/ragdoll_gltf": [PUBLIC, "modules/ragdoll"],
@@ -50,7 +51,7 @@ FLOORS = {
     "server/identity": ["server/base", "server/config"],
     "server/tls": ["server/base", "server/config"],
     "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
-    "server/host": ["modules/destruction", "modules/fields", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
+    "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
@@ -59,9 +60,11 @@ FLOORS = {
     "server/app": ["server/base", "server/connection", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/status", "generated"],
+    "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
     "clients/bot": ["clients/cpp", "clients/flags", "generated"],
     "clients/flags": ["clients/cpp"],
     "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
+    "clients/relay": [],
     "clients/load": ["clients/cpp", "clients/bot", "clients/flags", "generated"],
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.
@@ -73,7 +76,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
 SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
-          "clients/cpp/include", "clients/cpp/src", "bench"]
+          "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 

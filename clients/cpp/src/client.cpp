@@ -27,7 +27,25 @@ std::shared_ptr<Client> Client::connect(Loop& loop, ClientOptions options) {
 
 std::uint32_t Client::send(v1::Input input) {
     const auto lock = locked(*state_);
-    return state_->conversation.send(std::move(input));
+    Conversation& c = state_->conversation;
+    if (c.options().timed_inputs && input.tick() == 0)
+        input.set_tick(c.input_clock().tick(static_cast<std::int64_t>(to_us(Clock::now()))));
+    return c.send(std::move(input));
+}
+
+double Client::input_position(Clock::time_point now) {
+    const auto lock = locked(*state_);
+    return state_->conversation.input_clock().position(static_cast<std::int64_t>(to_us(now)));
+}
+
+std::uint32_t Client::input_tick(Clock::time_point now) {
+    const auto lock = locked(*state_);
+    return state_->conversation.input_clock().tick(static_cast<std::int64_t>(to_us(now)));
+}
+
+void Client::look_at(const Sight& sight) {
+    const std::lock_guard lock(state_->mutex);
+    state_->conversation.look_at(sight);
 }
 
 void Client::leave() {
@@ -40,10 +58,10 @@ void Client::read(const std::function<void(const WorldView&)>& reader) const {
     reader(state_->conversation.view());
 }
 
-std::vector<SmoothPose> Client::interpolated(Clock::time_point now) const {
+std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     const auto lock = locked(*state_);
-    const Conversation& c = state_->conversation;
-    return c.buffer().sample(c.clock().server_us(now), c.view().spec());
+    Conversation& c = state_->conversation;
+    return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 
 std::vector<v1::InputResult> Client::take_results() {

@@ -7,9 +7,11 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "connection.h"
 #include "conversation.h"
+#include "held_messages.h"
 
 namespace jostle::client {
 
@@ -22,6 +24,8 @@ struct ClientState {
 
     // The loop thread's own.
     std::unique_ptr<Connection> connection;
+    // Of a client with a bad link: what is on its way in and out. Empty otherwise.
+    std::optional<HeldMessages> incoming, outgoing;
     Clock::time_point connect_at{};
     Clock::duration pause = std::chrono::milliseconds(250);
     bool over = false;

@@ -15,6 +15,13 @@ constexpr auto ping_period = std::chrono::seconds(1);
 constexpr std::size_t inputs_max = 4096;  // waiting; two seconds' worth of full batches is 1920
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
+constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
+
+void write(v1::Interest& to, const Sight& from) {
+    to.mutable_focus()->set_x(from.x);
+    to.mutable_focus()->set_z(from.z);
+    to.set_radius(from.radius);
+}
 
 }  // namespace
 
@@ -37,6 +44,13 @@ void Conversation::ended(const Status& end) {
     stats_.last_error = end.error().message;
 }
 
+// The newest counts; it goes out with the next message that is due.
+void Conversation::look_at(const Sight& sight) {
+    if (!options_.sight) return;
+    options_.sight = sight;
+    sight_due_ = true;
+}
+
 std::uint32_t Conversation::send(v1::Input input) {
     if (inputs_.size() >= inputs_max) return 0;
     inputs_.push_back(std::move(input));
@@ -53,8 +67,11 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             view_.begin(message_.welcome());
+            input_clock_.begin(message_.welcome().tick_hz());
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
+            ack_period_ = std::chrono::milliseconds(
+                std::min<std::uint32_t>(message_.welcome().ack_ms(), ack_ms_max));
             break;
         case v1::ServerMessage::kGeometry:
             if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
@@ -67,23 +84,19 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
             break;
         case v1::ServerMessage::kSnapshot:
             on_snapshot(message_.snapshot(), now);
-            break;
-        case v1::ServerMessage::kInputResults:
-            on_results(message_.input_results());
+            // These stand by themselves, whatever became of the poses.
+            on_results(message_.snapshot().own());
+            if (message_.snapshot().has_stats()) world_stats_ = message_.snapshot().stats();
+            for (v1::Events& events : *message_.mutable_snapshot()->mutable_events())
+                on_events(std::move(events));
             break;
         case v1::ServerMessage::kPong:
             clock_.add(message_.pong().client_time_us(), message_.pong().server_time_us(),
                        to_us(now));
             stats_.rtt_ms = clock_.rtt_ms();
             break;
-        case v1::ServerMessage::kStats:
-            world_stats_ = message_.stats();
-            break;
         case v1::ServerMessage::kNotice:
             stats_.last_error = message_.notice().message();
-            break;
-        case v1::ServerMessage::kEvents:
-            on_events(std::move(*message_.mutable_events()));
             break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             break;  // of a newer server; not for us
@@ -104,16 +117,26 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
-    if (!clock_.ready() || snapshot.server_time_us() > latest_time_us) return;
-    const std::int64_t arrived = clock_.server_us(now);
-    const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
-    buffer_.add(view_.frame(), server_us, arrived);
-    if (ages_ms_.size() < ages_max)
-        ages_ms_.push_back(static_cast<float>(static_cast<double>(arrived - server_us) / 1000));
+    const WorldView::Times times = view_.times_of(snapshot);
+    if (times.still_until_us) buffer_.hold(*times.still_until_us);
+    buffer_.add(view_.frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
+                times.still_until_us.has_value());
+    if (!clock_.ready()) return;
+    const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
+    steer_inputs(snapshot, age_us, now);
+    if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
 }
 
-void Conversation::on_results(const v1::InputResults& results) {
-    for (const v1::InputResult& result : results.results()) {
+void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
+                                Clock::time_point now) {
+    input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
+                          static_cast<std::int64_t>(to_us(now)));
+    input_clock_.on_margin(snapshot.own().input_sequence(), snapshot.own().input_margin_us());
+    stats_.input_margin_ms = input_clock_.margin_ms();
+}
+
+void Conversation::on_results(const v1::Private& own) {
+    for (const v1::InputResult& result : own.results()) {
         if (result.code() == v1::INPUT_CODE_APPLIED)
             stats_.inputs_applied++;
         else
@@ -145,10 +168,11 @@ std::vector<v1::Events> Conversation::take_events() {
     return taken;
 }
 
-void Conversation::put_ack(v1::Ack& ack) {
+void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_);
     ack_due_ = false;
+    last_ack_ = now;
 }
 
 std::string Conversation::take_inputs(Clock::time_point now) {
@@ -161,7 +185,8 @@ std::string Conversation::take_inputs(Clock::time_point now) {
         next_unsent_++;
         stats_.inputs_sent++;
     }
-    put_ack(*batch.mutable_ack());
+    input_clock_.sent(next_unsent_ - 1);
+    put_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;
     return message.SerializeAsString();
@@ -181,6 +206,9 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         hello.set_events(options_.events);
         hello.set_codec(options_.codec);
         for (const std::string& kind : options_.channels) hello.add_channels(kind);
+        hello.set_max_kbps(options_.max_kbps);
+        if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
+        sight_due_ = false;
         return message.SerializeAsString();
     }
     if (!stats_.connected || leave_sent_) return std::nullopt;
@@ -191,8 +219,13 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         message.mutable_ping()->set_client_time_us(to_us(now));
         return message.SerializeAsString();
     }
-    if (ack_due_) {
-        put_ack(*message.mutable_ack());
+    if (sight_due_) {
+        sight_due_ = false;
+        write(*message.mutable_interest(), *options_.sight);
+        return message.SerializeAsString();
+    }
+    if (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_)) {
+        put_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }
     // Goodbye comes last, after every input.

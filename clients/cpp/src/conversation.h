@@ -13,6 +13,7 @@
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
 #include "jostle/client/clock_sync.h"
+#include "jostle/client/input_clock.h"
 #include "jostle/client/interpolation.h"
 #include "jostle/client/world_view.h"
 
@@ -31,6 +32,7 @@ public:
     std::optional<std::string> take_message(Clock::time_point now);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
+    void look_at(const Sight& sight);
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
     // Hello was answered and the Leave, if any, was handed out.
@@ -38,7 +40,8 @@ public:
 
     const WorldView& view() const { return view_; }
     const ClockSync& clock() const { return clock_; }
-    const InterpolationBuffer& buffer() const { return buffer_; }
+    InterpolationBuffer& buffer() { return buffer_; }
+    InputClock& input_clock() { return input_clock_; }
     const ClientOptions& options() const { return options_; }
     const ClientStats& stats() const { return stats_; }
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
@@ -48,15 +51,17 @@ public:
 
 private:
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
-    void on_results(const v1::InputResults& results);
+    void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
+    void on_results(const v1::Private& own);
     void on_events(v1::Events&& events);
-    void put_ack(v1::Ack& ack);
+    void put_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);
 
     ClientOptions options_;
     WorldView view_;
     ClockSync clock_;
     InterpolationBuffer buffer_;
+    InputClock input_clock_;
     ClientStats stats_;
     std::optional<v1::WorldStats> world_stats_;
     std::deque<v1::InputResult> results_;
@@ -67,10 +72,12 @@ private:
     std::deque<v1::Input> inputs_;
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
+    Clock::duration ack_period_{};
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
-    Clock::time_point last_batch_{}, next_ping_{};
+    Clock::time_point last_batch_{}, last_ack_{}, next_ping_{};
 };
 
 }  // namespace jostle::client

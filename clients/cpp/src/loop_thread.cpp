@@ -9,7 +9,9 @@ namespace jostle::client {
 namespace {
 
 // Inputs, pings and reconnects need no better; messages that arrive are handled at once.
-constexpr auto housekeeping_period = std::chrono::milliseconds(5);
+constexpr auto usual_period = std::chrono::milliseconds(5);
+// Messages of a bad link arrive when it says so, not when something else happens.
+constexpr auto bad_link_period = std::chrono::milliseconds(1);
 constexpr auto longest_pause = std::chrono::seconds(5);
 
 // Of a stream that nobody here wanted to end.
@@ -52,20 +54,59 @@ void LoopThread::run() {
         take_new_clients();
         for (const auto& client : clients_) advance(*client, now);
         std::erase_if(clients_, [](const auto& client) { return client->over; });
-        housekeeping = now + housekeeping_period;
+        housekeeping = now + housekeeping_period();
     }
     drain();
+}
+
+Clock::duration LoopThread::housekeeping_period() const {
+    for (const auto& client : clients_)
+        if (client->incoming) return bad_link_period;
+    return usual_period;
 }
 
 void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
     // A client stays on the list until its connection has nothing in flight.
     ClientState& client = *static_cast<ClientState*>(tag.owner);
     const std::string* received = client.connection->handle(tag.event, ok);
-    if (received) {
+    if (received && client.incoming) {
+        client.incoming->push(*received, now);
+    } else if (received) {
         const std::lock_guard lock(client.mutex);
         client.conversation.receive(*received, now);
     }
     advance(client, now);
+}
+
+// What has come over a bad link.
+void LoopThread::receive(ClientState& client, Clock::time_point now) {
+    if (!client.incoming) return;
+    const std::lock_guard lock(client.mutex);
+    while (const auto message = client.incoming->take(now))
+        client.conversation.receive(*message, now);
+}
+
+void LoopThread::write(ClientState& client, Clock::time_point now) {
+    while (client.connection->ready_to_write()) {
+        std::optional<std::string> message;
+        bool goodbye = false;
+        {
+            const std::lock_guard lock(client.mutex);
+            message = client.conversation.take_message(now);
+            goodbye = client.conversation.leave_sent();
+        }
+        if (client.outgoing) {
+            if (message) client.outgoing->push(*std::move(message), now);
+            message = client.outgoing->take(now);
+            goodbye = goodbye && client.outgoing->empty();
+        }
+        if (message)
+            client.connection->write(*message);
+        else if (goodbye)
+            client.connection->close_writes();
+        else
+            break;
+    }
 }
 
 // Starts what can be started: a connection, the next write, the next attempt.
@@ -79,8 +120,13 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
             return;
         }
         client.conversation.begin(now);
-        client.connection =
-            std::make_unique<Connection>(client.conversation.options(), queue_, &client);
+        const ClientOptions& options = client.conversation.options();
+        if (LinkSettings link = options.link; link.bad()) {
+            client.incoming.emplace(link);
+            link.seed ^= 0x9e3779b9u;  // another link back
+            client.outgoing.emplace(link);
+        }
+        client.connection = std::make_unique<Connection>(options, queue_, &client);
         return;
     }
     if (client.gone) client.connection->cancel();
@@ -88,21 +134,8 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         if (client.connection->idle()) after_end(client, now);
         return;
     }
-    while (client.connection->ready_to_write()) {
-        std::optional<std::string> message;
-        bool goodbye = false;
-        {
-            const std::lock_guard lock(client.mutex);
-            message = client.conversation.take_message(now);
-            goodbye = client.conversation.leave_sent();
-        }
-        if (message)
-            client.connection->write(*message);
-        else if (goodbye)
-            client.connection->close_writes();
-        else
-            break;
-    }
+    receive(client, now);
+    write(client, now);
 }
 
 void LoopThread::after_end(ClientState& client, Clock::time_point now) {

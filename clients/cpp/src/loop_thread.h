@@ -26,6 +26,9 @@ private:
     void run();
     void take_new_clients();
     void advance(ClientState& client, Clock::time_point now);
+    void receive(ClientState& client, Clock::time_point now);
+    void write(ClientState& client, Clock::time_point now);
+    Clock::duration housekeeping_period() const;
     void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
     void after_end(ClientState& client, Clock::time_point now);
     void drain();

@@ -2,13 +2,22 @@
 #include "jostle/client/world_view.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "jostle/client/clock_sync.h"
+#include "seen_cells.h"
+#include "wire/base_frames.h"
 
 namespace jostle::client {
 
 void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    // No clock says more, and no world is slower: what is beyond is not believed.
+    epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
+    tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    cells_ = welcome.cells() ? std::make_shared<SeenCells>() : nullptr;
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
@@ -56,8 +65,10 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
-    const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
-                                     snapshot.base3_frame()};
+    const Result<wire::BaseFrames> told_bases =
+        wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!told_bases.ok()) return told_bases.error();
+    const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};
     wire::Bases bases;
     const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
     const wire::Channels* base_channels = &no_channels_;
@@ -73,12 +84,8 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,
-                                      spec_, wire::default_entities_max, codec_);
+    auto decoded = poses_of(snapshot, bases);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
-    if (wire::frame_crc(*decoded) != snapshot.crc())
-        return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
     const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
     Result<wire::Channels> channels = wire::decode_channels(
         {told, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
@@ -86,6 +93,35 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     frames_.push_back({std::move(*decoded), *std::move(channels)});
     if (frames_.size() > ring) frames_.pop_front();
     return {};
+}
+
+// Either a whole frame, or the cells that are in sight.
+Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
+                                                 const wire::Bases& bases) {
+    if (cells_) {
+        if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
+        return cells_->frame(snapshot.frame());
+    }
+    const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
+    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,
+                                      spec_, wire::default_entities_max, codec_);
+    if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
+        return Error{ErrorCode::corrupt_data, "the CRC does not match"};
+    return decoded;
+}
+
+WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
+    constexpr auto most = static_cast<std::int64_t>(latest_time_us);
+    const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);
+    const auto due = [&](std::uint32_t frame) {
+        return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
+    };
+    Times times{.due_us = due(snapshot.frame())};
+    const auto bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!bases.ok() || bases->base == 0 || snapshot.still() == 0) return times;
+    if (snapshot.still() <= snapshot.frame() - bases->base)
+        times.still_until_us = due(bases->base + snapshot.still());
+    return times;
 }
 
 const wire::Channels& WorldView::channels() const {

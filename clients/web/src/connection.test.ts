@@ -96,7 +96,7 @@ describe('connection', () => {
     welcome();
     sockets[0]!.take();
     for (const frame of [50, 51])
-      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, baseFrame: 49, packed: new Uint8Array(1) } } });
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, bases: frame - 49, packed: new Uint8Array(1) } } });
     const acks = sockets[0]!.take().filter((m) => m.case === 'ack');
     expect(acks[0]!.value.needKeyframe).toBe(true);
     expect(connection.decodeErrors).toBe(1);
@@ -125,7 +125,8 @@ describe('connection', () => {
     const [first, second, empty] = [golden[golden[k]!.base - 1]!, golden[k]!, { packed: new Uint8Array(), crc: 0 }];
     const give = (frame: number, baseFrame: number, told: { packed: Uint8Array; crc: number }) => {
       const packed = new Uint8Array(2); // a world without bodies, absolute or against another; its CRC is 0
-      const value = { frame, baseFrame, packed, crc: 0, channels: told.packed, channelsCrc: told.crc };
+      const bases = baseFrame === 0 ? 0 : (frame - baseFrame) | (255 << 8);
+      const value = { frame, bases, packed, crc: 0, channels: told.packed, channelsCrc: told.crc };
       sockets[0]!.give({ message: { case: 'snapshot', value } });
     };
     const told = () => connection.frames.newest?.channels;
@@ -146,7 +147,10 @@ describe('connection', () => {
     welcome();
     const refused = { sequence: 2, code: InputCode.LIMIT, message: 'you own 64 bodies already' };
     sockets[0]!.give({
-      message: { case: 'inputResults', value: { results: [{ sequence: 1, code: InputCode.APPLIED }, refused] } },
+      message: {
+        case: 'snapshot',
+        value: { frame: 1, own: { results: [{ sequence: 1, code: InputCode.APPLIED }, refused] } },
+      },
     });
     sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.RATE_LIMIT, message: 'slow down' } } });
     expect(said).toEqual(['you own 64 bodies already', 'slow down']);
@@ -228,7 +232,7 @@ describe('connection', () => {
     sockets[1]!.onopen?.();
     expect(sockets[1]!.take()[0]).toMatchObject({ case: 'hello', value: { world: 'sandbox', events: true } });
     welcome();
-    sockets[1]!.give({ message: { case: 'events', value: { tick: 31 } } });
+    sockets[1]!.give({ message: { case: 'snapshot', value: { frame: 31, events: [{ tick: 31 }] } } });
     expect(said).toEqual(['tick 31']);
   });
 });

@@ -2,10 +2,12 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
+import { baseFrames } from './base_frames';
 import { DecodeError, NEWEST_CODEC, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { Delay } from './interpolate';
+import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
+import { RenderClock } from './render_clock';
 import { decodeChannels } from './channels';
 import {
   AckSchema,
@@ -30,7 +32,7 @@ const BATCH_MS = 1000 / 30;
 const PING_MS = 1000;
 const INPUTS_PER_BATCH = 32;
 const PAUSES_MS = [250, 500, 1000, 2000, 5000];
-const SILENCE_MS = 5000; // a server says something ten times a second: after this it is gone
+const SILENCE_MS = 5000; // a server says something every second at least: after this it is gone
 const SETTLED_MS = 5000; // who was in a world for so long comes back without a pause
 const POLICY = 1008; // the close code of a refusal that asking again will not change
 
@@ -63,7 +65,8 @@ export const openSocket = (url: string) => new WebSocket(url) as unknown as Sock
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
-  readonly delay = new Delay();
+  readonly renderClock = new RenderClock();
+  readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
   welcome: Welcome | undefined;
   bytesReceived = 0;
@@ -82,6 +85,7 @@ export class Connection {
   private nextSequence = 1;
   private needKeyframe = false;
   private ackDue = false;
+  private lastAck = 0;
   private lastPing = 0;
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
@@ -215,16 +219,8 @@ export class Connection {
         return this.onEntityList(message.value);
       case 'snapshot':
         return this.onSnapshot(message.value);
-      case 'inputResults':
-        for (const result of message.value.results)
-          if (result.code !== InputCode.APPLIED) this.events.refused(result);
-        return;
       case 'pong':
         return this.clock.add(Number(message.value.clientTimeUs), Number(message.value.serverTimeUs), nowUs());
-      case 'events':
-        return this.events.happened(message.value);
-      case 'stats':
-        return this.events.stats(message.value);
       case 'notice':
         return this.onNotice(message.value);
     }
@@ -247,13 +243,15 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.frames.clear();
-    this.delay.reset();
+    this.renderClock.reset();
+    this.inputClock.begin(welcome.tickHz);
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
+    this.lastAck = 0;
     this.lastPing = 0;
     this.playingSince = nowUs();
     this.setState('playing', '');
@@ -271,40 +269,62 @@ export class Connection {
 
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
+    this.decode(s);
+    // These stand by themselves, whatever became of the poses.
+    for (const result of s.own?.results ?? [])
+      if (result.code !== InputCode.APPLIED) this.events.refused(result);
+    if (s.stats) this.events.stats(s.stats);
+    for (const tick of s.events) this.events.happened(tick);
+    // An ack that waited long for the next batch would make the way look long.
+    if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private decode(s: Snapshot): void {
     try {
-      const [base, base2, base3] = [s.baseFrame, s.base2Frame, s.base3Frame].map((number) => {
+      const told = baseFrames(s.frame, s.bases);
+      const [base, base2, base3] = told.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
       const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec, undefined, this.codec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
-      const serverUs = Number(s.serverTimeUs);
-      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(s.baseFrame));
+      const serverUs = this.dueUs(s.frame, s.lateUs);
+      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));
+      if (s.still > 0) this.frames.hold(this.dueUs(told[0] + s.still, s.lateUs));
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
+      const arrived = nowUs();
+      this.renderClock.onFrame(serverUs, arrived, s.still > 0);
       if (this.clock.ready) {
-        const arrived = this.clock.serverUs(nowUs());
-        this.delay.add(serverUs, arrived);
-        this.ageMs = (arrived - serverUs) / 1000;
+        const agoUs = this.clock.serverUs(arrived) - serverUs;
+        this.ageMs = agoUs / 1000;
+        this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
+        this.inputClock.onMargin(s.own?.inputSequence ?? 0, s.own?.inputMarginUs ?? 0);
       }
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;
       this.needKeyframe = true;
     }
-    // At the server's pace: an ack that waited for the next batch would make the window look full.
-    if (this.inputs.length === 0) this.sendAck();
+  }
+
+  /** When a tick was due, on the server's clock. */
+  private dueUs(frame: number, lateUs: bigint): number {
+    return Number(this.welcome!.epochUs) + Math.round((frame * 1e6) / this.welcome!.tickHz) + Number(lateUs);
   }
 
   private ack() {
     this.ackDue = false;
+    this.lastAck = nowUs();
     return create(AckSchema, { frame: this.frames.newest?.frame ?? 0, needKeyframe: this.needKeyframe });
   }
 
-  private sendAck(): void {
-    this.sendMessage({ case: 'ack', value: this.ack() });
+  private sendAckIfDue(): void {
+    if (!this.ackDue) return;
+    const dueUs = this.lastAck + (this.welcome?.ackMs ?? 0) * 1000;
+    if (this.needKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
   }
 
   /** Thirty times a second: what is to be said, and whether anybody is still there. */
@@ -320,10 +340,11 @@ export class Connection {
       const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
       const firstSequence = this.nextSequence;
       this.nextSequence += inputs.length;
+      this.inputClock.sent(this.nextSequence - 1);
       const clientTimeUs = Math.floor(now) % 2 ** 32;
       this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
-    } else if (this.ackDue) {
-      this.sendAck();
+    } else {
+      this.sendAckIfDue();
     }
   }
 }

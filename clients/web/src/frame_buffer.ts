@@ -8,6 +8,8 @@ export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 export interface PoseFrame {
   readonly frame: number;
   readonly serverUs: number;
+  /** Nothing moved from serverUs until then. */
+  readonly heldUntilUs?: number;
   readonly entities: readonly EntityState[];
   /** POSE_FLOATS for each entity. */
   readonly poses: Float64Array;
@@ -50,6 +52,12 @@ export class FrameBuffer {
     return drawn;
   }
 
+  /** What the newest frame shows was so until that time. */
+  hold(serverUs: number): void {
+    const newest = this.frames[this.frames.length - 1];
+    if (newest && newest.drawn.serverUs < serverUs) newest.drawn = { ...newest.drawn, heldUntilUs: serverUs };
+  }
+
   get newest(): PoseFrame | undefined {
     return this.frames[this.frames.length - 1]?.drawn;
   }
@@ -61,6 +69,12 @@ export class FrameBuffer {
     let next = count - 1;
     while (next > 0 && this.frames[next - 1]!.drawn.serverUs >= serverUs) next--;
     return { a: this.frames[Math.max(0, next - 1)]!.drawn, b: this.frames[next]!.drawn };
+  }
+
+  /** The last frame not after that time, and all that are. */
+  since(serverUs: number): PoseFrame[] {
+    const first = this.frames.findIndex((f) => f.drawn.serverUs > serverUs);
+    return first < 0 ? [] : this.frames.slice(Math.max(0, first - 1)).map((f) => f.drawn);
   }
 
   clear(): void {

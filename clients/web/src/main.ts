@@ -1,6 +1,7 @@
 // Starts the parts and runs the picture loop.
 
 import * as THREE from 'three';
+import { overLink } from './bad_link';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
@@ -9,6 +10,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
+import { linkOf } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
@@ -74,7 +76,9 @@ const told: Events = {
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
-const connection = new Connection(websocketUrl(), told, openSocket, token, DRAWN_KINDS);
+// ?delay=80&jitter=20&stalls=250: as over a bad link.
+const badLink = linkOf(location.search);
+const connection = new Connection(websocketUrl(), told, badLink ? overLink(openSocket, badLink) : openSocket, token, DRAWN_KINDS);
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
@@ -126,9 +130,7 @@ function websocketUrl(): string {
 /** How far the picture is behind the newest that the server told. */
 function pictureBehindMs(): number {
   const newest = connection.frames.newest;
-  if (!newest || !connection.clock.ready) return 0;
-  const drawnUs = connection.clock.serverUs(nowUs()) - connection.delay.us;
-  return Math.max(0, (newest.serverUs - drawnUs) / 1000);
+  return newest ? Math.max(0, (newest.serverUs - connection.renderClock.shownUs) / 1000) : 0;
 }
 
 function choose(tool: Tool): void {
@@ -275,7 +277,8 @@ if (innerWidth < 700) byId('stats').hidden = true;
 
 renderer.setAnimationLoop(() => {
   camera.controls.update();
-  if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  const now = nowUs();
+  drawn.update(connection.frames, connection.renderClock.advance(now), now);
   const shown = shownNow();
   dressBodies(shown);
   view.update(drawn);

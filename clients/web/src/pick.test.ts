@@ -53,7 +53,7 @@ function fieldAndCone(): SceneView {
     { unitsPerMeter: 512, rotationComponent: 511 },
   );
   const drawn = new DrawnPoses();
-  drawn.update(frames, 0);
+  drawn.update(frames, 0, 0);
   view.update(drawn);
   view.scene.updateMatrixWorld();
   return view;

@@ -34,7 +34,7 @@ it('puts 2,000 moving bodies in place in less than 12 ms', () => {
     }));
     frames.add({ frame, entities: states }, frame * 16_667, spec);
     const began = performance.now();
-    drawn.update(frames, frame * 16_667 - 8_000);
+    drawn.update(frames, frame * 16_667 - 8_000, frame * 16_667);
     view.update(drawn);
     const took = performance.now() - began;
     if (frame > 20) times.push(took);
@@ -84,7 +84,7 @@ it('islands tint what can move, sleep turns it blue, and both go again', () => {
   const at = { position: [0, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number] };
   frames.add({ frame: 1, entities: [1, 2, 3].map((id) => ({ id, ...at, atRest: id !== 1 })) }, 0, spec);
   const drawn = new DrawnPoses();
-  drawn.update(frames, 0);
+  drawn.update(frames, 0, 0);
   const colors = () => {
     view.update(drawn);
     return [1, 2, 3].map((id) => view.colorOf(id)!);
@@ -121,7 +121,7 @@ it('dresses bodies that have no colour of their own, and outlines all but ground
   const at = (id: number, x: number) => ({ id, position: [512 * x, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false });
   frames.add({ frame: 1, entities: [at(1, 0), at(2, 5), at(3, -3)] }, 0, spec);
   const drawn = new DrawnPoses();
-  drawn.update(frames, 0);
+  drawn.update(frames, 0, 0);
   view.update(drawn);
   expect([view.colorOf(2), view.colorOf(3)]).toEqual([0xabcdef, 0x123456]);
   const { min, max } = view.outline();

@@ -65,6 +65,7 @@ Status RestorePoint::restore(World& world) const {
     state.events.clear_published();
     state.events.pending = kept_->pending;
     state.wake_requests.clear();
+    state.changes_at_rest++;
     return restore_modules(world, std::move(missing));
 }
 

@@ -40,6 +40,11 @@ struct ListenerStore {
         order.push_back({&listener, listener.hooks()});
         derive_wanted();
     }
+    // What each wants of the step that begins.
+    void ask_hooks() {
+        for (Entry& entry : order) entry.hooks = entry.listener->hooks();
+        derive_wanted();
+    }
     void remove(const StepListener& listener) {
         ASSERT(contains(listener));
         std::erase_if(order, [&](const Entry& entry) { return entry.listener == &listener; });

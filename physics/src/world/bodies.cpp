@@ -166,6 +166,16 @@ void World::copy_bodies(std::vector<BodyState>& out) const {
         if (state_->bodies.ids.alive(i)) out.push_back(state_of_body(*state_, i));
 }
 
+void World::copy_awake_bodies(std::vector<BodyState>& out) const {
+    out.clear();
+    for (const BodyWarm& warm : state_->bodies.awake)
+        out.push_back(state_of_body(*state_, warm.body));
+}
+
+std::uint64_t World::changes_at_rest() const {
+    return state_->changes_at_rest;
+}
+
 std::uint32_t World::body_index_end() const {
     return static_cast<std::uint32_t>(state_->bodies.ids.size());
 }

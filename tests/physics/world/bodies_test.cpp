@@ -49,6 +49,39 @@ TEST(CreateBody, all_are_read_in_order_of_their_indices) {
     EXPECT_EQ(states[1].pose.position.x, 99);
 }
 
+TEST(CopyAwakeBodies, are_those_that_a_step_can_move) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId sleeper = add(world, {.position = {0, 0.5, 0}});
+    const BodyId lift = add(world, {.position = {9, 3, 0}, .type = BodyType::kinematic});
+    const BodyId faller = add(world, {.position = {3, 50, 0}});
+    run(world, 2);
+    std::vector<BodyState> awake(5);
+    world.copy_awake_bodies(awake);
+    std::ranges::sort(awake, {}, &BodyState::id);
+    ASSERT_EQ(awake.size(), 2u);
+    EXPECT_EQ(awake[0].id, lift);
+    EXPECT_EQ(awake[1].id, faller);
+    EXPECT_FALSE(must(world.body(sleeper)).awake);
+}
+
+TEST(ChangesAtRest, tell_when_a_call_moved_what_no_step_moves) {
+    World world = make_world();
+    const BodyId floor = add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    const std::uint64_t before = world.changes_at_rest();
+    must(world.set_pose(box, {{5, 0.5, 0}, {}}));
+    run(world, 1);
+    EXPECT_EQ(world.changes_at_rest(), before) << "it woke, and is among the awake";
+    must(world.set_pose(floor, {{0, -1, 0}, {}}));
+    EXPECT_NE(world.changes_at_rest(), before);
+    const std::uint64_t moved = world.changes_at_rest();
+    must(world.set_pose(box, {{7, -0.5, 0}, {}}));
+    must(world.set_awake(box, false));
+    EXPECT_NE(world.changes_at_rest(), moved) << "moved and put to sleep between two steps";
+}
+
 // A body on the floor with a joint to another and a trigger: nothing of it is left.
 TEST(DestroyBody, takes_shapes_contacts_joints_and_island_along) {
     World world = make_world();

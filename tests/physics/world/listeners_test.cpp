@@ -29,6 +29,29 @@ TEST(ListenerCalls, a_listener_is_added_once_and_removed_once) {
     EXPECT_THAT(world.remove_listener(listener).error().message, HasSubstr("was not added"));
 }
 
+// Wants sub-steps in every second step.
+struct EverySecond : StepListener {
+    int steps = 0, substeps = 0;
+    StepHooks hooks() const override { return {.substeps = steps % 2 == 0}; }
+    void before_substep(SubstepContext&) override { substeps++; }
+    void after_step(World&, double) override { steps++; }
+};
+
+TEST(ListenerCalls, what_a_listener_wants_is_asked_in_each_step) {
+    World world = make_world({.substeps = 4});
+    add(world, {.position = {0, 5, 0}});
+    EverySecond listener;
+    must(world.add_listener(listener));
+    run(world, 6.0 / 60);
+    EXPECT_EQ(listener.steps, 6);
+    const int of_three_steps = listener.substeps;
+    EXPECT_EQ(of_three_steps % 3, 0);
+    run(world, 1.0 / 60);
+    EXPECT_EQ(listener.substeps, of_three_steps / 3 * 4);
+    run(world, 1.0 / 60);
+    EXPECT_EQ(listener.substeps, of_three_steps / 3 * 4) << "the eighth wants none";
+}
+
 TEST(ListenerCalls, a_module_is_found_by_its_tag) {
     World world;
     must(world.add_module(std::make_unique<Named>("wind_farm")));

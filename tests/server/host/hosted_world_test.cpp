@@ -189,6 +189,34 @@ TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
     EXPECT_NE(four.channels->front().values, told.values);
 }
 
+// Frames copy only what can have moved: against all bodies, while they fall, sleep and are pushed.
+TEST_F(HostedWorldTest, every_frame_shows_every_body_where_it_is) {
+    std::vector<EntityId> balls;
+    std::vector<physics::BodyState> bodies;
+    int still = 0, asleep = 0;
+    for (tick = 2; tick < 900; tick++) {
+        if (tick % 150 == 3) balls.push_back(spawn(1 + tick / 150, 3));
+        if (tick == 700) apply(1, DeleteCommand{balls.front()});
+        if (tick == 600) apply(2, ExplodeCommand{.center = {0, 0.5, 0}, .radius = 6, .speed = 4});
+        ASSERT_TRUE(world.step(dt, tick).ok());
+        Frame frame;
+        frame.tick = tick;
+        world.copy_into(frame);
+        still += frame.changed_at != tick;
+        world.world().copy_bodies(bodies);
+        ASSERT_EQ(frame.entities.size(), bodies.size());
+        std::multiset<std::pair<double, double>> shown, there;
+        for (const EntityPose& e : frame.entities) shown.emplace(e.pose.position.x, e.awake);
+        for (const auto& body : bodies) {
+            there.emplace(body.pose.position.x, body.awake);
+            asleep += body.type == physics::BodyType::dynamic && !body.awake;
+        }
+        ASSERT_EQ(shown, there) << "tick " << tick;
+    }
+    EXPECT_GT(asleep, 500) << "some of them did sleep";
+    EXPECT_GT(still, 100) << "and there were ticks in which nothing moved";
+}
+
 TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50) {
     const EntityId ball = spawn(1, 40);
     step();

@@ -24,7 +24,7 @@ using test::wait_until;
 TEST(WorldHost, ticks_at_its_rate) {
     std::atomic<int> frames{0};
     WorldHostSettings settings;
-    settings.on_frame = [&] { frames++; };
+    settings.on_frame = [&](bool) { frames++; };
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     const std::uint32_t first = host->frame()->tick;
     const auto begin = Clock::now();
@@ -39,11 +39,43 @@ TEST(WorldHost, ticks_at_its_rate) {
     EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
 }
 
+TEST(WorldHost, inputs_wait_for_the_tick_they_name_and_are_told_how_early_they_were) {
+    WorldHostSettings settings;
+    settings.own_thread = false;
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    const auto queue = std::make_shared<ResultQueue>();
+    const Clock::time_point start = Clock::time_point() + 5s;
+    const auto period = std::chrono::duration_cast<Clock::duration>(1s / 60.0);
+    const auto push = [&](std::uint32_t sequence, std::uint32_t tick, Clock::time_point received) {
+        ASSERT_TRUE(host->push({.client = 1,
+                                .sequence = sequence,
+                                .action = ReleaseCommand{},
+                                .reply = queue,
+                                .received = received,
+                                .tick = tick}));
+    };
+    push(1, 0, start - 4ms);         // the next tick, 2
+    push(2, 4, start - 4ms);         // two later
+    host->tick(start);               // 2
+    push(3, 1, start + 1ms);         // one that is over
+    host->tick(start + period);      // 3
+    host->tick(start + 2 * period);  // 4
+    const auto results = queue->take();
+    ASSERT_EQ(results.size(), 3u);
+    const std::uint32_t ticks[] = {2, 4, 4};
+    const double margins_ms[] = {4, 4 + 2 * 1000 / 60.0, -1 - 1000 / 60.0};
+    for (std::size_t k = 0; k < 3; k++) {
+        EXPECT_EQ(results[k].sequence, k + 1);
+        EXPECT_EQ(results[k].tick, ticks[k]) << "the third may not overtake the second";
+        EXPECT_NEAR(static_cast<double>(*results[k].margin_us) / 1000, margins_ms[k], 0.01);
+    }
+}
+
 TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
     int frames = 0;
     WorldHostSettings settings;
     settings.own_thread = false;
-    settings.on_frame = [&] { frames++; };
+    settings.on_frame = [&](bool) { frames++; };
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     EXPECT_EQ(host->frame()->tick, 1u);
     const auto queue = std::make_shared<ResultQueue>();
@@ -118,7 +150,7 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
 
 TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
     WorldHostSettings broken;
-    broken.on_frame = [] { throw std::bad_alloc(); };
+    broken.on_frame = [](bool) { throw std::bad_alloc(); };
     const auto scene = *scenes::find_scene("stack");
     const auto bad = *WorldHost::start("w1", "bad", scene, broken);
     const auto good = *WorldHost::start("w2", "good", scene, {});

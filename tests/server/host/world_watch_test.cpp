@@ -84,7 +84,7 @@ TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
 TEST(WorldWatch, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
     std::atomic<int> failures{0};
     WorldHostSettings settings;
-    settings.on_frame = [&] {
+    settings.on_frame = [&](bool) {
         failures++;
         throw std::runtime_error("no memory");
     };

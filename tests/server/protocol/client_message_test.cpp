@@ -39,6 +39,7 @@ TEST(ClientMessage, reads_each_kind_of_input) {
     v1::ImpulseInput& push = *batch.add_inputs()->mutable_impulse();
     push.set_entity(3);
     push.mutable_impulse()->set_x(-1);
+    batch.mutable_inputs(1)->set_tick(70);
     batch.add_inputs()->mutable_grab()->set_entity(4);
     batch.add_inputs()->mutable_drag()->mutable_target()->set_z(6);
     batch.add_inputs()->mutable_release();
@@ -60,6 +61,9 @@ TEST(ClientMessage, reads_each_kind_of_input) {
     EXPECT_EQ(decoded.client_time_us, 99u);
     EXPECT_EQ(decoded.ack->frame, 5u);
     ASSERT_EQ(decoded.inputs.size(), 11u);
+    ASSERT_EQ(decoded.ticks.size(), 11u);
+    EXPECT_EQ(decoded.ticks[0], 0u) << "the next";
+    EXPECT_EQ(decoded.ticks[1], 70u);
     const auto& spawned = std::get<SpawnCommand>(*decoded.inputs[0]);
     EXPECT_EQ(spawned.shape.geometry, physics::Geometry(physics::Capsule{0.25, 0.5}));
     EXPECT_EQ(spawned.shape.density, 300);

@@ -35,9 +35,10 @@ void expect_contact(const v1::ContactEvent& event) {
 
 TEST(EventMessage, every_kind_is_in_its_field) {
     const std::string shared = encode_shared_events(one_of_each_kind());
-    v1::ServerMessage message;
-    ASSERT_TRUE(message.ParseFromString(encode_events_head(7, shared.size()) + shared));
-    const v1::Events& events = message.events();
+    v1::Snapshot snapshot;
+    ASSERT_TRUE(snapshot.ParseFromString(encode_events_head(7, shared.size()) + shared));
+    ASSERT_EQ(snapshot.events_size(), 1);
+    const v1::Events& events = snapshot.events(0);
     EXPECT_EQ(events.tick(), 9u);
     EXPECT_EQ(events.missed(), 7u);
     ASSERT_EQ(events.contacts_began_size(), 1);

@@ -20,11 +20,13 @@ namespace {
 FramePtr frame_at(std::uint32_t tick) {
     auto frame = std::make_shared<Frame>();
     frame->tick = tick;
+    std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 40; ++id) {
         EntityPose entity{.id = id, .pose = {}, .awake = id != 7};
         if (entity.awake) entity.pose.position = {0.01 * tick * id, 1.0 * id, -0.02 * tick};
-        frame->entities.push_back(entity);
+        poses.push_back(entity);
     }
+    frame->entities = PoseList(poses);
     return frame;
 }
 
@@ -60,7 +62,7 @@ struct Receiver {
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;
-    BaseNumbers bases;
+    wire::BaseFrames bases;
 };
 
 TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
@@ -123,19 +125,19 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
     receiver.take(*cache.encoding(frame_at(60), slow.bases_for(60)));
-    EXPECT_EQ(receiver.bases, BaseNumbers{});
+    EXPECT_EQ(receiver.bases, wire::BaseFrames{});
 }
 
 TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
     BaselineTracker baselines;
-    EXPECT_EQ(baselines.bases_for(5), BaseNumbers{});
+    EXPECT_EQ(baselines.bases_for(5), wire::BaseFrames{});
     baselines.on_sent(5);
     baselines.on_sent(6);
     baselines.on_sent(7);
-    EXPECT_EQ(baselines.bases_for(8), (BaseNumbers{7, 6, 5}));
-    EXPECT_EQ(baselines.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
+    EXPECT_EQ(baselines.bases_for(8), (wire::BaseFrames{7, 6, 5}));
+    EXPECT_EQ(baselines.bases_for(1000), wire::BaseFrames{}) << "too far apart to predict from";
     baselines.reset();
-    EXPECT_EQ(baselines.bases_for(8), BaseNumbers{});
+    EXPECT_EQ(baselines.bases_for(8), wire::BaseFrames{});
 }
 
 TEST(SnapshotCache, bodies_at_rest_are_silent) {
@@ -148,8 +150,10 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
     for (std::uint32_t tick = 1; tick <= 5; ++tick) {
         auto frame = std::make_shared<Frame>();
         frame->tick = tick;
+        std::vector<EntityPose> poses;
         for (EntityId id = 1; id <= 1000; ++id)
-            frame->entities.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
+            poses.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
+        frame->entities = PoseList(poses);
         cache.encoding(frame, baselines.bases_for(tick));
         baselines.on_sent(tick);
     }
@@ -168,7 +172,7 @@ struct ChannelTeller {
     static Channel channel(std::uint32_t kind, std::int32_t value) {
         return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
-    SharedBytes encode(std::uint32_t tick, BaseNumbers bases, std::uint64_t kinds) {
+    SharedBytes encode(std::uint32_t tick, wire::BaseFrames bases, std::uint64_t kinds) {
         told = {};
         return cache.encoding(frames.at(tick), bases, kinds);
     }

@@ -101,7 +101,8 @@ class StepListener {
 public:
     virtual ~StepListener() = default;
 
-    // Read when the listener is added.
+    // Read when the listener is added and in each step, after all before_step(): who has nothing to
+    // do asks for nothing, and costs nothing. What it says may depend only on what it saves.
     virtual StepHooks hooks() const { return {}; }
 
     // The world may be changed in any way but step(). dt in s.

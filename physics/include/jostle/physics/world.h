@@ -143,6 +143,12 @@ public:
         BodyId body) const;  // in order of creation; empty for an unknown id
     // Every body in order of index. Reuses `out`, so a caller that keeps it allocates nothing.
     void copy_bodies(std::vector<BodyState>& out) const;
+    // The dynamic ones that are awake or sleep beside what moves, and all kinematic ones, in no
+    // order: a step moves no others.
+    void copy_awake_bodies(std::vector<BodyState>& out) const;
+    // Another number when a call may have moved what is static or sleeps: all may be elsewhere,
+    // then. Not saved.
+    std::uint64_t changes_at_rest() const;
     // Above the index of every body that there is: for lists by index.
     std::uint32_t body_index_end() const;
     std::vector<BodyId> bodies() const;

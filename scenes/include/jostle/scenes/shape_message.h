@@ -22,6 +22,8 @@ physics::Result<physics::ShapeDef> shape_from_message(const v1::Shape& message,
 
 // The whole shape but its user_data, so that shape_from_message() gives it back.
 void write_shape(v1::Shape& out, const physics::ShapeDef& def);
+// What decides whom it touches and how, as far as it is not as usual: for those who foresee motion.
+void write_touch(v1::Shape& out, const physics::ShapeDef& def);
 // Kind, size and place only: what a viewer draws.
 void write_outline(v1::Shape& out, const physics::Geometry& geometry,
                    const physics::Transform& pose);

@@ -37,14 +37,21 @@ public:
     // a second. Numbers begin anew with each connection: what was not sent before a reconnect is
     // sent after it under a new number.
     std::uint32_t send(v1::Input input);
+    // For inputs that name their tick: where the InputClock is, in ticks, and the next whole one. 0
+    // before it is known.
+    double input_position(Clock::time_point now);
+    std::uint32_t input_tick(Clock::time_point now);
+    // What it wants to be told of from now on, if ClientOptions::sight was set: else it is told of
+    // all.
+    void look_at(const Sight& sight);
     // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 
     // Calls reader(view) under the client's lock. The reader keeps no reference and calls nothing
     // of this client.
     void read(const std::function<void(const WorldView&)>& reader) const;
-    // Poses to draw now: InterpolationBuffer::sample().
-    std::vector<SmoothPose> interpolated(Clock::time_point now) const;
+    // Poses to draw now: InterpolationBuffer::sample(). Once a picture, with times that rise.
+    std::vector<SmoothPose> interpolated(Clock::time_point now);
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of

@@ -4,11 +4,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "jostle/client/link_conditioner.h"
 #include "jostle/client/security.h"
 
 namespace jostle::client {
+
+// A circle on the ground.
+struct Sight {
+    double x = 0, z = 0;  // m
+    double radius = 0;    // m, from 1; 0: all of the world
+};
 
 struct ClientOptions {
     std::string target = "localhost:50051";  // of the server's gRPC port
@@ -25,8 +34,19 @@ struct ClientOptions {
     // The highest codec of snapshots that it asks for: 2 has two thirds of the bytes of 1 and takes
     // about twice the time to decode.
     std::uint32_t codec = 2;
+    // kbit/s that the server may send, of all that it sends, from 16; 0: what the world takes.
+    std::uint32_t max_kbps = 0;
+    // The part of the world that it is told of at first; Client::look_at() moves it. Without one it
+    // is told of all.
+    std::optional<Sight> sight = {};
     // Connects again after a stream that ended, with pauses that grow to 5 s.
     bool reconnect = true;
+    // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
+    // client can foresee what it does. Costs about a tick of delay.
+    bool timed_inputs = false;
+    // For tests and demonstrations: a link that is worse than the real one, in both directions, to
+    // a millisecond.
+    LinkSettings link = {};
 };
 
 }  // namespace jostle::client

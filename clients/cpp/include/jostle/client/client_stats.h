@@ -19,6 +19,7 @@ struct ClientStats {
     std::uint64_t decode_errors = 0;
     std::uint64_t stream_failures = 0;  // streams that ended though nobody here wanted it
     double rtt_ms = 0;                  // see ClockSync
+    double input_margin_ms = 0;         // see InputClock; of inputs that name no tick: their wait
     std::string last_error;             // the newest failure or notice of the server, for people
 };
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Smooth poses from frames that arrive in bursts. The world is shown a little in the past, where
-// there is a frame on either side. How far in the past adapts slowly to the jitter. When frames
-// stop, motion goes on for at most 50 ms and then holds: bodies that collide cannot be guessed
-// further. One thread at a time.
+// Smooth poses from frames that arrive unevenly. What a picture shows is RenderClock's; poses lie
+// between the two frames around it. When frames stop, motion goes on for at most 50 ms and then
+// holds: bodies that collide cannot be guessed further. When they come again, what was guessed
+// wrongly is walked off at a bounded speed (PoseError) instead of jumping. A body that went further
+// than 100 m/s explain did not fly there: it is shown at the old place until the new frame's time.
+// One thread at a time.
 #pragma once
 
 #include <deque>
 #include <vector>
 
-#include "jostle/client/clock_sync.h"
+#include "jostle/client/pose_error.h"
+#include "jostle/client/render_clock.h"
 #include "wire/quantize.h"
 
 namespace jostle::client {
@@ -21,31 +24,48 @@ struct SmoothPose {
 
 class InterpolationBuffer {
 public:
-    // A frame was decoded. Both times are on the server's clock, in microseconds: of the tick, and
-    // of its arrival. A frame that is not newer than the last one is left out.
-    void add(const wire::QuantizedFrame& frame, std::int64_t server_us, std::int64_t arrived_us);
+    // A frame was decoded: when its tick was due, on the server's clock, and when it came, on ours;
+    // in microseconds. A frame that is not newer than the last one is left out.
+    // After a rest, of which no frames were sent, its distance to the one before tells nothing.
+    void add(const wire::QuantizedFrame& frame, std::int64_t server_us, std::int64_t arrived_us,
+             bool after_rest = false);
+    // What the newest frame shows was so until that time.
+    void hold(std::int64_t server_us);
     void clear();
 
-    // Where everything is to be drawn at a time on the server's clock: between the two frames
-    // around now_us - delay. Entities of the later frame, in rising order; empty before the first
-    // frame.
-    std::vector<SmoothPose> sample(std::int64_t now_us, const wire::QuantSpec& spec) const;
+    // Where everything is to be drawn at a time on our clock, which should rise from call to call.
+    // Entities of the later of the two frames, in rising order; empty before the first frame. A
+    // body that is new stands where it appears.
+    std::vector<SmoothPose> sample(std::int64_t now_us, const wire::QuantSpec& spec);
 
-    // Approaches the shortest way + max(1.7 intervals, interval + jitter), by at most 5 % or 1 ms a
-    // frame. Of the last 128 frames: the way is from tick to arrival, jitter is its 95th percentile
-    // less the shortest.
-    double delay_ms() const { return delay_us_ / 1000; }
+    const RenderClock& clock() const { return clock_; }
 
 private:
     struct Timed {
         wire::QuantizedFrame frame;
         std::int64_t server_us;
     };
-    void adapt(std::int64_t server_us, std::int64_t arrived_us);
+    struct Drawn {
+        SmoothPose shown;
+        Pace pace;
+        PoseError error;
+    };
+    // The two frames around a moment, and where between them it is; beyond 1 when it is later.
+    struct Moment {
+        const Timed *a, *b;
+        double t;
+    };
+    Moment moment(double at_us) const;
+    std::vector<Drawn> right_at(double at_us, const wire::QuantSpec& spec) const;
+    bool jumped_since(std::uint32_t entity, std::int64_t server_us,
+                      const wire::QuantSpec& spec) const;
+    void note_errors(const wire::QuantSpec& spec);
 
-    std::deque<Timed> frames_;        // in order of time; at most 64
-    std::deque<double> lateness_us_;  // of the last frames: arrival less tick
-    double interval_us_ = 0, delay_us_ = 0;
+    RenderClock clock_;
+    std::deque<Timed> frames_;  // in order of time; at most 64
+    // The last picture: its time on our clock and on the server's, and what was the newest frame.
+    std::int64_t drawn_now_us_ = 0, drawn_at_us_ = 0, drawn_newest_us_ = 0;
+    std::vector<Drawn> drawn_;  // by entity
 };
 
 }  // namespace jostle::client

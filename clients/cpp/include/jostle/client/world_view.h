@@ -22,6 +22,8 @@
 
 namespace jostle::client {
 
+class SeenCells;
+
 class WorldView {
 public:
     static constexpr std::size_t ring = 32;  // decoded frames kept as bases of later ones
@@ -36,6 +38,15 @@ public:
     // Decodes a snapshot and compares its CRC. An error leaves the last good frame in place; the
     // client should ask for a keyframe.
     Status apply(const v1::Snapshot& snapshot);
+
+    // On the server's clock, in us.
+    struct Times {
+        std::int64_t due_us = 0;  // of the tick
+        // Until then all was as in the snapshot's base; nothing: that is not known.
+        std::optional<std::int64_t> still_until_us;
+    };
+    // Of a snapshot that was applied.
+    Times times_of(const v1::Snapshot& snapshot) const;
 
     // The newest; frame 0, without entities, until the first snapshot.
     const wire::QuantizedFrame& frame() const {
@@ -65,13 +76,17 @@ private:
     };
 
     const KnownFrame* find(std::uint32_t frame) const;
+    Result<wire::QuantizedFrame> poses_of(const v1::Snapshot& snapshot, const wire::Bases& bases);
 
     wire::QuantSpec spec_;
+    std::int64_t epoch_us_ = 0;
+    double tick_us_ = 0;  // from tick to tick
     wire::Codec codec_ = wire::Codec::bits;
     wire::QuantizedFrame none_;
     wire::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
+    std::shared_ptr<SeenCells> cells_;  // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
     struct Unfinished {

@@ -62,7 +62,7 @@ public:
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
-    physics::StepHooks hooks() const override { return {.substeps = true}; }
+    physics::StepHooks hooks() const override { return {.substeps = !boats_.empty()}; }
     void before_step(physics::World& world, double dt) override;
     void before_substep(physics::SubstepContext& substep) override;
 

@@ -70,7 +70,9 @@ public:
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
-    physics::StepHooks hooks() const override { return {.substeps = true, .concurrent = true}; }
+    physics::StepHooks hooks() const override {
+        return {.substeps = !entries_.empty(), .concurrent = true};
+    }
     void before_step(physics::World& world, double dt) override;
     void before_substep(physics::SubstepContext& substep) override;
     void after_step(physics::World& world, double dt) override;

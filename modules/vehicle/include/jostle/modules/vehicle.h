@@ -117,7 +117,9 @@ public:
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
-    physics::StepHooks hooks() const override { return {.substeps = true, .concurrent = true}; }
+    physics::StepHooks hooks() const override {
+        return {.substeps = !cars_.empty(), .concurrent = true};
+    }
     void before_step(physics::World& world, double dt) override;
     void before_substep(physics::SubstepContext& substep) override;
     void after_step(physics::World& world, double dt) override;

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UirgEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkSEAoIY2hhbm5lbHMYCSADKAkSDQoFY29kZWMYCiABKA0iewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKJAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SABCBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yImAKDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMiOwoJR3JhYklucHV0Eg4KBmVudGl0eRgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNIk4KDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAEiHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUigQMKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlIqICCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMSKAoIY2hhbm5lbHMYCyADKAsyFi5qb3N0bGUudjEuQ2hhbm5lbEtpbmQSDQoFY29kZWMYDCABKA0iUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3Ii5AEKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhIKCmJhc2VfZnJhbWUYAiABKA0SEwoLYmFzZTJfZnJhbWUYAyABKA0SEwoLYmFzZTNfZnJhbWUYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIWCg5zZXJ2ZXJfdGltZV91cxgHIAEoBhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGVKBAgIEAlSB21vZHVsZXMiWQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNIjcKDElucHV0UmVzdWx0cxInCgdyZXN1bHRzGAEgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0InIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLnAQoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdCI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIpcDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIMCgR0aWNrGA8gASgNQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIh4KDFBvc3Nlc3NJbnB1dBIOCgZlbnRpdHkYASABKA0iLQoMQ29udHJvbElucHV0EgwKBGF4ZXMYASADKBESDwoHYnV0dG9ucxgCIAEoDSIrCgNBY2sSDQoFZnJhbWUYASABKA0SFQoNbmVlZF9rZXlmcmFtZRgCIAEoCCIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIrICCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEiMKBnJvc3RlchgCIAEoCzIRLmpvc3RsZS52MS5Sb3N0ZXJIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlSgQIBBAFSgQIBhAHSgQICBAJUg1pbnB1dF9yZXN1bHRzUgVzdGF0c1IGZXZlbnRzIlQKCENlbGxQYXJ0EgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEg0KBWJhc2VzGAMgASgNEg4KBnBhY2tlZBgEIAEoDBILCgNjcmMYBSABKAci0wIKB1dlbGNvbWUSEQoJY2xpZW50X2lkGAEgASgNEhAKCHdvcmxkX2lkGAIgASgJEhIKCndvcmxkX25hbWUYAyABKAkSDAoEdGljaxgEIAEoDRIPCgd0aWNrX2h6GAUgASgBEhMKC3NuYXBzaG90X2h6GAYgASgNEhIKCmFja193aW5kb3cYByABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIOCgZhY2tfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3IigAMKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEg0KBWJhc2VzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSDQoFc3RpbGwYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlEiIKBWNlbGxzGBAgAygLMhMuam9zdGxlLnYxLkNlbGxQYXJ0EhIKCmNlbGxzX2xlZnQYESADKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMimwEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoESJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFgoSQ0hBTk5FTF9GT1JNX0ZJRUxEEAMSFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCqjAQoJSW5wdXRDb2RlEhoKFklOUFVUX0NPREVfVU5TUEVDSUZJRUQQABIWChJJTlBVVF9DT0RFX0FQUExJRUQQARIWChJJTlBVVF9DT0RFX0lOVkFMSUQQAhIYChRJTlBVVF9DT0RFX05PVF9GT1VORBADEhoKFklOUFVUX0NPREVfTk9UX0FMTE9XRUQQBBIUChBJTlBVVF9DT0RFX0xJTUlUEAUqtwEKCk5vdGljZUNvZGUSGwoXTk9USUNFX0NPREVfVU5TUEVDSUZJRUQQABIYChROT1RJQ0VfQ09ERV9EUkFJTklORxABEhwKGE5PVElDRV9DT0RFX1dPUkxEX0NMT1NFRBACEhcKE05PVElDRV9DT0RFX1JFRlVTRUQQAxIaChZOT1RJQ0VfQ09ERV9SQVRFX0xJTUlUEAQSHwobTk9USUNFX0NPREVfV09STERfUkVTVEFSVEVEEAUyTQoLUGxheVNlcnZpY2USPgoEUGxheRIYLmpvc3RsZS52MS5DbGllbnRNZXNzYWdlGhguam9zdGxlLnYxLlNlcnZlck1lc3NhZ2UoATABYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -60,6 +60,12 @@ export type ClientMessage = Message<"jostle.v1.ClientMessage"> & {
      */
     value: Leave;
     case: "leave";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Interest interest = 6;
+     */
+    value: Interest;
+    case: "interest";
   } | { case: undefined; value?: undefined };
 };
 
@@ -143,6 +149,20 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: uint32 codec = 10;
    */
   codec: number;
+
+  /**
+   * of all that it is sent, in kbit/s, from 16; 0: what the world takes
+   *
+   * @generated from field: uint32 max_kbps = 11;
+   */
+  maxKbps: number;
+
+  /**
+   * what it looks at first; absent: it is told of all of the world
+   *
+   * @generated from field: jostle.v1.Interest interest = 14;
+   */
+  interest?: Interest | undefined;
 };
 
 /**
@@ -151,6 +171,36 @@ export type Hello = Message<"jostle.v1.Hello"> & {
  */
 export const HelloSchema: GenMessage<Hello> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 1);
+
+/**
+ * What a client looks at: it is told of the cells of the world within the radius, of those beyond half of it every second
+ * tick, beyond three quarters every fourth, and of what is larger than a cell wherever it is. Only in streams whose
+ * Welcome says `cells`.
+ *
+ * @generated from message jostle.v1.Interest
+ */
+export type Interest = Message<"jostle.v1.Interest"> & {
+  /**
+   * m; its height does not count
+   *
+   * @generated from field: jostle.v1.Vec3 focus = 1;
+   */
+  focus?: Vec3 | undefined;
+
+  /**
+   * m, from 1; 0: all of the world
+   *
+   * @generated from field: double radius = 2;
+   */
+  radius: number;
+};
+
+/**
+ * Describes the message jostle.v1.Interest.
+ * Use `create(InterestSchema)` to create a new message.
+ */
+export const InterestSchema: GenMessage<Interest> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 2);
 
 /**
  * Inputs of a client carry rising numbers from 1. The server applies each at most once and answers each with one
@@ -189,7 +239,7 @@ export type InputBatch = Message<"jostle.v1.InputBatch"> & {
  * Use `create(InputBatchSchema)` to create a new message.
  */
 export const InputBatchSchema: GenMessage<InputBatch> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 2);
+  messageDesc(file_jostle_v1_play, 3);
 
 /**
  * @generated from message jostle.v1.Input
@@ -253,6 +303,13 @@ export type Input = Message<"jostle.v1.Input"> & {
     value: ControlInput;
     case: "control";
   } | { case: undefined; value?: undefined };
+
+  /**
+   * The tick that it is meant for: one that comes earlier waits for it, at most 16 ticks. 0, or one that has begun: the next tick.
+   *
+   * @generated from field: uint32 tick = 15;
+   */
+  tick: number;
 };
 
 /**
@@ -260,7 +317,7 @@ export type Input = Message<"jostle.v1.Input"> & {
  * Use `create(InputSchema)` to create a new message.
  */
 export const InputSchema: GenMessage<Input> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 3);
+  messageDesc(file_jostle_v1_play, 4);
 
 /**
  * @generated from message jostle.v1.SpawnInput
@@ -306,7 +363,7 @@ export type SpawnInput = Message<"jostle.v1.SpawnInput"> & {
  * Use `create(SpawnInputSchema)` to create a new message.
  */
 export const SpawnInputSchema: GenMessage<SpawnInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 4);
+  messageDesc(file_jostle_v1_play, 5);
 
 /**
  * @generated from message jostle.v1.ImpulseInput
@@ -337,7 +394,7 @@ export type ImpulseInput = Message<"jostle.v1.ImpulseInput"> & {
  * Use `create(ImpulseInputSchema)` to create a new message.
  */
 export const ImpulseInputSchema: GenMessage<ImpulseInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 5);
+  messageDesc(file_jostle_v1_play, 6);
 
 /**
  * Ties a point of a body to a target with a spring; a client holds one body at a time.
@@ -363,7 +420,7 @@ export type GrabInput = Message<"jostle.v1.GrabInput"> & {
  * Use `create(GrabInputSchema)` to create a new message.
  */
 export const GrabInputSchema: GenMessage<GrabInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 6);
+  messageDesc(file_jostle_v1_play, 7);
 
 /**
  * @generated from message jostle.v1.DragInput
@@ -382,7 +439,7 @@ export type DragInput = Message<"jostle.v1.DragInput"> & {
  * Use `create(DragInputSchema)` to create a new message.
  */
 export const DragInputSchema: GenMessage<DragInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 7);
+  messageDesc(file_jostle_v1_play, 8);
 
 /**
  * @generated from message jostle.v1.ReleaseInput
@@ -395,7 +452,7 @@ export type ReleaseInput = Message<"jostle.v1.ReleaseInput"> & {
  * Use `create(ReleaseInputSchema)` to create a new message.
  */
 export const ReleaseInputSchema: GenMessage<ReleaseInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 8);
+  messageDesc(file_jostle_v1_play, 9);
 
 /**
  * Only bodies that this client spawned.
@@ -414,7 +471,7 @@ export type DeleteInput = Message<"jostle.v1.DeleteInput"> & {
  * Use `create(DeleteInputSchema)` to create a new message.
  */
 export const DeleteInputSchema: GenMessage<DeleteInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 9);
+  messageDesc(file_jostle_v1_play, 10);
 
 /**
  * @generated from message jostle.v1.ExplodeInput
@@ -447,7 +504,7 @@ export type ExplodeInput = Message<"jostle.v1.ExplodeInput"> & {
  * Use `create(ExplodeInputSchema)` to create a new message.
  */
 export const ExplodeInputSchema: GenMessage<ExplodeInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 10);
+  messageDesc(file_jostle_v1_play, 11);
 
 /**
  * Takes the wheel of an entity that can be driven (Entity.drivable) and that nobody else drives. A client drives one at a time;
@@ -469,7 +526,7 @@ export type PossessInput = Message<"jostle.v1.PossessInput"> & {
  * Use `create(PossessInputSchema)` to create a new message.
  */
 export const PossessInputSchema: GenMessage<PossessInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 11);
+  messageDesc(file_jostle_v1_play, 12);
 
 /**
  * What the client holds from now on, for the entity that it drives. What axes and buttons mean is the module's (docs/modules.md).
@@ -497,7 +554,7 @@ export type ControlInput = Message<"jostle.v1.ControlInput"> & {
  * Use `create(ControlInputSchema)` to create a new message.
  */
 export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 12);
+  messageDesc(file_jostle_v1_play, 13);
 
 /**
  * @generated from message jostle.v1.Ack
@@ -523,7 +580,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 13);
+  messageDesc(file_jostle_v1_play, 14);
 
 /**
  * @generated from message jostle.v1.Ping
@@ -540,7 +597,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 14);
+  messageDesc(file_jostle_v1_play, 15);
 
 /**
  * @generated from message jostle.v1.Leave
@@ -553,7 +610,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 15);
+  messageDesc(file_jostle_v1_play, 16);
 
 /**
  * @generated from message jostle.v1.ServerMessage
@@ -582,34 +639,16 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
     case: "snapshot";
   } | {
     /**
-     * @generated from field: jostle.v1.InputResults input_results = 4;
-     */
-    value: InputResults;
-    case: "inputResults";
-  } | {
-    /**
      * @generated from field: jostle.v1.Pong pong = 5;
      */
     value: Pong;
     case: "pong";
   } | {
     /**
-     * @generated from field: jostle.v1.WorldStats stats = 6;
-     */
-    value: WorldStats;
-    case: "stats";
-  } | {
-    /**
      * @generated from field: jostle.v1.Notice notice = 7;
      */
     value: Notice;
     case: "notice";
-  } | {
-    /**
-     * @generated from field: jostle.v1.Events events = 8;
-     */
-    value: Events;
-    case: "events";
   } | {
     /**
      * @generated from field: jostle.v1.GeometryPart geometry = 9;
@@ -624,7 +663,54 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 16);
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * The entities of one part of the world, told as a world is (WIRE.md, "Cells").
+ *
+ * @generated from message jostle.v1.CellPart
+ */
+export type CellPart = Message<"jostle.v1.CellPart"> & {
+  /**
+   * 0: what is seen from everywhere
+   *
+   * @generated from field: uint32 cell = 1;
+   */
+  cell: number;
+
+  /**
+   * of this state of the cell: the tick in which it became so
+   *
+   * @generated from field: uint32 number = 2;
+   */
+  number: number;
+
+  /**
+   * earlier states of the cell, as Snapshot.bases
+   *
+   * @generated from field: uint32 bases = 3;
+   */
+  bases: number;
+
+  /**
+   * @generated from field: bytes packed = 4;
+   */
+  packed: Uint8Array;
+
+  /**
+   * of this cell's entities
+   *
+   * @generated from field: fixed32 crc = 5;
+   */
+  crc: number;
+};
+
+/**
+ * Describes the message jostle.v1.CellPart.
+ * Use `create(CellPartSchema)` to create a new message.
+ */
+export const CellPartSchema: GenMessage<CellPart> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * @generated from message jostle.v1.Welcome
@@ -697,6 +783,27 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
    * @generated from field: uint32 codec = 12;
    */
   codec: number;
+
+  /**
+   * a client acknowledges the newest snapshot when so many ms have passed since it last did
+   *
+   * @generated from field: uint32 ack_ms = 13;
+   */
+  ackMs: number;
+
+  /**
+   * on the server's monotonic clock: when tick 0 would have been due
+   *
+   * @generated from field: fixed64 epoch_us = 14;
+   */
+  epochUs: bigint;
+
+  /**
+   * snapshots of this stream tell cells: for who has an Interest or a budget
+   *
+   * @generated from field: bool cells = 15;
+   */
+  cells: boolean;
 };
 
 /**
@@ -704,7 +811,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * What a module tells of one of its entities, or of itself: a list of whole numbers (WIRE.md, "Channels").
@@ -737,7 +844,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -765,7 +872,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -806,7 +913,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -831,7 +938,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -891,9 +998,11 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
+ * All that a client is told of a tick, in one message.
+ *
  * @generated from message jostle.v1.Snapshot
  */
 export type Snapshot = Message<"jostle.v1.Snapshot"> & {
@@ -905,25 +1014,11 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   frame: number;
 
   /**
-   * 0: absolute
+   * how far back the frames are that this one is told against (WIRE.md, "A frame"); 0: absolute
    *
-   * @generated from field: uint32 base_frame = 2;
+   * @generated from field: uint32 bases = 2;
    */
-  baseFrame: number;
-
-  /**
-   * 0: none
-   *
-   * @generated from field: uint32 base2_frame = 3;
-   */
-  base2Frame: number;
-
-  /**
-   * 0: none
-   *
-   * @generated from field: uint32 base3_frame = 4;
-   */
-  base3Frame: number;
+  bases: number;
 
   /**
    * @generated from field: bytes packed = 5;
@@ -938,14 +1033,14 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   crc: number;
 
   /**
-   * when the tick was due, on the server's monotonic clock
+   * When the tick was due, beside Welcome.epoch_us + frame / tick_hz: ticks are left out when the server falls behind.
    *
-   * @generated from field: fixed64 server_time_us = 7;
+   * @generated from field: sint64 late_us = 7;
    */
-  serverTimeUs: bigint;
+  lateUs: bigint;
 
   /**
-   * what changed of what modules tell, against base_frame (WIRE.md); empty: nothing
+   * what changed of what modules tell, against the first base (WIRE.md); empty: nothing
    *
    * @generated from field: bytes channels = 9;
    */
@@ -959,11 +1054,44 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   channelsCrc: number;
 
   /**
-   * what only this client gets; all the fields above are shared bytes
+   * For so many ticks after the first base nothing moved, and no snapshots were sent. Who interpolates shows the base until then.
+   *
+   * @generated from field: uint32 still = 11;
+   */
+  still: number;
+
+  /**
+   * now and then
+   *
+   * @generated from field: jostle.v1.WorldStats stats = 12;
+   */
+  stats?: WorldStats | undefined;
+
+  /**
+   * for who asked: of ticks up to this one
+   *
+   * @generated from field: repeated jostle.v1.Events events = 13;
+   */
+  events: Events[];
+
+  /**
+   * what only this client gets; all others are shared bytes
    *
    * @generated from field: jostle.v1.Private own = 15;
    */
   own?: Private | undefined;
+
+  /**
+   * Where Welcome.cells is set, instead of `packed` and `crc`: cells that changed or came into sight, and those that went.
+   *
+   * @generated from field: repeated jostle.v1.CellPart cells = 16;
+   */
+  cells: CellPart[];
+
+  /**
+   * @generated from field: repeated uint32 cells_left = 17;
+   */
+  cellsLeft: number[];
 };
 
 /**
@@ -971,32 +1099,47 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * @generated from message jostle.v1.Private
  */
 export type Private = Message<"jostle.v1.Private"> & {
   /**
-   * last input that was applied or refused
+   * last input that was applied or refused; 0: as it was
    *
    * @generated from field: uint32 input_sequence = 1;
    */
   inputSequence: number;
 
   /**
-   * of the newest InputBatch
+   * of the newest InputBatch; 0: there was none since the last snapshot
    *
    * @generated from field: fixed32 echo_client_time_us = 2;
    */
   echoClientTimeUs: number;
 
   /**
-   * so far, because of the window or a pending write
+   * so far, because of the window or a pending write; 0: as it was
    *
    * @generated from field: uint32 snapshots_skipped = 3;
    */
   snapshotsSkipped: number;
+
+  /**
+   * of inputs, each told once
+   *
+   * @generated from field: repeated jostle.v1.InputResult results = 4;
+   */
+  results: InputResult[];
+
+  /**
+   * How long before the tick that it was meant for was due the newest of these inputs came; negative: after. Of one that was meant for
+   * the next tick: how long it waited. 0: none was applied since the last snapshot.
+   *
+   * @generated from field: sint32 input_margin_us = 7;
+   */
+  inputMarginUs: number;
 };
 
 /**
@@ -1004,24 +1147,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
-
-/**
- * @generated from message jostle.v1.InputResults
- */
-export type InputResults = Message<"jostle.v1.InputResults"> & {
-  /**
-   * @generated from field: repeated jostle.v1.InputResult results = 1;
-   */
-  results: InputResult[];
-};
-
-/**
- * Describes the message jostle.v1.InputResults.
- * Use `create(InputResultsSchema)` to create a new message.
- */
-export const InputResultsSchema: GenMessage<InputResults> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1064,7 +1190,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1086,10 +1212,10 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
- * At most ten times a second (a setting of the server), when nothing else is waiting to be sent.
+ * Twice a second, or as often as the server's settings say.
  *
  * @generated from message jostle.v1.WorldStats
  */
@@ -1161,7 +1287,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1183,10 +1309,10 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
- * What happened in one tick, between entities. Sent only to clients that asked, and only when something did; sorted by
+ * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
  * the entities. A client that is too slow for them misses whole ticks, never parts of one: `missed` counts them.
  *
  * @generated from message jostle.v1.Events
@@ -1262,7 +1388,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1312,7 +1438,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1336,7 +1462,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1372,7 +1498,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * What the numbers are, for those who show them without knowing the module.

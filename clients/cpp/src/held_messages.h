@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Messages that are on their way over a bad link, in one direction: each comes out when the
+// conditioner says so, in the order in which they went in. One thread at a time.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "jostle/client/clock_sync.h"
+#include "jostle/client/link_conditioner.h"
+
+namespace jostle::client {
+
+class HeldMessages {
+public:
+    explicit HeldMessages(const LinkSettings& settings) : link_(settings) {}
+
+    void push(std::string bytes, Clock::time_point now) {
+        const std::int64_t due_us = link_.arrival_us(static_cast<std::int64_t>(to_us(now)));
+        held_.push_back({std::move(bytes), due_us});
+    }
+    // The next one that has arrived.
+    std::optional<std::string> take(Clock::time_point now) {
+        if (held_.empty() || held_.front().due_us > static_cast<std::int64_t>(to_us(now)))
+            return std::nullopt;
+        std::string bytes = std::move(held_.front().bytes);
+        held_.pop_front();
+        return bytes;
+    }
+    bool empty() const { return held_.empty(); }
+
+private:
+    struct Held {
+        std::string bytes;
+        std::int64_t due_us;
+    };
+    LinkConditioner link_;
+    std::deque<Held> held_;
+};
+
+}  // namespace jostle::client

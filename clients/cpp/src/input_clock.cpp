@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/input_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jostle::client {
+namespace {
+
+constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitters_kept = 4;
+constexpr double first_jitter_us = 4000;
+constexpr double steer = 0.05, jump_ticks = 10;
+constexpr int margins_in_a_row = 3;
+constexpr int frames_told_for = 120;
+
+}  // namespace
+
+void InputClock::begin(double tick_hz) {
+    *this = {};
+    if (tick_hz > 0 && std::isfinite(tick_hz)) tick_us_ = 1e6 / tick_hz;
+    jitter_us_ = first_jitter_us;
+}
+
+double InputClock::target_us() const {
+    return tick_us_ + jitters_kept * jitter_us_;
+}
+
+void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double way_us,
+                          std::int64_t now_us) {
+    const double wanted = tick + (due_ago_us + way_us + target_us()) / tick_us_;
+    if (!ready_) {
+        ready_ = true;
+        position_ = wanted;
+        now_us_ = now_us;
+        return;
+    }
+    // Margins know better; but without inputs there are none.
+    const double off = wanted - position(now_us);
+    if (++frames_untold_ > frames_told_for && std::abs(off) > jump_ticks) jump(off);
+}
+
+void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
+    if (sequence <= told_ || margin_us == 0) return;
+    told_ = sequence;
+    frames_untold_ = 0;
+    if (!measured_) mean_us_ = last_us_ = margin_us;
+    measured_ = true;
+    // From one to the next: that the way became longer is no jitter.
+    const double change_us = std::min(std::abs(margin_us - last_us_), 2 * tick_us_);
+    jitter_us_ += jitter_weight * (change_us - jitter_us_);
+    last_us_ = margin_us;
+    mean_us_ += mean_weight * (margin_us - mean_us_);
+    const double off_us = margin_us - target_us();
+    if (std::abs(off_us) > jump_ticks * tick_us_) return jump(-off_us / tick_us_);
+    if (std::abs(off_us) < tick_us_) {
+        early_ = 0;
+        speed_ = 1;
+        return;
+    }
+    steer_us_ = std::abs(off_us);
+    early_ = off_us > 0 ? std::max(0, early_) + 1 : std::min(0, early_) - 1;
+    if (early_ >= margins_in_a_row) speed_ = 1 - steer;
+    if (early_ <= -margins_in_a_row) speed_ = 1 + steer;
+}
+
+void InputClock::jump(double ticks) {
+    position_ += ticks;
+    jumps_++;
+    speed_ = 1;
+    early_ = 0;
+    measured_ = false;
+    told_ = std::max(told_, sent_);
+}
+
+double InputClock::position(std::int64_t now_us) {
+    if (ready_ && now_us > now_us_) {
+        const auto passed_us = static_cast<double>(now_us - now_us_);
+        position_ += passed_us * speed_ / tick_us_;
+        now_us_ = now_us;
+        steer_us_ -= std::abs(speed_ - 1) * passed_us;
+        if (steer_us_ <= 0) speed_ = 1;
+    }
+    return position_;
+}
+
+std::uint32_t InputClock::tick(std::int64_t now_us) {
+    // A server may say anything of its time.
+    return static_cast<std::uint32_t>(std::ceil(std::clamp(position(now_us), 0.0, 4294967295.0)));
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/render_clock.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace jostle::client {
+namespace {
+
+constexpr std::size_t arrivals_max = 256;
+constexpr int frames_per_look = 8;
+constexpr double rest_us = 200'000, silence_us = 500'000, longest_delay_us = 300'000;
+// Frames that come one after the other faster than this share of their interval came at once.
+constexpr double at_once_share = 0.25;
+constexpr double intervals_behind = 1.7, jitter_share = 0.95;
+// Of the difference to the delay that is wanted, by each frame.
+constexpr double grow_share = 1.0 / 60, shrink_share = 1.0 / 240;
+constexpr double speed_change_max = 0.08, settle_us = 500'000, jump_us = 1'000'000;
+
+double share_of(std::vector<double>& values, double share) {
+    const auto at = values.begin() +
+                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+}  // namespace
+
+void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us, bool after_rest) {
+    const bool first = arrivals_.empty();
+    if (!first && server_us <= newest_us_) return;
+    const auto interval = static_cast<double>(first ? 0 : server_us - newest_us_);
+    const double gap = static_cast<double>(first ? 0 : arrived_us - arrived_us_);
+    silence_ended_ =
+        (gap > silence_us && !after_rest) || (silence_ended_ && gap < at_once_share * interval);
+    arrivals_.push_back({static_cast<double>(arrived_us - server_us), interval,
+                         !first && !after_rest && interval < rest_us && !silence_ended_});
+    if (arrivals_.size() > arrivals_max) arrivals_.pop_front();
+    newest_us_ = server_us;
+    arrived_us_ = arrived_us;
+    adapt();
+}
+
+void RenderClock::adapt() {
+    shortest_us_ = arrivals_.front().lateness_us;
+    for (const Arrival& arrival : arrivals_)
+        shortest_us_ = std::min(shortest_us_, arrival.lateness_us);
+    if (until_look_-- == 0) {
+        until_look_ = frames_per_look - 1;
+        look();
+    }
+    const double share = wanted_us_ > delay_us_ ? grow_share : shrink_share;
+    delay_us_ += share * (wanted_us_ - delay_us_);
+}
+
+void RenderClock::look() {
+    std::vector<double> intervals, late;
+    for (const Arrival& arrival : arrivals_) {
+        if (!arrival.in_rhythm) continue;
+        intervals.push_back(arrival.interval_us);
+        late.push_back(arrival.lateness_us - shortest_us_);
+    }
+    if (late.empty()) return;
+    const double interval = share_of(intervals, 0.5), jitter = share_of(late, jitter_share);
+    wanted_us_ =
+        std::min(longest_delay_us, std::max(intervals_behind * interval, interval + jitter));
+}
+
+std::int64_t RenderClock::advance(std::int64_t now_us) {
+    if (arrivals_.empty()) return 0;
+    const double target = static_cast<double>(now_us) - shortest_us_ - delay_us_;
+    if (!started_) {
+        started_ = true;
+        now_us_ = now_us;
+        shown_us_ = target;
+    }
+    if (now_us <= now_us_) return shown_us();
+    const auto passed = static_cast<double>(now_us - now_us_);
+    now_us_ = now_us;
+    const double behind = target - (shown_us_ + passed);
+    if (behind > jump_us) {
+        shown_us_ = target;
+        speed_ = 1;
+        return shown_us();
+    }
+    const double most = speed_change_max * passed;
+    const double change = std::clamp(behind * std::min(1.0, passed / settle_us), -most, most);
+    shown_us_ += passed + change;
+    speed_ = 1 + change / passed;
+    return shown_us();
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// What a client that sees a part of its world knows of it: the last states of each cell, put
+// together to one frame (proto/WIRE.md, "Cells"). One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+
+#include "jostle/base/result.h"
+#include "jostle/v1/play.pb.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::client {
+
+class SeenCells {
+public:
+    // The cells of a snapshot. An error leaves everything as it was.
+    Status apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec, wire::Codec codec);
+    // All entities that are in sight, in rising order of id: of one that is in two cells, on its
+    // way from one to the other, the newer.
+    wire::QuantizedFrame frame(std::uint32_t number) const;
+    void clear() { cells_.clear(); }
+
+private:
+    using States = std::deque<wire::QuantizedFrame>;  // rising, at most WorldView::ring
+    Result<wire::QuantizedFrame> decode(const v1::CellPart& part, const wire::QuantSpec& spec,
+                                        wire::Codec codec) const;
+
+    std::map<std::uint32_t, States> cells_;
+};
+
+}  // namespace jostle::client

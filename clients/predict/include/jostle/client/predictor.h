@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Foresees what the inputs of this client do, with the server's own solver: the body that it pushes
+// moves in the picture of the input instead of a round trip later. Around that body it keeps a
+// small world: what is near, and all that stands still. It steps that world to the tick that inputs
+// of now are meant for. A frame of the server tells what became of an earlier tick: where that is
+// not what was foreseen, the world goes back to it and takes the steps since then again, with the
+// inputs since then; what that changes in the picture is walked off (PoseError).
+//
+//     auto me = Client::connect(loop, {.timed_inputs = true, ...});
+//     input.set_tick(me->input_tick(now));               // an impulse, say
+//     predictor.add_input(me->send(input), input);
+//     // Once a picture:
+//     me->read([&](const WorldView& world) { predictor.on_frame(world); });
+//     predictor.on_results(me->take_results());
+//     draw(predictor.sample(me->input_position(now), now_us, me->interpolated(now)));
+//
+// What it foresees: impulses, and what hands hold and drag; not what modules do (cars, characters)
+// nor joints of the scene, for clients are not told of them. Velocities are not told either: where
+// the server disagrees they are estimated from its frames. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "jostle/client/interpolation.h"
+#include "jostle/client/world_view.h"
+
+namespace jostle::client {
+
+struct PredictorOptions {
+    double near_m = 3;             // how far from the body others are foreseen, between origins
+    std::size_t near_max = 32;     // of these the nearest
+    std::size_t fixed_max = 1000;  // bodies that stand still or move on rails; the first by id
+    // Further than this beyond the newest frame nothing is foreseen. A world in which nothing moves
+    // sends a frame a second.
+    std::uint32_t ticks_max = 120;
+    int substeps = 8;  // as the server's world
+};
+
+class Predictor {
+public:
+    explicit Predictor(PredictorOptions options = {});
+    ~Predictor();
+
+    // A stream begins: everything is forgotten.
+    void begin(const v1::Welcome& welcome);
+    // Whose motion is foreseen; 0: nobody's.
+    void follow(std::uint32_t entity);
+    // An input was queued under that number. One that names no tick is not foreseen.
+    void add_input(std::uint32_t sequence, const v1::Input& input);
+    // What became of them: of a refused one, and of one that came late, the steps are taken again.
+    void on_results(const std::vector<v1::InputResult>& results);
+    // The newest frame of the view, if it is a new one.
+    void on_frame(const WorldView& view);
+
+    // The picture of now (our clock, microseconds): what is foreseen at that place of the input
+    // clock, in ticks, and all others where they are interpolated.
+    std::vector<SmoothPose> sample(double position, std::int64_t now_us,
+                                   std::vector<SmoothPose> interpolated);
+
+    struct Stats {
+        std::uint64_t frames = 0;       // that were compared
+        std::uint64_t corrections = 0;  // of them: that were not what was foreseen
+        std::uint64_t steps = 0;        // that were taken, again or not
+        double last_error_m = 0;        // greatest of the last frame, before it was corrected
+    };
+    const Stats& stats() const;
+    std::size_t bodies() const;  // that are foreseen
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,122 @@
+// Which tick of the server an input that is made now is meant for (Input.tick). It runs ahead of the server, so that inputs arrive
+// before their tick: the server tells by how much (the margin, Private.input_margin_us), and this clock is steered until that is a
+// tick and four times its jitter. Within a tick of that it runs evenly; after three margins in a row beyond, at 1.05 or 0.95 times
+// the speed, for as long as it takes; more than ten ticks off, it jumps. The C++ client library has the same
+// (jostle/client/input_clock.h). Times in microseconds.
+
+const MEAN_SHARE = 1 / 8;
+const JITTER_SHARE = 1 / 16;
+const JITTERS_KEPT = 4;
+const FIRST_JITTER_US = 4000;
+const STEER = 0.05;
+const JUMP_TICKS = 10;
+const MARGINS_IN_A_ROW = 3;
+const FRAMES_TOLD_FOR = 120;
+
+export class InputClock {
+  ready = false;
+  speed = 1;
+  jumps = 0;
+  private tickUs = 1e6 / 60;
+  private place = 0; // in ticks
+  private now = 0;
+  private steerUs = 0; // how much is still to be won or lost
+  private measured = false;
+  private mean = 0;
+  private last = 0;
+  private jitter = FIRST_JITTER_US;
+  private framesUntold = 0; // since the last margin
+  private early = 0; // how many margins in a row were beyond; negative: short of it
+  private sentSequence = 0;
+  private toldSequence = 0;
+
+  /** A stream of a world with so many ticks a second begins. */
+  begin(tickHz: number): void {
+    Object.assign(this, new InputClock());
+    if (tickHz > 0 && Number.isFinite(tickHz)) this.tickUs = 1e6 / tickHz;
+  }
+
+  get targetUs(): number {
+    return this.tickUs + JITTERS_KEPT * this.jitter;
+  }
+  /** As told, smoothed. */
+  get marginUs(): number {
+    return this.mean;
+  }
+
+  /** A frame arrived: its tick was due so long ago, by the server's clock; and how long an input is on its way. */
+  onFrame(tick: number, dueAgoUs: number, wayUs: number, nowUs: number): void {
+    const wanted = tick + (dueAgoUs + wayUs + this.targetUs) / this.tickUs;
+    if (!this.ready) {
+      this.ready = true;
+      this.place = wanted;
+      this.now = nowUs;
+      return;
+    }
+    // Margins know better; but without inputs there are none.
+    const off = wanted - this.position(nowUs);
+    if (++this.framesUntold > FRAMES_TOLD_FOR && Math.abs(off) > JUMP_TICKS) this.jump(off);
+  }
+
+  /** Inputs up to that number have left. */
+  sent(sequence: number): void {
+    this.sentSequence = sequence;
+  }
+
+  /**
+   * The server told the margin of an input. That of one that was sent before the last jump tells nothing, nor does 0: it knows
+   * none.
+   */
+  onMargin(sequence: number, marginUs: number): void {
+    if (sequence <= this.toldSequence || marginUs === 0) return;
+    this.toldSequence = sequence;
+    this.framesUntold = 0;
+    if (!this.measured) this.mean = this.last = marginUs;
+    this.measured = true;
+    // From one to the next: that the way became longer is no jitter.
+    const change = Math.min(Math.abs(marginUs - this.last), 2 * this.tickUs);
+    this.jitter += JITTER_SHARE * (change - this.jitter);
+    this.last = marginUs;
+    this.mean += MEAN_SHARE * (marginUs - this.mean);
+    this.steer(marginUs - this.targetUs);
+  }
+
+  private steer(off: number): void {
+    if (Math.abs(off) > JUMP_TICKS * this.tickUs) return this.jump(-off / this.tickUs);
+    if (Math.abs(off) < this.tickUs) {
+      this.early = 0;
+      this.speed = 1;
+      return;
+    }
+    this.steerUs = Math.abs(off);
+    this.early = off > 0 ? Math.max(0, this.early) + 1 : Math.min(0, this.early) - 1;
+    if (this.early >= MARGINS_IN_A_ROW) this.speed = 1 - STEER;
+    if (this.early <= -MARGINS_IN_A_ROW) this.speed = 1 + STEER;
+  }
+
+  private jump(ticks: number): void {
+    this.place += ticks;
+    this.jumps++;
+    this.speed = 1;
+    this.early = 0;
+    this.measured = false;
+    this.toldSequence = Math.max(this.toldSequence, this.sentSequence);
+  }
+
+  /** In ticks, with a fraction; never back but by a jump. 0 until ready. */
+  position(nowUs: number): number {
+    if (this.ready && nowUs > this.now) {
+      const passed = nowUs - this.now;
+      this.place += (passed * this.speed) / this.tickUs;
+      this.now = nowUs;
+      this.steerUs -= Math.abs(this.speed - 1) * passed;
+      if (this.steerUs <= 0) this.speed = 1;
+    }
+    return this.place;
+  }
+
+  /** The tick that an input of now is meant for: the next whole one. */
+  tick(nowUs: number): number {
+    return Math.ceil(Math.min(2 ** 32 - 1, Math.max(0, this.position(nowUs)))); // a server may say anything of its time
+  }
+}

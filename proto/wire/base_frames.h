@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Which earlier frames a snapshot is told against, as the one number that Snapshot.bases holds
+// (WIRE.md, "A frame"). Pure functions; any thread.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "jostle/base/result.h"
+
+namespace jostle::wire {
+
+// Frame numbers, 0: none. base2 only with base, base3 only with base2; they fall, each by 1 to
+// base_distance_max.
+struct BaseFrames {
+    std::uint32_t base = 0, base2 = 0, base3 = 0;
+
+    auto operator<=>(const BaseFrames&) const = default;
+};
+
+inline constexpr std::uint32_t base_distance_max = 254;
+
+// 0: no base. The bases are within reach of the frame and of each other.
+std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& bases);
+// corrupt_data: a base would be before frame 1, or the number has other bits.
+Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code);
+
+}  // namespace jostle::wire

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "replication/cell_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jostle::server {
+namespace {
+
+constexpr double border_share = 0.125;  // of a cell: how far beyond it an entity stays in it
+constexpr int place_max = 32767;
+
+// m of a cell's extent that lie between it and a coordinate.
+double gap(double coordinate, double from, double size) {
+    return std::max({0.0, from - coordinate, coordinate - (from + size)});
+}
+
+}  // namespace
+
+CellGrid::CellGrid(double cell_m, const wire::QuantSpec& spec)
+    : cell_m_(cell_m), units_per_cell_(cell_m * spec.units_per_meter) {}
+
+CellId CellGrid::id_of(CellPlace place) {
+    const auto part = [](int k) {
+        return static_cast<std::uint32_t>(std::clamp(k, -place_max, place_max) + place_max);
+    };
+    return 1 + (part(place.x) << 16 | part(place.z));
+}
+
+CellPlace CellGrid::place_of(CellId cell) {
+    const auto part = [](std::uint32_t bits) { return static_cast<int>(bits) - place_max; };
+    return {part((cell - 1) >> 16), part((cell - 1) & 0xffff)};
+}
+
+double CellGrid::distance(CellId cell, double x_m, double z_m) const {
+    if (cell == everywhere) return 0;
+    const CellPlace place = place_of(cell);
+    return std::hypot(gap(x_m, place.x * cell_m_, cell_m_), gap(z_m, place.z * cell_m_, cell_m_));
+}
+
+CellId CellGrid::cell_of(const wire::EntityState& entity, CellId before) const {
+    const double x = entity.position[0] / units_per_cell_, z = entity.position[2] / units_per_cell_;
+    if (before != everywhere) {
+        const CellPlace old = place_of(before);
+        if (gap(x, old.x, 1) <= border_share && gap(z, old.z, 1) <= border_share) return before;
+    }
+    return id_of({static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z))});
+}
+
+CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityList& entities) {
+    Cells cells;
+    next_.clear();
+    next_.reserve(frame.entities.size());
+    auto old = known_.begin();
+    auto description = entities.begin();
+    for (const wire::EntityState& entity : frame.entities) {
+        while (description != entities.end() && (*description)->id < entity.id) ++description;
+        while (old != known_.end() && old->first < entity.id) ++old;
+        const bool large = description == entities.end() || !((*description)->reach <= cell_m_);
+        const bool seen = old != known_.end() && old->first == entity.id;
+        const CellId cell = large ? everywhere : cell_of(entity, seen ? old->second : everywhere);
+        next_.emplace_back(entity.id, cell);
+        wire::QuantizedFrame& to = cells[cell];
+        to.frame = frame.frame;
+        to.entities.push_back(entity);
+    }
+    known_.swap(next_);
+    return cells;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "replication/interest_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::server {
+namespace {
+
+constexpr double bucket_s = 0.05;      // of the rate, held at most
+constexpr double fresh_share = 0.5;    // of the rate
+constexpr double leave_share = 0.25;   // of a cell beyond the radius before it is left
+constexpr double first_of_all = 1e12;  // rank of what is new, for as long as its quota lasts
+// Without a budget: what is new still comes in pieces, with motion between them.
+constexpr double fresh_bytes_per_second = 4e6;
+
+double capacity(double rate) {
+    return rate * bucket_s;
+}
+
+}  // namespace
+
+void InterestView::refill(Clock::time_point now) {
+    const double seconds = refilled_ == Clock::time_point{}
+                               ? bucket_s
+                               : std::chrono::duration<double>(now - refilled_).count();
+    refilled_ = now;
+    const double fresh_rate = rate_ == 0 ? fresh_bytes_per_second : fresh_share * rate_;
+    tokens_ = std::min(capacity(rate_), tokens_ + rate_ * seconds);
+    fresh_tokens_ = std::min(capacity(fresh_rate), fresh_tokens_ + fresh_rate * seconds);
+}
+
+// What is larger than the bucket waits until it is full.
+bool InterestView::affords(std::size_t bytes, bool fresh) const {
+    const auto within = [&](double tokens, double rate) {
+        return static_cast<double>(bytes) <= tokens || tokens >= capacity(rate);
+    };
+    if (fresh && !within(fresh_tokens_, rate_ == 0 ? fresh_bytes_per_second : fresh_share * rate_))
+        return false;
+    return rate_ == 0 || within(tokens_, rate_);
+}
+
+void InterestView::spend(std::size_t bytes, bool fresh) {
+    tokens_ -= static_cast<double>(bytes);
+    if (fresh) fresh_tokens_ -= static_cast<double>(bytes);
+}
+
+std::uint32_t InterestView::interval(double distance_m) const {
+    if (distance_m <= 0.5 * interest_.radius_m) return 1;
+    return distance_m <= 0.75 * interest_.radius_m ? 2 : 4;
+}
+
+std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
+                                                       const std::vector<CellState>& cells,
+                                                       std::uint32_t tick, Clock::time_point now) {
+    refill(now);
+    struct Ranked {
+        double rank;
+        Wanted part;
+    };
+    std::vector<Ranked> ranked;
+    for (const CellState& cell : cells) {
+        const double distance = feed.distance(cell.id, interest_.x_m, interest_.z_m);
+        const auto known = known_.find(cell.id);
+        if (known == known_.end()) {
+            if (distance <= interest_.radius_m && !cell.content->entities.empty())
+                ranked.push_back({first_of_all - distance, {cell, {}, true, true}});
+            continue;
+        }
+        if (distance > interest_.radius_m + leave_share * feed.cell_m()) {
+            left_.push_back(cell.id);
+            known_.erase(known);
+            continue;
+        }
+        const std::uint32_t waited = tick - known->second.sent_tick;
+        if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
+        const double near = 1 + distance / feed.cell_m();
+        ranked.push_back({waited / near,
+                          {cell, known->second.states.bases_for(cell.number), false,
+                           cell.members != known->second.members}});
+    }
+    std::ranges::stable_sort(ranked, std::ranges::greater{}, &Ranked::rank);
+    std::vector<Wanted> parts;
+    parts.reserve(ranked.size());
+    for (Ranked& entry : ranked) parts.push_back(std::move(entry.part));
+    return parts;
+}
+
+void InterestView::on_sent(const Wanted& part, std::uint32_t tick) {
+    Known& known = known_[part.state.id];
+    known.states.on_sent(part.state.number);
+    known.sent_tick = tick;
+    known.members = part.state.members;
+}
+
+}  // namespace jostle::server

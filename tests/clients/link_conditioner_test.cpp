@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/link_conditioner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace jostle::client {
+namespace {
+
+// How long each of so many messages, 60 a second, is on its way, ms.
+std::vector<double> ways_of(const LinkSettings& settings, int count = 36'000) {
+    LinkConditioner link(settings);
+    std::vector<double> ways;
+    std::int64_t last = 0;
+    for (int k = 0; k < count; k++) {
+        const std::int64_t sent = k * 16'667LL, arrives = link.arrival_us(sent);
+        EXPECT_GE(arrives, last) << "nothing is overtaken";
+        last = arrives;
+        ways.push_back(static_cast<double>(arrives - sent) / 1000);
+    }
+    return ways;
+}
+
+double mean_ms(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+TEST(LinkConditioner, delays_by_what_it_was_told_and_no_more) {
+    const auto ways = ways_of({.delay_ms = 80});
+    EXPECT_EQ(*std::min_element(ways.begin(), ways.end()), 80);
+    EXPECT_EQ(*std::max_element(ways.begin(), ways.end()), 80);
+}
+
+TEST(LinkConditioner, jitter_is_even_and_its_tail_exponential) {
+    const auto even = ways_of({.delay_ms = 10, .jitter_ms = 16});
+    EXPECT_NEAR(mean_ms(even), 18, 0.1);
+    EXPECT_LE(*std::max_element(even.begin(), even.end()), 26);
+    const auto tail = ways_of({.delay_ms = 10, .tail_ms = 4});
+    EXPECT_NEAR(mean_ms(tail), 14, 0.2);
+    // exp(-20 / 4) = 0.67 % wait longer than 20 ms, and a few behind them.
+    const auto late = std::count_if(tail.begin(), tail.end(), [](double ms) { return ms > 30; });
+    EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.0067, 0.002);
+}
+
+TEST(LinkConditioner, stalls_come_every_so_often_and_hold_up_what_is_behind) {
+    const auto ways = ways_of({.stalls_ms = 250, .stall_every_ms = 5000});
+    int stalls = 0;
+    for (std::size_t k = 1; k < ways.size(); k++)
+        stalls += ways[k] > 200 && ways[k - 1] < 100 ? 1 : 0;
+    EXPECT_NEAR(stalls, 120, 8);  // of 600 s
+    EXPECT_LT(*std::max_element(ways.begin(), ways.end()), 250.1);
+}
+
+TEST(LinkConditioner, what_is_lost_comes_a_retransmission_later) {
+    const auto ways = ways_of({.delay_ms = 10, .loss = 0.01, .retransmit_ms = 200});
+    // Of the frames of 200 ms behind a lost one each waits; one in a hundred begins it.
+    const auto late = std::count_if(ways.begin(), ways.end(), [](double ms) { return ms > 10; });
+    EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.105, 0.02);
+    EXPECT_NEAR(*std::max_element(ways.begin(), ways.end()), 210, 1);
+}
+
+TEST(LinkConditioner, the_same_seed_is_the_same_link_in_every_language) {
+    LinkConditioner link({.delay_ms = 40,
+                          .jitter_ms = 20,
+                          .tail_ms = 5,
+                          .stalls_ms = 100,
+                          .stall_every_ms = 500,
+                          .loss = 0.05,
+                          .seed = 7});
+    std::int64_t sum = 0;
+    for (int k = 0; k < 1000; k++) sum += link.arrival_us(k * 16'667LL) - k * 16'667LL;
+    EXPECT_EQ(sum, 109'097'580);  // clients/web/src/link_conditioner.test.ts has the same number
+}
+
+TEST(LinkConditioner, is_told_in_a_line_and_says_what_it_cannot_read) {
+    const auto link = read_link_settings("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
+    ASSERT_TRUE(link.ok());
+    EXPECT_EQ(link->delay_ms, 80);
+    EXPECT_EQ(link->jitter_ms, 20.5);
+    EXPECT_EQ(link->stalls_ms, 250);
+    EXPECT_EQ(link->loss, 0.02);
+    EXPECT_EQ(link->seed, 9u);
+    EXPECT_TRUE(link->bad());
+    EXPECT_FALSE(read_link_settings("")->bad());
+    for (const char* wrong : {"delay", "delay=", "delay=-1", "delay=nan", "delay=99999", "loss=2",
+                              "speed=3", "delay=5ms", "seed=5000000000"}) {
+        const auto read = read_link_settings(wrong);
+        ASSERT_FALSE(read.ok()) << wrong;
+        EXPECT_NE(read.error().message.find(wrong), std::string::npos);
+    }
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+//
+// A yard with a server's world on one side of a link of 100 ms and a predictor on the other, in
+// virtual time: what the player sees of a push, and how it is put right when somebody else pushes.
+#include "jostle/client/predictor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "jostle/client/input_clock.h"
+#include "jostle/client/link_conditioner.h"
+#include "jostle/modules/hand.h"
+#include "jostle/physics/world.h"
+#include "jostle/scenes/shape_message.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::client {
+namespace {
+
+using physics::Vec3;
+
+constexpr std::uint32_t floor_id = 1, own_id = 2, other_id = 3, far_id = 4;
+constexpr double pictures_hz = 60;
+
+struct Yard {
+    explicit Yard(const LinkSettings& link = {.delay_ms = 50, .jitter_ms = 10})
+        : up(link), down(link) {
+        v1::Welcome welcome;
+        welcome.set_tick_hz(60);
+        welcome.mutable_quant()->set_units_per_meter(512);
+        welcome.mutable_quant()->set_rotation_component(511);
+        welcome.mutable_gravity()->set_y(-9.81);
+        view.begin(welcome);
+        predictor.begin(welcome);
+        clock.begin(60);
+        add(floor_id, physics::Box{{50, 0.5, 50}}, {0, -0.5, 0}, false);
+        add(own_id, physics::Box{{0.25, 0.25, 0.25}}, {0, 0.25, 0}, true);
+        add(other_id, physics::Box{{0.25, 0.25, 0.25}}, {1.5, 0.25, 0}, true);
+        add(far_id, physics::Box{{0.25, 0.25, 0.25}}, {20, 0.25, 1}, true);
+        view.apply(roster);
+        predictor.follow(own_id);
+    }
+
+    // --- the server ---
+    physics::World server;
+    std::map<std::uint32_t, physics::BodyId> bodies;
+    v1::Roster roster;
+    std::uint32_t server_tick = 0, applied = 0;
+    std::int32_t margin_us = 0;
+    std::map<std::uint32_t, std::map<std::uint32_t, Vec3>> truth;  // by tick, by entity
+    std::map<std::uint32_t, Vec3> pushes_of_others;                // by tick, m/s, of our body
+    bool refuses = false;
+    bool quiet = false;  // sends no frames while nothing moves, but for one a second
+
+    void add(std::uint32_t id, const physics::Geometry& geometry, Vec3 at, bool dynamic) {
+        const physics::ShapeDef shape{.geometry = geometry};
+        bodies[id] = *server.create_body(
+            {.type = dynamic ? physics::BodyType::dynamic : physics::BodyType::static_body,
+             .pose = {.position = at}},
+            shape);
+        v1::Entity& entity = *roster.add_added();
+        entity.set_id(id);
+        entity.set_type(dynamic ? v1::BODY_TYPE_DYNAMIC : v1::BODY_TYPE_STATIC);
+        entity.set_mass(server.body(bodies[id])->mass);
+        scenes::write_outline(*entity.add_shapes(), geometry, {});
+    }
+
+    // --- on the way ---
+    struct Sent {
+        std::int64_t at_us;
+        std::uint32_t sequence;
+        v1::Input input;
+    };
+    struct Told {
+        std::int64_t at_us;
+        v1::Snapshot snapshot;
+        std::vector<v1::InputResult> results;
+    };
+    LinkConditioner up, down;
+    std::deque<Sent> rising;
+    std::deque<Told> falling;
+
+    // --- the client ---
+    WorldView view;
+    InputClock clock;
+    InterpolationBuffer buffer;
+    Predictor predictor;
+    std::int64_t us = 0, next_tick_us = 0, next_picture_us = 500'000;
+    std::uint32_t sequence = 0;
+    std::map<std::uint32_t, Vec3> drawn, interpolated;
+    struct Picture {
+        std::int64_t us;
+        double position;
+        Vec3 own;
+    };
+    std::vector<Picture> pictures;
+    std::set<std::uint32_t> pushed;  // ticks
+    double step_mm = 0;  // furthest that our body moved in a picture, beyond what `speed` explains
+    double far_moved = 0;  // m, of the far body in a picture
+    double speed = 0;      // m/s, of our body at most
+
+    void tick_server() {
+        server_tick++;
+        const auto due = next_tick_us;
+        std::vector<v1::InputResult> results;
+        while (!rising.empty() && rising.front().at_us <= due &&
+               rising.front().input.tick() <= server_tick) {
+            const Sent sent = rising.front();
+            rising.pop_front();
+            v1::InputResult& result = results.emplace_back();
+            result.set_sequence(applied = sent.sequence);
+            result.set_tick(server_tick);
+            result.set_code(refuses ? v1::INPUT_CODE_NOT_ALLOWED : v1::INPUT_CODE_APPLIED);
+            const double ticks_left = static_cast<double>(sent.input.tick()) - server_tick;
+            margin_us = static_cast<std::int32_t>(ticks_left * 1e6 / 60 + double(due - sent.at_us));
+            const v1::Vec3& push = sent.input.impulse().impulse();
+            const physics::BodyId body = bodies.at(sent.input.impulse().entity());
+            if (!refuses)
+                modules::push_by_hand(server, *server.body(body), {push.x(), push.y(), push.z()},
+                                      std::nullopt)
+                    .expect();
+        }
+        if (const auto push = pushes_of_others.find(server_tick); push != pushes_of_others.end()) {
+            const physics::BodyState body = *server.body(bodies[own_id]);
+            server.apply_impulse(body.id, push->second * body.mass, body.center).expect();
+        }
+        server.step(1.0 / 60).expect();
+        int awake = 0;
+        wire::QuantizedFrame frame{.frame = server_tick, .entities = {}};
+        for (const auto& [id, body] : bodies) {
+            const physics::BodyState state = *server.body(body);
+            const Vec3 p = state.pose.position;
+            const physics::Quat q = state.pose.rotation;
+            truth[server_tick][id] = p;
+            awake += state.awake ? 1 : 0;
+            frame.entities.push_back(
+                wire::quantize(id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !state.awake, {}));
+        }
+        next_tick_us = std::llround(server_tick * 1e6 / 60);
+        if (quiet && awake == 0 && results.empty() && server_tick % 60 != 0) return;
+        Told told{down.arrival_us(due), {}, std::move(results)};
+        const auto packed = wire::encode_frame(frame, {}, {});
+        told.snapshot.set_frame(server_tick);
+        told.snapshot.set_packed(packed.data(), packed.size());
+        told.snapshot.set_crc(wire::frame_crc(frame));
+        told.snapshot.set_late_us(due - std::llround(server_tick * 1e6 / 60));
+        told.snapshot.mutable_own()->set_input_sequence(applied);
+        told.snapshot.mutable_own()->set_input_margin_us(margin_us);
+        falling.push_back(std::move(told));
+    }
+
+    void listen() {
+        while (!falling.empty() && falling.front().at_us <= us) {
+            const Told told = std::move(falling.front());
+            falling.pop_front();
+            ASSERT_TRUE(view.apply(told.snapshot).ok());
+            const std::int64_t due = view.times_of(told.snapshot).due_us;
+            buffer.add(view.frame(), due, us);
+            clock.on_frame(view.frame().frame, static_cast<double>(us - due), 55'000, us);
+            clock.on_margin(told.snapshot.own().input_sequence(),
+                            told.snapshot.own().input_margin_us());
+            predictor.on_results(told.results);
+            predictor.on_frame(view);
+        }
+    }
+
+    void picture() {
+        const auto poses = buffer.sample(us, view.spec());
+        for (const SmoothPose& p : poses) interpolated[p.entity] = at(p);
+        const std::map<std::uint32_t, Vec3> before = drawn;
+        for (const SmoothPose& p : predictor.sample(clock.position(us), us, poses))
+            drawn[p.entity] = at(p);
+        pictures.push_back({us, clock.position(us), drawn[own_id]});
+        if (!before.contains(own_id)) return;
+        far_moved = std::max(far_moved, length(drawn[far_id] - before.at(far_id)));
+        const double moved = length(drawn[own_id] - before.at(own_id));
+        step_mm = std::max(step_mm, 1000 * (moved - 1.1 * speed / pictures_hz));
+    }
+    static Vec3 at(const SmoothPose& p) {
+        return {p.pose.position[0], p.pose.position[1], p.pose.position[2]};
+    }
+
+    void push(Vec3 velocity, std::uint32_t entity = own_id, int ticks_late = 0) {
+        v1::Input input;
+        v1::ImpulseInput& impulse = *input.mutable_impulse();
+        const double mass = server.body(bodies[entity])->mass;
+        impulse.set_entity(entity);
+        impulse.mutable_impulse()->set_x(velocity.x * mass);
+        impulse.mutable_impulse()->set_y(velocity.y * mass);
+        impulse.mutable_impulse()->set_z(velocity.z * mass);
+        input.set_tick(clock.tick(us) - static_cast<std::uint32_t>(ticks_late));
+        predictor.add_input(++sequence, input);
+        clock.sent(sequence);
+        pushed.insert(input.tick());
+        rising.push_back({up.arrival_us(us), sequence, input});
+    }
+
+    void run(double seconds) {
+        const std::int64_t end = us + std::llround(seconds * 1e6);
+        for (; us < end; us += 500) {
+            if (us >= next_tick_us) tick_server();
+            listen();
+            if (us < next_picture_us) continue;
+            next_picture_us += std::llround(1e6 / pictures_hz);
+            picture();
+        }
+    }
+    // Of our body, from then on until 0.3 s ago: how far pictures were from where the server came
+    // to have it at that place of the input clock.
+    double off_mm(std::int64_t since_us) const {
+        double worst = 0;
+        for (const Picture& p : pictures) {
+            if (p.us < since_us || p.us > us - 300'000) continue;
+            const auto tick = static_cast<std::uint32_t>(p.position);
+            if (pushed.contains(tick + 1)) continue;  // half of it was seen before the push
+            const double t = p.position - tick;
+            const Vec3 right =
+                truth.at(tick).at(own_id) * (1 - t) + truth.at(tick + 1).at(own_id) * t;
+            worst = std::max(worst, 1000 * length(p.own - right));
+        }
+        return worst;
+    }
+};
+
+}  // namespace
+
+TEST(Predictor, a_push_is_seen_in_its_picture_instead_of_a_round_trip_later) {
+    Yard yard;
+    yard.run(3);
+    const Vec3 rest = yard.drawn[own_id];
+    yard.push({2, 0, 0});
+    int foreseen_ms = 0, interpolated_ms = 0;
+    for (int ms = 1; ms < 500 && interpolated_ms == 0; ms++) {
+        yard.run(0.001);
+        if (foreseen_ms == 0 && yard.drawn[own_id].x - rest.x > 0.002) foreseen_ms = ms;
+        if (yard.interpolated[own_id].x - rest.x > 0.004) interpolated_ms = ms;
+    }
+    RecordProperty("foreseen_ms", foreseen_ms);
+    RecordProperty("interpolated_ms", interpolated_ms);
+    EXPECT_GT(foreseen_ms, 0);
+    EXPECT_LE(foreseen_ms, 34) << "its picture, or the one after where its tick begins there";
+    EXPECT_GE(interpolated_ms, 150) << "there and back, a tick of margin and the delay of pictures";
+}
+
+TEST(Predictor, corrects_nothing_where_the_server_agrees) {
+    Yard yard;
+    yard.run(3);
+    double worst_told_mm = 0;
+    const std::int64_t began = yard.us;
+    yard.speed = 2;
+    for (int k = 0; k < 5; k++) {
+        yard.push({0, 0, k % 2 == 0 ? 2.0 : -2.0});
+        for (int picture = 0; picture < 60; picture++) {
+            yard.run(1 / pictures_hz);
+            worst_told_mm = std::max(worst_told_mm, 1000 * yard.predictor.stats().last_error_m);
+        }
+    }
+    const double worst_mm = yard.off_mm(began);
+    RecordProperty("worst_mm", std::to_string(worst_mm));
+    RecordProperty("worst_told_mm", std::to_string(worst_told_mm));
+    EXPECT_EQ(yard.predictor.stats().corrections, 0u);
+    EXPECT_LT(worst_mm, 2);
+    EXPECT_LT(worst_told_mm, 3) << "half a unit in each direction, and a little";
+    EXPECT_LT(yard.step_mm, 20) << "from rest to its speed in one picture";
+}
+
+TEST(Predictor, a_world_that_rested_and_told_nothing_is_foreseen_as_well) {
+    Yard yard;
+    yard.quiet = true;
+    yard.run(4.5);
+    yard.speed = 2;
+    const std::int64_t began = yard.us;
+    yard.push({0, 0, 2});
+    yard.run(0.04);
+    EXPECT_GT(yard.drawn[own_id].z, 0.002);
+    yard.run(2);
+    EXPECT_EQ(yard.predictor.stats().corrections, 0u);
+    EXPECT_LT(yard.off_mm(began), 2);
+    yard.pushes_of_others[yard.server_tick + 5] = {0, 0, -2};
+    yard.run(3);
+    EXPECT_LT(yard.step_mm, 20);
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
+}
+
+TEST(Predictor, what_others_do_is_walked_to_without_a_step) {
+    Yard yard;
+    yard.run(3);
+    yard.speed = 3;
+    const std::uint32_t then = yard.server_tick + 20;
+    yard.pushes_of_others[then] = {0, 0, 3};
+    yard.run(0.4);
+    EXPECT_GT(yard.predictor.stats().corrections, 0u);
+    yard.run(1.6);
+    RecordProperty("step_mm", std::to_string(yard.step_mm));
+    RecordProperty("off_mm", std::to_string(yard.off_mm(yard.us - 600'000)));
+    RecordProperty("corrections", static_cast<int>(yard.predictor.stats().corrections));
+    EXPECT_LT(yard.step_mm, 20);
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
+    EXPECT_GT(yard.drawn[own_id].z, 0.8) << "v^2 / (2 mu g) is 0.92 m";
+}
+
+TEST(Predictor, pushed_by_both_at_once_ends_where_the_server_has_it) {
+    Yard yard;
+    yard.run(3);
+    yard.speed = 5;
+    yard.pushes_of_others[yard.server_tick + 12] = {0, 0, 3};
+    yard.push({-3, 0, 0});
+    yard.run(2);
+    RecordProperty("step_mm", std::to_string(yard.step_mm));
+    RecordProperty("off_mm", std::to_string(yard.off_mm(yard.us - 600'000)));
+    EXPECT_LT(yard.step_mm, 20);
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
+}
+
+TEST(Predictor, what_our_body_runs_into_moves_with_it) {
+    Yard yard;
+    yard.run(3);
+    EXPECT_EQ(yard.predictor.bodies(), 2u) << "ours and the one that is near";
+    const double stood = yard.drawn[other_id].x;
+    yard.push({4, 0, 0});
+    yard.run(0.4);  // it is a metre away
+    const double foreseen = yard.drawn[other_id].x, seen = yard.interpolated[other_id].x;
+    EXPECT_GT(foreseen - stood, 0.05);
+    EXPECT_LT(seen - stood, 0.01);
+    yard.run(2);
+    RecordProperty("off_mm", std::to_string(yard.off_mm(yard.us - 600'000)));
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
+}
+
+TEST(Predictor, a_refused_push_is_taken_back_and_a_late_one_moved) {
+    Yard refused;
+    refused.run(3);
+    refused.refuses = true;
+    refused.speed = 2;
+    refused.push({0, 0, 2});
+    refused.run(2);
+    EXPECT_LT(refused.off_mm(refused.us - 600'000), 5);
+    EXPECT_LT(refused.step_mm, 20);
+    EXPECT_NEAR(refused.drawn[own_id].z, 0, 0.003);
+
+    Yard late;
+    late.run(3);
+    late.speed = 2;
+    late.push({0, 0, 2}, own_id, 4);
+    late.run(2);
+    EXPECT_LT(late.off_mm(late.us - 600'000), 5);
+    EXPECT_LT(late.step_mm, 20);
+}
+
+TEST(Predictor, a_body_that_comes_near_or_goes_is_handed_over_without_a_step) {
+    Yard yard({.delay_ms = 50});
+    yard.run(3);
+    yard.push({0, 0, 5});
+    yard.push({-18, 0, 0}, far_id);  // slides past at speed
+    std::size_t most = 0;
+    for (int picture = 0; picture < 240; picture++) {
+        yard.run(1 / pictures_hz);
+        most = std::max(most, yard.predictor.bodies());
+    }
+    EXPECT_EQ(most, 3u);
+    // 18 m/s, and 0.35 of it to catch up with what is shown in the future.
+    EXPECT_LT(yard.far_moved, 1.4 * 18 / pictures_hz);
+}
+
+TEST(Predictor, foresees_nothing_for_who_is_not_there) {
+    Yard yard;
+    yard.predictor.follow(99);
+    yard.run(2);
+    EXPECT_EQ(yard.predictor.bodies(), 0u);
+    EXPECT_EQ(yard.drawn[own_id].x, yard.interpolated[own_id].x);
+}
+
+}  // namespace jostle::client

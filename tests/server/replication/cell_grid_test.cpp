@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "replication/cell_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "wire/quantize.h"
+
+namespace jostle::server {
+namespace {
+
+constexpr double cell_m = 32;
+
+EntityList described(std::size_t count, double reach = 0.5) {
+    EntityList list;
+    for (std::size_t i = 1; i <= count; i++) {
+        auto entity = std::make_shared<EntityDescription>();
+        entity->id = static_cast<EntityId>(i);
+        entity->reach = reach;
+        list.push_back(entity);
+    }
+    return list;
+}
+
+wire::EntityState at(EntityId id, double x, double z) {
+    return wire::quantize(id, {{x, 1, z}, {0, 0, 0, 1}}, false, {});
+}
+
+// The cell of the only entity of a world.
+CellId cell_of(CellGrid& grid, double x, double z) {
+    const auto cells = grid.split({.frame = 1, .entities = {at(1, x, z)}}, described(1));
+    EXPECT_EQ(cells.size(), 1u);
+    return cells.begin()->first;
+}
+
+TEST(CellGrid, places_and_numbers_of_cells_say_the_same) {
+    for (const int x : {-30000, -1, 0, 1, 29999})
+        for (const int z : {-29999, -1, 0, 7}) {
+            const CellId cell = CellGrid::id_of({x, z});
+            EXPECT_NE(cell, everywhere);
+            EXPECT_EQ(CellGrid::place_of(cell).x, x);
+            EXPECT_EQ(CellGrid::place_of(cell).z, z);
+        }
+}
+
+TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywhere) {
+    CellGrid grid(cell_m, {});
+    const wire::QuantizedFrame frame{
+        .frame = 1, .entities = {at(1, 5, 5), at(2, -5, 5), at(3, 40, -70), at(4, 6, 6)}};
+    EntityList list = described(4);
+    auto ground = std::make_shared<EntityDescription>();
+    ground->id = 4;
+    ground->reach = std::numeric_limits<double>::infinity();
+    list[3] = ground;
+    const auto cells = grid.split(frame, list);
+    ASSERT_EQ(cells.size(), 4u);
+    EXPECT_EQ(cells.at(CellGrid::id_of({0, 0})).entities[0].id, 1u);
+    EXPECT_EQ(cells.at(CellGrid::id_of({-1, 0})).entities[0].id, 2u);
+    EXPECT_EQ(cells.at(CellGrid::id_of({1, -3})).entities[0].id, 3u);
+    EXPECT_EQ(cells.at(everywhere).entities[0].id, 4u);
+}
+
+TEST(CellGrid, what_lies_on_a_border_does_not_come_and_go) {
+    CellGrid grid(cell_m, {});
+    const CellId first = cell_of(grid, 31, 3), second = CellGrid::id_of({1, 0});
+    int changes = 0;
+    CellId now = first;
+    for (int k = 0; k < 200; k++) {
+        const CellId next = cell_of(grid, 32 + 3 * std::sin(0.3 * k), 3);
+        changes += next != now;
+        now = next;
+    }
+    EXPECT_EQ(changes, 0) << "3 m beyond are less than an eighth";
+    EXPECT_EQ(cell_of(grid, 37, 3), second);
+    EXPECT_EQ(cell_of(grid, 29, 3), second) << "and back only an eighth on this side";
+    EXPECT_EQ(cell_of(grid, 27, 3), first);
+}
+
+TEST(CellGrid, the_distance_to_a_cell_is_that_to_its_nearest_point) {
+    const CellGrid grid(cell_m, {});
+    const CellId cell = CellGrid::id_of({1, 0});  // x from 32 to 64, z from 0 to 32
+    EXPECT_EQ(grid.distance(cell, 40, 10), 0);
+    EXPECT_EQ(grid.distance(cell, 2, 10), 30);
+    EXPECT_NEAR(grid.distance(cell, 29, 36), 5, 1e-12);
+    EXPECT_EQ(grid.distance(everywhere, 1e6, 0), 0);
+}
+
+}  // namespace
+}  // namespace jostle::server

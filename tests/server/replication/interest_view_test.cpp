@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+//
+// A client that sees a part of a world, without a network: what it would be sent, tick by tick, and
+// whether it knows the world then.
+#include "replication/interest_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "wire/quantize.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double hz = 60, cell_m = 32;
+
+Clock::time_point at(std::uint32_t tick) {
+    return Clock::time_point{} + 1h + from_seconds(tick / hz);
+}
+
+// Bodies on a square of 10 x 10 cells, 4 in each; each turns on the spot, or all stand.
+struct Field {
+    explicit Field(bool moves_) : moves(moves_) {
+        auto entities = std::make_shared<EntityList>();
+        for (EntityId id = 1; id <= 400; id++) {
+            auto entity = std::make_shared<EntityDescription>();
+            entity->id = id;
+            entity->reach = 1;
+            entities->push_back(entity);
+        }
+        list = entities;
+    }
+    FramePtr frame(std::uint32_t tick) {
+        auto made = std::make_shared<Frame>();
+        made->tick = tick;
+        made->entity_list = list;
+        std::vector<EntityPose> poses;
+        for (EntityId id = 1; id <= 400; id++) {
+            const int cell = static_cast<int>(id - 1) / 4;
+            const double turn = moves ? 0.05 * tick + id : id;
+            poses.push_back({.id = id,
+                             .pose = {{cell % 10 * cell_m + 4.0 + id % 4 * 6 + std::cos(turn), 1,
+                                       cell / 10 * cell_m + 16 + std::sin(turn)},
+                                      {}},
+                             .awake = moves});
+        }
+        made->entities = PoseList(poses);
+        return made;
+    }
+    bool moves;
+    std::shared_ptr<const EntityList> list;
+};
+
+// Our bytes for the test: six numbers, then the packed cell.
+std::string serialize(const EncodedCell& cell) {
+    const std::uint32_t head[] = {cell.id,          cell.number,      cell.bases.base,
+                                  cell.bases.base2, cell.bases.base3, cell.crc};
+    std::string bytes(sizeof head + cell.packed.size(), '\0');
+    std::memcpy(bytes.data(), head, sizeof head);
+    std::memcpy(bytes.data() + sizeof head, cell.packed.data(), cell.packed.size());
+    return bytes;
+}
+
+// What it was sent, decoded.
+struct Eyes {
+    explicit Eyes(double bytes_per_second) : view(bytes_per_second) {}
+
+    void tick(Field& field, std::uint32_t number) {
+        const FramePtr frame = field.frame(number);
+        const auto cells = feed.cells(frame, [&] {
+            wire::QuantizedFrame made{.frame = number};
+            for (const EntityPose& e : frame->entities)
+                made.entities.push_back(wire::quantize(
+                    e.id, {{e.pose.position.x, e.pose.position.y, e.pose.position.z}, {0, 0, 0, 1}},
+                    !e.awake, {}));
+            return made;
+        });
+        std::size_t bytes = 0;
+        for (const auto& part : view.wanted(feed, *cells, number, at(number))) {
+            const SharedBytes sent = feed.encoding(part.state, part.bases, wire::Codec::bits);
+            if (!view.affords(sent->size(), part.fresh)) {
+                if (part.fresh) continue;
+                break;
+            }
+            view.spend(sent->size(), part.fresh);
+            view.on_sent(part, number);
+            take(*sent);
+            bytes += sent->size();
+            sent_at[part.state.id].push_back(number);
+        }
+        for (const CellId cell : view.take_left()) known.erase(cell);
+        bytes_of_tick.push_back(bytes);
+    }
+    void take(const std::string& sent) {
+        std::uint32_t head[6];
+        std::memcpy(head, sent.data(), sizeof head);
+        auto& states = known[head[0]];
+        const auto base = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+            if (number == 0) return nullptr;
+            EXPECT_TRUE(states.contains(number)) << "a base that was never sent";
+            return states.contains(number) ? &states[number] : nullptr;
+        };
+        const auto packed = std::as_bytes(std::span(sent)).subspan(sizeof head);
+        auto content =
+            wire::decode_frame(head[1], packed, {base(head[2]), base(head[3]), base(head[4])}, {});
+        ASSERT_TRUE(content.ok()) << content.error().message;
+        EXPECT_EQ(wire::frame_crc(*content), head[5]);
+        states[head[1]] = *std::move(content);
+    }
+    std::size_t most_bytes_of_a_second() const {
+        std::size_t most = 0, sum = 0;
+        for (std::size_t k = 0; k < bytes_of_tick.size(); k++) {
+            sum += bytes_of_tick[k];
+            if (k >= 60) sum -= bytes_of_tick[k - 60];
+            most = std::max(most, sum);
+        }
+        return most;
+    }
+
+    InterestView view;
+    CellFeed feed{cell_m, wire::QuantSpec(), serialize};
+    std::map<CellId, std::map<std::uint32_t, wire::QuantizedFrame>> known;
+    std::map<CellId, std::vector<std::uint32_t>> sent_at;
+    std::vector<std::size_t> bytes_of_tick;
+};
+
+TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
+    Field field(false);
+    Eyes eyes(0);
+    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 50});
+    for (std::uint32_t tick = 1; tick < 60; tick++) eyes.tick(field, tick);
+    std::size_t expected = 0;
+    for (int x = 0; x < 10; x++)
+        for (int z = 0; z < 10; z++)
+            expected += eyes.feed.distance(CellGrid::id_of({x, z}), 16, 16) <= 50;
+    EXPECT_EQ(eyes.known.size(), expected);
+    EXPECT_EQ(expected, 6u) << "three along each edge, and one between";
+    for (const auto& [cell, times] : eyes.sent_at) EXPECT_EQ(times.size(), 1u) << "it stands";
+}
+
+TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
+    Field field(true);
+    Eyes eyes(0);
+    for (std::uint32_t tick = 1; tick < 600; tick++) {
+        eyes.view.look_at({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
+        eyes.tick(field, tick);
+    }
+    for (const auto& [cell, states] : eyes.known)
+        EXPECT_LE(eyes.feed.distance(cell, 300, 16), 40 + cell_m / 4);
+    EXPECT_GT(eyes.sent_at.size(), eyes.known.size() + 5) << "it saw others before";
+}
+
+TEST(InterestView, what_is_far_comes_less_often) {
+    Field field(true);
+    Eyes eyes(0);
+    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 200});
+    for (std::uint32_t tick = 1; tick <= 240; tick++) eyes.tick(field, tick);
+    const auto count = [&](int x) {
+        return static_cast<int>(eyes.sent_at[CellGrid::id_of({x, 0})].size());
+    };
+    EXPECT_NEAR(count(0), 240, 3);
+    EXPECT_NEAR(count(4), 120, 3) << "112 m are more than half of the radius";
+    EXPECT_NEAR(count(6), 60, 3) << "176 m are more than three quarters";
+    EXPECT_EQ(count(7), 0);
+}
+
+TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first) {
+    Field field(true);
+    Eyes all(0);
+    for (std::uint32_t tick = 1; tick <= 300; tick++) all.tick(field, tick);
+    const std::size_t wants = all.most_bytes_of_a_second();
+    const double rate = 0.3 * static_cast<double>(wants);
+    Eyes eyes(rate);
+    eyes.view.look_at({.x_m = 16, .z_m = 16});
+    for (std::uint32_t tick = 1; tick <= 900; tick++) eyes.tick(field, tick);
+    RecordProperty("bytes_of_worst_second", static_cast<int>(eyes.most_bytes_of_a_second()));
+    EXPECT_LE(static_cast<double>(eyes.most_bytes_of_a_second()), 1.05 * rate);
+    std::size_t total = 0;
+    for (std::size_t k = 600; k < 900; k++) total += eyes.bytes_of_tick[k];
+    EXPECT_GE(static_cast<double>(total), 0.95 * 5 * rate) << "and used";
+    EXPECT_EQ(eyes.known.size(), 100u) << "it came to know all of the world";
+    const auto since = [&](int x, int z) {
+        const auto& times = eyes.sent_at[CellGrid::id_of({x, z})];
+        return std::ranges::count_if(times, [](auto tick) { return tick > 600; });
+    };
+    EXPECT_GE(since(0, 0), 3 * since(9, 9)) << "near and far";
+    EXPECT_GE(since(9, 9), 5) << "but nothing is forgotten";
+}
+
+TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
+    Field field(true);
+    Eyes eyes(20'000);
+    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 20});
+    std::uint32_t tick = 1;
+    for (; tick <= 120; tick++) eyes.tick(field, tick);
+    const std::size_t before = eyes.sent_at[CellGrid::id_of({0, 0})].size();
+    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 1000});
+    for (; tick <= 180; tick++) eyes.tick(field, tick);
+    EXPECT_GE(eyes.sent_at[CellGrid::id_of({0, 0})].size() - before, 20u) << "of sixty";
+    for (; tick <= 1200; tick++) eyes.tick(field, tick);
+    EXPECT_EQ(eyes.known.size(), 100u);
+}
+
+TEST(CellFeed, clients_share_the_bytes_of_a_cell) {
+    Field field(true);
+    Eyes one(0);
+    const FramePtr frame = field.frame(1);
+    one.tick(field, 1);
+    const auto cells = one.feed.cells(frame, [] { return wire::QuantizedFrame(); });
+    const SharedBytes a = one.feed.encoding((*cells)[5], {}, wire::Codec::bits);
+    EXPECT_EQ(one.feed.encoding((*cells)[5], {}, wire::Codec::bits), a) << "not made again";
+    EXPECT_NE(one.feed.encoding((*cells)[5], {}, wire::Codec::range), a);
+}
+
+}  // namespace
+}  // namespace jostle::server

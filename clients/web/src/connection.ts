@@ -100,6 +100,7 @@ export class Connection {
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
+  private decodedAt = 0;
   private lastPing = 0;
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
@@ -270,7 +271,7 @@ export class Connection {
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
-    this.lastAck = 0;
+    this.lastAck = this.decodedAt = 0;
     this.lastPing = 0;
     this.playingSince = nowUs();
     this.setState('playing', '');
@@ -313,6 +314,7 @@ export class Connection {
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
+      this.decodedAt = nowUs();
       const arrived = nowUs();
       this.renderClock.onFrame(serverUs, arrived, s.still > 0);
       if (this.clock.ready) {
@@ -360,7 +362,11 @@ export class Connection {
   private ack() {
     this.ackDue = false;
     this.lastAck = nowUs();
-    return create(AckSchema, { frame: this.frames.newest?.frame ?? 0, needKeyframe: this.needKeyframe });
+    return create(AckSchema, {
+      frame: this.frames.newest?.frame ?? 0,
+      needKeyframe: this.needKeyframe,
+      heldMs: this.decodedAt === 0 ? 0 : Math.floor((this.lastAck - this.decodedAt) / 1000),
+    });
   }
 
   private sendAckIfDue(): void {

@@ -28,7 +28,9 @@ TEST(PassesCylinder, says_so_of_those_alone_that_were_apart_all_the_way) {
             there.position += motion * (k / 20.0);
             least = minimum(least, gjk(triangle_convex(corner, {}, {}), there, {}).distance);
         }
-        if (passes) ASSERT_GT(least, 0) << "round " << round;
+        if (passes) {
+            ASSERT_GT(least, 0) << "round " << round;
+        }
         passed += passes ? 1 : 0;
         touched += least > 0 ? 0 : 1;
         missed += !passes && least > 1e-3 ? 1 : 0;

@@ -93,6 +93,7 @@ void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
     figures_.snapshots++;
     figures_.snapshot_bytes += bytes.size();
     unacked_++;
+    heard_ = now;
     if (last_snapshot_)
         figures_.gap.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
@@ -240,6 +241,8 @@ bool SinkConversation::ack_is_due(Clock::time_point now) const {
 void SinkConversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
+    ack.set_held_ms(static_cast<std::uint32_t>(
+        std::chrono::duration_cast<std::chrono::milliseconds>(now - heard_).count()));
     unacked_ = 0;
     last_ack_ = now;
 }

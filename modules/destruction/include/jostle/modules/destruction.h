@@ -103,7 +103,8 @@ public:
     // Walls of a scene, side by side along x, anchored at their foot: count (0 to 100), spacing
     // (m), width, height, thickness (m), chunks (1 to 2000), seed; x, y, z of the middle of the
     // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume,
-    // passing_volume.
+    // passing_volume; heading (rad, about y), compressive. With the bytes `shape` of a fracture
+    // file: what it holds instead of walls, its origin at x, y, z.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     // "destruction": of each how many pieces, bonds that hold, bonds that were.

@@ -54,8 +54,12 @@ TEST(BoxLanes, find_what_overlaps_and_what_a_ray_enters) {
         for (int k = 0; k < 3; k++) {
             const bool exactly = overlap(box[k], one);
             const double at = ray_enters(box[k], origin, motion, 1);
-            if (exactly) EXPECT_NE(overlaps & (1u << k), 0u);
-            if (at <= 1) EXPECT_NE(rays & (1u << k), 0u);
+            if (exactly) {
+                EXPECT_NE(overlaps & (1u << k), 0u);
+            }
+            if (at <= 1) {
+                EXPECT_NE(rays & (1u << k), 0u);
+            }
             met += exactly ? 1 : 0;
             beside += !exactly && (overlaps & (1u << k)) != 0 ? 1 : 0;
             entered += at <= 1 ? 1 : 0;

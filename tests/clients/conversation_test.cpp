@@ -186,6 +186,31 @@ TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
 }
 
+TEST(Conversation, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.ask_keyframe();
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "what came meanwhile does not answer it";
+    const wire::QuantizedFrame base = stream.quantized;
+    stream.hear(stream.snapshot(11, 2, &base));
+    EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
+    stream.conversation.ask_keyframe();
+    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also while nothing comes";
+    EXPECT_FALSE(stream.next());
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 0u);
+}
+
+TEST(Conversation, hands_on_each_message_as_it_came) {
+    std::vector<std::string> seen;
+    Conversation listener{ClientOptions{
+        .on_message = [&](const std::string& bytes, Clock::time_point) { seen.push_back(bytes); }}};
+    listener.begin({});
+    listener.receive("\xff no message", {});
+    listener.receive("", {});
+    EXPECT_EQ(seen, (std::vector<std::string>{"\xff no message", ""}));
+}
+
 TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     Stream stream;
     stream.conversation.begin(stream.now);

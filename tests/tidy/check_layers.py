@@ -61,6 +61,9 @@ FLOORS = {
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/status", "generated"],
     "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
+    "clients/recording": ["clients/cpp", "proto/wire", "generated"],
+    "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
+    "clients/replay": ["clients/cpp", "clients/recording", "clients/ctl", "proto/wire", "generated"],
     "clients/bot": ["clients/cpp", "clients/flags", "generated"],
     "clients/flags": ["clients/cpp"],
     "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
@@ -76,7 +79,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
 SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
-          "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "bench"]
+          "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "clients/recording/include", "clients/recording/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 

@@ -48,6 +48,11 @@ void Client::look_at(const Sight& sight) {
     state_->conversation.look_at(sight);
 }
 
+void Client::ask_keyframe() {
+    const auto lock = locked(*state_);
+    state_->conversation.ask_keyframe();
+}
+
 void Client::leave() {
     const auto lock = locked(*state_);
     state_->conversation.leave();

@@ -59,6 +59,7 @@ std::uint32_t Conversation::send(v1::Input input) {
 
 void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     stats_.bytes_received += bytes.size();
+    if (options_.on_message) options_.on_message(bytes, now);
     if (!message_.ParseFromString(bytes)) {
         stats_.decode_errors++;
         stats_.last_error = "the server sent bytes that are no ServerMessage";
@@ -171,10 +172,11 @@ std::vector<v1::Events> Conversation::take_events() {
 
 void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
-    ack.set_need_keyframe(need_keyframe_);
-    ack.set_held_ms(static_cast<std::uint32_t>(
-        std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
-    ack_due_ = false;
+    ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
+    if (decoded_at_ != Clock::time_point{})
+        ack.set_held_ms(static_cast<std::uint32_t>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
+    ack_due_ = keyframe_wanted_ = false;
     last_ack_ = now;
 }
 
@@ -227,7 +229,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         write(*message.mutable_interest(), *options_.sight);
         return message.SerializeAsString();
     }
-    if (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_)) {
+    if (keyframe_wanted_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {
         put_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }

@@ -33,6 +33,7 @@ public:
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     void look_at(const Sight& sight);
+    void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
     // Hello was answered and the Leave, if any, was handed out.
@@ -73,7 +74,9 @@ private:
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
     bool sight_due_ = false;
-    bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
+    bool hello_due_ = false, ack_due_ = false;
+    bool need_keyframe_ = false;    // what comes cannot be decoded without one
+    bool keyframe_wanted_ = false;  // it can, and somebody asked for one
     Clock::duration ack_period_{};
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;

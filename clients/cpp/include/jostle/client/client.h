@@ -44,6 +44,9 @@ public:
     // What it wants to be told of from now on, if ClientOptions::sight was set: else it is told of
     // all.
     void look_at(const Sight& sight);
+    // The server sends a snapshot without a base soon (4 a second at most): from it on a recording
+    // can be played.
+    void ask_keyframe();
     // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 

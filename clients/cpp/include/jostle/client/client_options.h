@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "jostle/client/clock_sync.h"
 #include "jostle/client/link_conditioner.h"
 #include "jostle/client/security.h"
 
@@ -47,6 +49,9 @@ struct ClientOptions {
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
     LinkSettings link = {};
+    // Is handed each message as it came, before anything is made of it: recordings. Called on the
+    // loop's thread; it must be quick and call nothing of this client.
+    std::function<void(const std::string& bytes, Clock::time_point now)> on_message = {};
 };
 
 }  // namespace jostle::client

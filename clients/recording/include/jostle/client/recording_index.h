@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Where to begin in a recording: its keyframes, and the messages that all later ones build on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::client {
+
+struct RecordingEntry {
+    enum class Kind : std::uint32_t {
+        keyframe = 1,  // a snapshot without a base
+        standing = 2,  // a Roster or a GeometryPart: counts from there on
+    };
+    std::uint64_t offset = 0;  // of its record in the file
+    std::uint32_t frame = 0;   // of a keyframe
+    Kind kind = Kind::keyframe;
+
+    friend bool operator==(const RecordingEntry&, const RecordingEntry&) = default;
+};
+
+// What the index says of a message; nothing: it is not in it.
+inline std::optional<RecordingEntry> entry_of(const v1::ServerMessage& message,
+                                              std::uint64_t offset) {
+    using Kind = RecordingEntry::Kind;
+    if (message.has_roster() || message.has_geometry())
+        return RecordingEntry{.offset = offset, .kind = Kind::standing};
+    if (message.has_snapshot() && message.snapshot().bases() == 0)
+        return RecordingEntry{offset, message.snapshot().frame(), Kind::keyframe};
+    return std::nullopt;
+}
+
+}  // namespace jostle::client

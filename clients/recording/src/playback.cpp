@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/playback.h"
+
+#include <ranges>
+#include <string>
+#include <utility>
+
+namespace jostle::client {
+
+using Kind = RecordingEntry::Kind;
+
+Playback::Playback(RecordingReader recording)
+    : recording_(std::move(recording)), position_(recording_.first()) {
+    view_.begin(recording_.welcome());
+}
+
+// Finds the next snapshot, if there is one; what must be applied before it is only noted.
+Status Playback::look_ahead() {
+    if (ahead_) return {};
+    standing_.clear();
+    for (std::uint64_t offset = position_; offset < recording_.end();) {
+        Result<RecordingReader::Record> record = recording_.read(offset);
+        if (!record.ok()) {
+            position_ = offset;
+            return record.error();
+        }
+        offset = record->next;
+        if (record->message.has_snapshot()) {
+            ahead_ = *std::move(record);
+            return {};
+        }
+        if (const auto entry = entry_of(record->message, record->offset))
+            standing_.push_back(entry->offset);
+    }
+    return {};
+}
+
+Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
+    Status status;
+    if (message.has_roster()) view_.apply(message.roster());
+    if (message.has_geometry()) status = view_.apply(message.geometry());
+    if (message.has_snapshot()) status = view_.apply(message.snapshot());
+    if (status.ok()) return status;
+    return Error{status.error().code,
+                 "byte " + std::to_string(offset) + ": " + status.error().message};
+}
+
+// From here on only a keyframe helps.
+Error Playback::broken(Error error) {
+    broken_ = true;
+    return error;
+}
+
+Result<bool> Playback::next() {
+    if (Status status = look_ahead(); !status.ok()) return broken(status.error());
+    if (!ahead_) return false;
+    const RecordingReader::Record snapshot = *std::exchange(ahead_, std::nullopt);
+    position_ = snapshot.next;
+    for (const std::uint64_t offset : std::exchange(standing_, {})) {
+        const auto record = recording_.read(offset);
+        if (!record.ok()) return broken(record.error());
+        if (Status s = apply(record->message, offset); !s.ok()) return broken(s.error());
+    }
+    if (Status s = apply(snapshot.message, snapshot.offset); !s.ok()) return broken(s.error());
+    arrived_us_ = snapshot.arrived_us;
+    return true;
+}
+
+const RecordingEntry* Playback::keyframe_before(std::uint32_t tick) const {
+    for (const RecordingEntry& entry : std::views::reverse(recording_.index()))
+        if (entry.kind == Kind::keyframe && entry.frame <= tick) return &entry;
+    return nullptr;
+}
+
+// Who is there is told since the beginning, so all of that comes first; snapshots are left out.
+Status Playback::begin_at(const RecordingEntry& keyframe) {
+    view_.begin(recording_.welcome());
+    broken_ = false;
+    ahead_.reset();
+    position_ = keyframe.offset;
+    for (const RecordingEntry& entry : recording_.index()) {
+        if (entry.offset >= keyframe.offset) break;
+        if (entry.kind != Kind::standing) continue;
+        const auto record = recording_.read(entry.offset);
+        if (!record.ok()) return broken(record.error());
+        if (Status s = apply(record->message, entry.offset); !s.ok()) return broken(s.error());
+    }
+    return {};
+}
+
+Status Playback::seek(std::uint32_t tick) {
+    const RecordingEntry* keyframe = keyframe_before(tick);
+    if (!keyframe) {
+        std::string begins = "; it has no keyframe at all";
+        for (const RecordingEntry& entry : std::views::reverse(recording_.index()))
+            if (entry.kind == Kind::keyframe)
+                begins = ", which begins with tick " + std::to_string(entry.frame);
+        return Error{ErrorCode::not_found,
+                     "tick " + std::to_string(tick) + " is before the recording" + begins};
+    }
+    const std::uint32_t now = view_.frame().frame;
+    if (broken_ || now == 0 || now > tick || position_ <= keyframe->offset)
+        if (Status status = begin_at(*keyframe); !status.ok()) return status;
+    for (;;) {
+        if (Status status = look_ahead(); !status.ok()) return broken(status.error());
+        if (!ahead_) break;
+        if (ahead_->message.snapshot().frame() > tick) return {};
+        if (const auto moved = next(); !moved.ok()) return moved.error();
+    }
+    const std::uint32_t last = view_.frame().frame;
+    if (last >= tick) return {};
+    return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
+                                           " is after the recording, which ends with tick " +
+                                           std::to_string(last)};
+}
+
+Result<bool> Playback::skip_fault() {
+    for (const RecordingEntry& entry : recording_.index()) {
+        if (entry.kind != Kind::keyframe || entry.offset <= position_) continue;
+        if (Status status = begin_at(entry); !status.ok()) return status.error();
+        return true;
+    }
+    return false;
+}
+
+}  // namespace jostle::client

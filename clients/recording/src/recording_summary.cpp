@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/recording_summary.h"
+
+#include <algorithm>
+#include <set>
+
+namespace jostle::client {
+
+namespace {
+
+const char* kind_name(const v1::ServerMessage& message) {
+    switch (message.message_case()) {
+        case v1::ServerMessage::kWelcome:
+            return "welcome";
+        case v1::ServerMessage::kRoster:
+            return "roster";
+        case v1::ServerMessage::kSnapshot:
+            return "snapshot";
+        case v1::ServerMessage::kPong:
+            return "pong";
+        case v1::ServerMessage::kNotice:
+            return "notice";
+        case v1::ServerMessage::kGeometry:
+            return "geometry";
+        case v1::ServerMessage::MESSAGE_NOT_SET:
+            break;
+    }
+    return "unknown";
+}
+
+void count_snapshot(RecordingSummary& summary, const RecordingReader::Record& record) {
+    const v1::Snapshot& snapshot = record.message.snapshot();
+    if (summary.first_tick == 0) summary.first_tick = snapshot.frame();
+    summary.last_tick = snapshot.frame();
+    if (snapshot.bases() != 0) return;
+    summary.keyframes++;
+    summary.keyframe_bytes += record.bytes;
+}
+
+}  // namespace
+
+RecordingSummary summarize(RecordingReader& recording) {
+    RecordingSummary summary;
+    std::set<std::uint32_t> there;
+    for (std::uint64_t offset = recording.first(); offset < recording.end();) {
+        const auto record = recording.read(offset);
+        if (!record.ok()) {
+            summary.fault = record.error().message;
+            break;
+        }
+        offset = record->next;
+        const v1::ServerMessage& message = record->message;
+        summary.messages[kind_name(message)]++;
+        summary.message_bytes += record->bytes;
+        summary.seconds = static_cast<double>(record->arrived_us) / 1e6;
+        if (message.has_snapshot()) count_snapshot(summary, *record);
+        for (const std::uint32_t id : message.roster().removed()) there.erase(id);
+        for (const v1::Entity& entity : message.roster().added()) there.insert(entity.id());
+        summary.entities_max = std::max(summary.entities_max, there.size());
+    }
+    summary.entities = there.size();
+    return summary;
+}
+
+RecordingCheck check(Playback& playback) {
+    RecordingCheck result;
+    const auto note = [&](const std::string& fault) {
+        if (result.faults.size() < RecordingCheck::faults_max &&
+            std::ranges::find(result.faults, fault) == result.faults.end())
+            result.faults.push_back(fault);
+    };
+    RecordingReader& recording = playback.recording();
+    if (!recording.cut().empty()) note(recording.cut());
+    if (recording.walk() != recording.index())
+        note("the index does not fit the records: seeking may show another state");
+    for (;;) {
+        const Result<bool> moved = playback.next();
+        if (moved.ok() && !*moved) break;
+        if (moved.ok()) {
+            result.snapshots++;
+            continue;
+        }
+        note(moved.error().message);
+        for (Result<bool> skipped = playback.skip_fault();; skipped = playback.skip_fault()) {
+            if (skipped.ok() && !*skipped) return result;
+            if (skipped.ok()) break;
+            note(skipped.error().message);
+        }
+    }
+    return result;
+}
+
+}  // namespace jostle::client

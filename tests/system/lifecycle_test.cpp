@@ -97,9 +97,15 @@ TEST(Lifecycle, operators_read_metrics_of_what_happens) {
     v1::GetWorldRequest nowhere;
     nowhere.set_world("nowhere");
     EXPECT_FALSE(world_service(server)->GetWorld(&unknown, nowhere, &world).ok());
+    // Connections are counted a few times a second.
     const auto has = [&](const char* line) {
-        return poke(server.admin_port(),
-                    "GET /metrics HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", line);
+        for (int tries = 0; tries < 20; tries++) {
+            if (poke(server.admin_port(),
+                     "GET /metrics HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", line))
+                return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+        return false;
     };
     EXPECT_TRUE(has("jostle_clients{world=\"stack\"} 2\n"));
     EXPECT_TRUE(has("jostle_connections{listener=\"http\"} 1\n"));

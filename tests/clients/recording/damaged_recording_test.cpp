@@ -3,6 +3,8 @@
 // Recordings that a crash cut off, that a disk damaged, and files that are none.
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 #include "clients/recording/recorded_world.h"
 #include "jostle/client/recording_summary.h"
 #include "recording_format.h"
@@ -87,14 +89,19 @@ TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_k
     ASSERT_FALSE(there.ok());
     EXPECT_EQ(there.error().message, "byte " + std::to_string(at) +
                                          ": the CRC of the record does not match: it is damaged");
-    ASSERT_TRUE(playback.seek(keyframes[3].frame + 5));
-    EXPECT_EQ(playback.view().frame(), world.truth.at(keyframes[3].frame + 5));
-    ASSERT_TRUE(playback.seek(keyframes[2].frame - 1));
+    // Not every tick has a snapshot.
+    const auto damaged_from = world.truth.lower_bound(keyframes[2].frame),
+               whole_from = world.truth.lower_bound(keyframes[3].frame);
+    const std::uint32_t after = std::next(whole_from, 3)->first;
+    ASSERT_TRUE(playback.seek(after));
+    EXPECT_EQ(playback.view().frame(), world.truth.at(after));
+    ASSERT_TRUE(playback.seek(std::prev(damaged_from)->first));
 
     Playback again(opened(damaged).value());
     const RecordingCheck found = check(again);
     EXPECT_EQ(found.faults.size(), 2u) << "the record, and the index that names it";
-    EXPECT_EQ(found.snapshots, world.truth.size() - (keyframes[3].frame - keyframes[2].frame));
+    EXPECT_EQ(found.snapshots, world.truth.size() - static_cast<std::size_t>(
+                                                        std::distance(damaged_from, whole_from)));
 }
 
 TEST(DamagedRecording, any_damaged_byte_of_a_record_is_found) {

@@ -10,9 +10,11 @@
 #include "feature_cost.h"
 #include "integrators/integrators.h"
 #include "modules.h"
+#include "network/network.h"
 #include "roads/roads.h"
 #include "rollback.h"
 #include "speed/speed.h"
+#include "stream/stream.h"
 #include "thread_scaling.h"
 
 namespace {
@@ -25,11 +27,13 @@ Examples:
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
   jostle-bench modules
+  jostle-bench network
   jostle-bench roads --help
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
   jostle-bench stability --peers none
+  jostle-bench stream --clients 300
   jostle-bench threads --at-most 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
@@ -46,10 +50,12 @@ int main(int argc, char** argv) {
     jostle::bench::add_features(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
+    jostle::bench::add_network(app, status);
     jostle::bench::add_roads(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     jostle::bench::add_stability(app, status);
+    jostle::bench::add_stream(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
     try {

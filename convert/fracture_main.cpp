@@ -9,6 +9,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "fracture_solid.h"
 #include "jostle/modules/fracture_file.h"
@@ -32,6 +33,9 @@ part is cut by the same seeds, and bonds hold the parts together where they touc
 
 --anchor names the side by which the ground holds it: -y is the foot. What hangs together with an anchored chunk does not move.
 
+Scene files name no other files: --scene writes what stands there between the brackets of
+  "modules": [{"destruction": {"fractured": [ ]}}]
+
 Examples:
   jostle-fracture --box 4 3 0.3 --chunks 200 --anchor -y --out wall.fracture
   jostle-fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --chunks 150 --out window.fracture
@@ -50,7 +54,7 @@ const std::map<std::string, Vec3> sides = {{"-x", {-1, 0, 0}}, {"+x", {1, 0, 0}}
                                            {"-z", {0, 0, -1}}, {"+z", {0, 0, 1}}};
 
 struct Flags {
-    std::string file, pattern = "uniform", anchor, out, json;
+    std::string file, pattern = "uniform", anchor, out, scene, json;
     std::vector<double> box, hull, center;
     convert::Solid solid;
     modules::SeedPlan plan;
@@ -129,6 +133,22 @@ bool write_file(const std::string& path, const char* data, std::size_t size) {
     return static_cast<bool>(out);
 }
 
+// An item of "fractured" in a scene file, to be given a position and a material.
+std::string scene_item(std::span<const std::byte> bytes) {
+    static constexpr char digits[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t k = 0; k < bytes.size(); k += 3) {
+        const std::size_t left = std::min<std::size_t>(3, bytes.size() - k);
+        unsigned three = 0;
+        for (std::size_t i = 0; i < 3; i++)
+            three = three << 8 | (i < left ? std::to_integer<unsigned>(bytes[k + i]) : 0);
+        for (std::size_t i = 0; i < 4; i++)
+            text += i <= left ? digits[three >> (18 - 6 * i) & 63] : '=';
+    }
+    return nlohmann::ordered_json{{"shape", text}}.dump() + "\n";
+}
+
 int report(const Flags& flags, const convert::Fractured& made, std::size_t bytes) {
     const Summary sum = summary_of(made, bytes);
     const std::string text = to_json(flags, made, sum).dump(2) + "\n";
@@ -163,6 +183,11 @@ int run(Flags& flags) {
     if (!flags.out.empty() &&
         !write_file(flags.out, reinterpret_cast<const char*>(bytes->data()), bytes->size()))
         return fail("cannot write " + flags.out);
+    if (!flags.scene.empty()) {
+        const std::string item = scene_item(*bytes);
+        if (!write_file(flags.scene, item.data(), item.size()))
+            return fail("cannot write " + flags.scene);
+    }
     return report(flags, *made, bytes->size());
 }
 
@@ -219,6 +244,7 @@ int main(int argc, char** argv) {
     app.add_option("--anchor", flags.anchor, "The side by which the ground holds it")
         ->check(CLI::IsMember(names));
     app.add_option("--out", flags.out, "Writes the chunks and bonds here");
+    app.add_option("--scene", flags.scene, "Writes them here as scene files want them");
     app.add_option("--json", flags.json,
                    "Writes the summary here as JSON; -: instead of the table");
     try {

@@ -33,6 +33,7 @@ public:
     int grpc_port() const { return grpc_port_; }
     int http_port() const { return http_port_; }
     int admin_port() const { return admin_port_; }
+    pid_t pid() const { return program_.pid(); }
     std::string grpc_address() const { return "127.0.0.1:" + std::to_string(grpc_port_); }
     std::string file(const std::string& name) const { return folder_.path + "/" + name; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "load/server_cpu.h"
 
-#include <unistd.h>
+#include <time.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -55,16 +55,10 @@ std::optional<int> find_listener(const std::string& target) {
 }
 
 std::optional<double> cpu_seconds(int pid) {
-    std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
-    std::string line;
-    if (!std::getline(in, line)) return std::nullopt;
-    // The name in brackets may hold spaces; what follows the last bracket is numbered from field 3.
-    std::istringstream words(line.substr(line.rfind(')') + 2));
-    std::string skip;
-    for (int field = 3; field < 14; field++) words >> skip;
-    double user = 0, system = 0;
-    if (!(words >> user >> system)) return std::nullopt;
-    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    clockid_t clock{};
+    timespec t{};
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &t) != 0) return std::nullopt;
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 }  // namespace jostle::load

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The processor time of the server, when it runs on this machine: read from /proc.
+// The processor time of the server, when it runs on this machine.
 #pragma once
 
 #include <optional>

@@ -12,18 +12,9 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "wire/entity_state.h"
+#include "wire/bases.h"
 
 namespace jostle::wire {
-
-// The frames that a snapshot refers to. Without base it is absolute: it has all entities in full.
-// base2 and base3 sharpen the prediction; base2 needs base, base3 needs base2. Their frame numbers
-// fall, each by 1 to 255: frame > base > base2 > base3.
-struct Bases {
-    const QuantizedFrame* base = nullptr;
-    const QuantizedFrame* base2 = nullptr;
-    const QuantizedFrame* base3 = nullptr;
-};
 
 // By their numbers in Hello and Welcome.
 enum class Codec : std::uint32_t {

@@ -4,11 +4,15 @@
 // bases say of them, and how far apart the frames are. Any thread.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "wire/frame_codec.h"
+#include "wire/bases.h"
 #include "wire/predict.h"
 
 namespace jostle::wire {

@@ -45,6 +45,8 @@ physics::ModuleSettings settings_of(const Given& given,
         settings.numbers.emplace_back(name, number + 0.0);
     for (const auto& [name, body] : given.bodies)
         settings.bodies.emplace_back(name, bodies.at(body));
+    if constexpr (requires { given.bytes; })
+        settings.bytes.assign(given.bytes.begin(), given.bytes.end());
     return settings;
 }
 

@@ -5,9 +5,11 @@
 #include <google/protobuf/message.h>
 
 #include <set>
+#include <span>
 #include <vector>
 
 #include "body_name.h"
+#include "jostle/modules/fracture_file.h"
 #include "jostle/v1/modules.pb.h"
 
 namespace jostle::scenes {
@@ -83,6 +85,13 @@ public:
         m.GetReflection()->ListFields(m, &given);
         for (const FieldDescriptor* field : given)
             read_field(m, *field, path + "." + field->name(), prefix + setting_of(*field));
+        // Bytes that a thing is made of are never left out.
+        const auto& type = *m.GetDescriptor();
+        for (int k = 0; k < type.field_count(); k++)
+            if (type.field(k)->type() == FieldDescriptor::TYPE_BYTES &&
+                m.GetReflection()->GetString(m, type.field(k)).empty())
+                in_.note(path + "." + type.field(k)->name(),
+                         "is missing; give what jostle-fracture writes");
     }
 
 private:
@@ -95,6 +104,8 @@ private:
                                name);
         if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE)
             return read(get.GetMessage(m, &field), path, name + "_");
+        if (field.type() == FieldDescriptor::TYPE_BYTES)
+            return read_fracture(get.GetString(m, &field), path, name);
         if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
             thing_.bodies[name] = find_body(in_, scene_, path, get.GetString(m, &field));
             return;
@@ -112,6 +123,13 @@ private:
         thing_.settings[name + "_x"] = in_.number(path + ".x", v.x(), range.low(), range.high());
         thing_.settings[name + "_y"] = in_.number(path + ".y", v.y(), range.low(), range.high());
         thing_.settings[name + "_z"] = in_.number(path + ".z", v.z(), range.low(), range.high());
+    }
+    // The only bytes that things have: modules/destruction/fracture_file.h.
+    void read_fracture(const std::string& given, const std::string& path, const std::string& name) {
+        const std::span bytes = std::as_bytes(std::span(given));
+        if (const auto shape = modules::read_fracture(bytes); !shape.ok())
+            in_.note(path, "is no fracture file: " + shape.error().message);
+        thing_.bytes[name].assign(bytes.begin(), bytes.end());
     }
     void read_list(const Message& m, const FieldDescriptor& field, const std::string& path,
                    const std::string& name) {
@@ -142,7 +160,8 @@ public:
         return written_.size() > before;
     }
     bool all_written() const {
-        return written_.size() == thing_.settings.size() + thing_.bodies.size();
+        return written_.size() ==
+               thing_.settings.size() + thing_.bodies.size() + thing_.bytes.size();
     }
 
 private:
@@ -158,6 +177,13 @@ private:
         }
         if (is_vector(field) || field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
             if (!write(*set.MutableMessage(&m, &field), name + "_")) set.ClearField(&m, &field);
+        } else if (field.type() == FieldDescriptor::TYPE_BYTES) {
+            const auto bytes = thing_.bytes.find(name);
+            if (bytes == thing_.bytes.end()) return;
+            set.SetString(&m, &field,
+                          std::string(reinterpret_cast<const char*>(bytes->second.data()),
+                                      bytes->second.size()));
+            written_.insert("bytes " + name);
         } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
             const auto body = thing_.bodies.find(name);
             if (body == thing_.bodies.end()) return;

@@ -82,7 +82,10 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
             .command_queue_max = config.world.command_queue_max,
             .catch_up_max = config.tick.catch_up_max,
             .physics_threads = config.tick.physics_threads,
-            .on_frame = [&wakers] { wakers.wake(); },
+            .on_frame =
+                [&wakers](bool news) {
+                    if (news) wakers.wake();
+                },
             .metrics = &metrics};
 }
 

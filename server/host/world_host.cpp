@@ -293,7 +293,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     for (std::size_t i = 0; i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
     news = news || events != old->events->count;
-    if (news && settings_.on_frame) settings_.on_frame();
+    if (settings_.on_frame) settings_.on_frame(news);
 }
 
 }  // namespace jostle::server

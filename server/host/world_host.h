@@ -36,9 +36,9 @@ struct WorldHostSettings {
     int catch_up_max = 4;
     int physics_threads = 1;
     bool own_thread = true;  // false: it ticks only when tick() is called
-    // Called on the world's thread after each frame in which something happened; must only wake
-    // somebody.
-    std::function<void()> on_frame;
+    // Called on the world's thread after each frame, with whether something happened in it; must
+    // only wake somebody.
+    std::function<void(bool news)> on_frame;
     Metrics* metrics = nullptr;  // null: nobody counts
 };
 

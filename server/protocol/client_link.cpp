@@ -261,7 +261,7 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
 }
 
 void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
-    flow_->on_ack(ack.frame, now);
+    flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.held_ms), now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();

@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -112,7 +113,7 @@ Result<Action> action_of(const v1::Input& input) {
 }
 
 Ack decode(const v1::Ack& ack) {
-    return {ack.frame(), ack.need_keyframe()};
+    return {ack.frame(), ack.need_keyframe(), std::min(ack.held_ms(), ack_held_ms_max)};
 }
 
 Result<Interest> decode(const v1::Interest& interest) {

@@ -19,6 +19,9 @@ constexpr double rate_min = 1;
 constexpr double below_delivered = 0.95;  // so that a queue does not grow again
 constexpr double first_raise = 1.1, next_raise = 1.5;
 constexpr auto pause_min = std::chrono::seconds(1), pause_max = std::chrono::seconds(2);
+// A client that takes less is given a moment without anything on the way so often: a way that was
+// taken for longer than it is would keep a queue as long as that.
+constexpr auto alone_period = std::chrono::seconds(10);
 constexpr double full_share = 0.8;  // who is delivered so much of the rate takes all of it
 
 double seconds(Clock::duration duration) {
@@ -46,19 +49,24 @@ int FlowControl::window() const {
 
 bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
     if (tick % static_cast<std::uint32_t>(divider_) != 0) return false;
-    if (flights_.empty()) emptying_ = false;
+    if (flights_.empty() && emptying_) {
+        emptying_ = false;
+        probing_ = true;
+    }
     if (limited_ && now < next_send_) {
         slowed_++;
         return false;
     }
     // Only a snapshot is acknowledged: when none is on the way, one must go.
-    if (flights_.empty() || (in_flight_ + others_ < window() && !emptying_)) return true;
+    const bool open = in_flight_ + others_ < window() && !emptying_ && !probing_;
+    if (flights_.empty() || open) return true;
     skipped_++;
     return false;
 }
 
 void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
-    flights_.push_back({frame, now, others_ + 1, flights_.empty()});
+    const bool alone = flights_.empty() && (others_ == 0 || probing_);
+    flights_.push_back({frame, now, others_ + 1, alone});
     in_flight_ += others_ + 1;
     others_ = 0;
     // An even pace; what was late by less than a step does not move those that follow.
@@ -66,19 +74,20 @@ void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
     next_send_ = std::max(next_send_, now - step) + step;
 }
 
-void FlowControl::on_ack(std::uint32_t frame, Clock::time_point now) {
+void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now) {
     // An ack covers all that was sent before: the stream is ordered. A frame that is not in flight
     // says nothing.
     const auto at = std::find_if(flights_.begin(), flights_.end(),
                                  [&](const Flight& f) { return f.frame == frame; });
     if (at == flights_.end()) return;
     const Flight sent = *at;
-    const double rtt = seconds(now - sent.at);
-    learn_round_trip(sent, rtt);
+    const double rtt = std::max(0.0, seconds(now - sent.at - held));
+    learn_round_trip(sent, rtt, now);
     int delivered = 0;
     for (auto flight = flights_.begin(); flight <= at; ++flight) delivered += flight->messages;
     flights_.erase(flights_.begin(), at + 1);
     in_flight_ -= delivered;
+    if (flights_.empty()) probing_ = false;
 
     window_learned_ = std::min(window_learned_ + delivered, settings_.ack_window_max);
     look_at_queue(sent, rtt, delivered, now);
@@ -100,8 +109,9 @@ void FlowControl::look_at_queue(const Flight& flight, double rtt, int delivered,
 
 // Others on the way make a queue: only what was alone says how long the way is, and any how long it
 // is at most.
-void FlowControl::learn_round_trip(const Flight& flight, double rtt) {
+void FlowControl::learn_round_trip(const Flight& flight, double rtt, Clock::time_point now) {
     rtt_s_ = rtt;
+    if (flight.alone) alone_at_ = now;
     if (!measured_ || rtt < rtt_min_s_ || flight.alone) rtt_min_s_ = rtt;
     measured_ = true;
 }
@@ -112,12 +122,16 @@ void FlowControl::end_round(Clock::time_point now) {
         slow_down(now);
     else if (limited_ && now >= raise_at_)
         speed_up();
+    if (limited_ && now - alone_at_ > alone_period) {
+        emptying_ = true;
+        alone_at_ = now;
+    }
     round_ = {.begun = now};
 }
 
 void FlowControl::slow_down(Clock::time_point now) {
     // A queue that the last time did not take away may be none: the way became longer.
-    emptying_ = limited_ && !raised_;
+    emptying_ = (limited_ && !raised_) || alone_at_ == Clock::time_point{};
     pause_ = std::exchange(raised_, false) ? std::min<Clock::duration>(pause_ * 2, pause_max)
                                            : pause_min;
     raise_at_ = now + pause_;

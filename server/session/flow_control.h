@@ -31,7 +31,8 @@ public:
     void on_sent(std::uint32_t frame, Clock::time_point now);
     // Any other message was: it waits in the same queue.
     void on_other_sent() { others_++; }
-    void on_ack(std::uint32_t frame, Clock::time_point now);
+    // `held`: between the client's decoding of the frame and its ack.
+    void on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now);
 
     // Messages that may be on the way.
     int window() const;
@@ -57,7 +58,7 @@ private:
         int acks = 0, delivered = 0;
         double queue_s = 0;  // the shortest
     };
-    void learn_round_trip(const Flight& flight, double rtt);
+    void learn_round_trip(const Flight& flight, double rtt, Clock::time_point now);
     void look_at_queue(const Flight& flight, double rtt, int delivered, Clock::time_point now);
     void end_round(Clock::time_point now);
     void slow_down(Clock::time_point now);
@@ -74,9 +75,10 @@ private:
     bool measured_ = false;
     Round round_;
     bool emptying_ = false;  // until nothing is on the way, to see how long the way is
+    bool probing_ = false;   // by one snapshot alone
     bool limited_ = false;   // the rate was lowered, and not yet seen to be right in full
     bool raised_ = false;    // since then
-    Clock::time_point next_send_{}, raise_at_{}, lowered_{};
+    Clock::time_point next_send_{}, raise_at_{}, lowered_{}, alone_at_{};
     Clock::duration pause_;  // before the rate is raised
     std::uint32_t skipped_ = 0, slowed_ = 0;
 };

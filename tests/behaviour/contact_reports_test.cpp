@@ -65,6 +65,33 @@ TEST(ContactReports, hits_are_those_above_the_worlds_speed) {
     }
 }
 
+// A ball so fast that it is swept meets a wall between sub-steps: what it gave it is told, m v.
+TEST(ContactReports, an_impact_between_sub_steps_presses_with_the_momentum_that_it_turned_round) {
+    for (const double restitution : {0.0, 0.5}) {
+        World world = make_world({.gravity = {}});
+        must(world.create_body({.type = BodyType::static_body},
+                               {.geometry = Box{{0.1, 2, 2}},
+                                .material = {.friction = 0, .restitution = restitution},
+                                .report_stays = true}));
+        const BodyId ball = add(world, {.geometry = Sphere{0.1},
+                                        .position = {-3.05, 0, 0},
+                                        .velocity = {100, 0, 0},
+                                        .friction = 0,
+                                        .restitution = restitution});
+        const double mass = world.body(ball)->mass;
+        double told = 0;
+        for (int k = 0; k < 10; k++) {
+            must(world.step(1.0 / 60));
+            for (const ContactStay& stay : world.events().contacts) {
+                told += stay.normal_impulse;
+                EXPECT_EQ(stay.body_a, ball);
+                EXPECT_NEAR(stay.normal.x, 1, 1e-9);
+            }
+        }
+        EXPECT_NEAR(told, mass * (100 - velocity_of(world, ball).x), 1e-6 * mass * 100);
+    }
+}
+
 // A box that slides over forty triangles begins to touch them once, and ends once.
 TEST(ContactReports, mesh_is_one_contact_however_many_triangles) {
     std::vector<Vec3> vertices;

@@ -453,6 +453,32 @@ void write_http2(const fs::path& folder) {
     seeds.add("GET / HTTP/1.1\r\n");
 }
 
+// What a server says to a sink: a welcome and a snapshot, over each transport. The first byte says
+// which.
+void write_sink_streams(const fs::path& folder) {
+    Seeds seeds(folder, "sink_stream");
+    v1::ServerMessage welcome, snapshot;
+    welcome.mutable_welcome()->set_client_id(1);
+    welcome.mutable_welcome()->set_tick_hz(60);
+    welcome.mutable_welcome()->set_ack_ms(100);
+    snapshot.mutable_snapshot()->set_frame(5);
+    snapshot.mutable_snapshot()->set_late_us(-100);
+    std::string raw("\1"), socket("\0HTTP/1.1 101 x\r\ns3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n\r\n", 49);
+    std::string http2 = "\2" + http2_frame(4, 0, 0, 0) + http2_frame(1, 4, 1, 1);
+    for (const auto& message : {welcome, snapshot}) {
+        const std::string bytes = message.SerializeAsString();
+        const char size = static_cast<char>(bytes.size());
+        raw += size + std::string(3, '\0') + bytes;
+        socket += std::string("\202") + size + bytes;
+        http2 += http2_frame(0, 0, 1, 0).replace(2, 1, 1, static_cast<char>(size + 5)) +
+                 std::string(4, '\0') + size + bytes;
+    }
+    seeds.add(raw);
+    seeds.add(socket + "\211" + '\0');
+    seeds.add(http2 + http2_frame(6, 0, 0, 8) + http2_frame(1, 5, 1, 1));
+    seeds.add("\3" + http2.substr(1) + http2_frame(7, 0, 0, 8));
+}
+
 }  // namespace
 
 }  // namespace jostle::fuzz
@@ -464,8 +490,9 @@ int main(int count, char** arguments) {
     }
     using namespace jostle::fuzz;
     const fs::path folder = arguments[1];
-    for (const auto write : {write_play, write_frames, write_scenes, write_geometry,
-                             write_skeletons, write_text, write_requests, write_http2})
+    for (const auto write :
+         {write_play, write_frames, write_scenes, write_geometry, write_skeletons, write_text,
+          write_requests, write_http2, write_sink_streams})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

@@ -13,6 +13,7 @@
 
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
+#include "jostle/modules/fracture_file.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
@@ -62,6 +63,44 @@ TEST(ModuleThings, two_cars_have_each_their_own_wheels) {
     EXPECT_EQ(wheel(1).radius, 0.5);
     const auto cast = [&](std::size_t car) { return cars->def(cars->cars()[car])->cast; };
     EXPECT_NE(cast(0), cast(1));
+}
+
+// A shape that was cut ahead of time stands in the scene, and a fault in it is found by line and
+// chunk.
+TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
+    modules::FracturedShape wall =
+        modules::fracture_box({2, 1, 0.1}, modules::scattered_seeds({2, 1, 0.1}, 20, 1)).value();
+    modules::anchor(wall, {0, -1, 0}, 0.999);
+    std::vector<std::byte> file = modules::write_fracture(wall).value();
+    const auto scene_with = [](const std::vector<std::byte>& bytes) {
+        SceneDescription scene;
+        scene.name = "test";
+        SceneModule::Thing thing{.list = "fractured", .settings = {}, .bodies = {}};
+        thing.settings = {{"x", 5}, {"y", 1}, {"heading", 1.5}, {"tensile", 2e6}};
+        thing.bytes["shape"] = bytes;
+        scene.modules.push_back(
+            {.tag = "destruction", .settings = {}, .bodies = {}, .things = {thing}, .state = {}});
+        return write_scene_json(scene);
+    };
+    const auto scene = read_scene_json(scene_with(file));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->modules[0].things[0].bytes.at("shape"), file);
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* there =
+        dynamic_cast<const modules::Destruction*>(built->world.module("destruction"));
+    EXPECT_EQ(there->bonds_left({0, 1}).value(), wall.bonds.size());
+    const physics::BodyId body = there->bodies({0, 1}).value()[0];
+    EXPECT_EQ(built->world.body(body)->pose.position.x, 5);
+
+    file[200] = std::byte(~std::to_integer<unsigned>(file[200]) & 0xff);
+    const auto wrong = read_scene_json(scene_with(file));
+    ASSERT_FALSE(wrong.ok());
+    EXPECT_THAT(wrong.error().message, HasSubstr("line "));
+    EXPECT_THAT(wrong.error().message, HasSubstr("modules[0].destruction.fractured[0].shape"));
+    EXPECT_THAT(wrong.error().message, HasSubstr("checksum"));
+    EXPECT_THAT(fault_of(R"({"destruction": {"fractured": [{"x": 1}]}})"),
+                HasSubstr("fractured[0].shape"));
 }
 
 TEST(ModuleThings, several_winds_and_waters_in_volumes_of_their_own) {

@@ -126,14 +126,10 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     if (!told_bases.ok()) return;
     const wire::Bases bases{base_of(told_bases->base), base_of(told_bases->base2),
                             base_of(told_bases->base3)};
-    const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
-                               static_cast<std::int32_t>(welcome.quant().rotation_component())};
-    auto frame = wire::decode_frame(snapshot.frame(), std::as_bytes(std::span(snapshot.packed())),
-                                    bases, spec, wire::default_entities_max,
-                                    static_cast<wire::Codec>(std::max(1u, welcome.codec())));
-    expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
-    if (!frame.ok()) return;
-    expect(wire::frame_crc(*frame) == snapshot.crc(), name + " has another CRC than the server's");
+    const auto frame =
+        welcome.cells() ? seen_by_cells(snapshot, name)
+                        : decoded(name, snapshot.frame(), snapshot.packed(), bases, snapshot.crc());
+    if (!frame) return;
     expect(std::ranges::all_of(frame->entities,
                                [&](const auto& entity) { return entities.contains(entity.id); }),
            name + " holds an entity that no roster named");
@@ -141,9 +137,58 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     ages_ms.push_back(age_ms(due_us(snapshot)));
     crc_of[snapshot.frame()] = snapshot.crc();
     newest_frame = snapshot.frame();
-    ring_.push_back(std::move(*frame));
+    ring_.push_back(*frame);
     if (ring_.size() > ring_size) ring_.pop_front();
     for (const v1::Events& tick : snapshot.events()) take(tick);
+}
+
+std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
+                                                       std::uint32_t number,
+                                                       const std::string& packed,
+                                                       const wire::Bases& bases,
+                                                       std::uint32_t crc) {
+    const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
+                               static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    auto frame = wire::decode_frame(number, std::as_bytes(std::span(packed)), bases, spec,
+                                    wire::default_entities_max,
+                                    static_cast<wire::Codec>(std::max(1u, welcome.codec())));
+    expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
+    if (!frame.ok()) return std::nullopt;
+    expect(wire::frame_crc(*frame) == crc, name + " has another CRC than the server's");
+    return *std::move(frame);
+}
+
+// As WIRE.md tells of cells: all of them together, each entity once.
+std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot& snapshot,
+                                                             const std::string& name) {
+    expect(snapshot.packed().empty(), name + " has cells and a frame");
+    for (const std::uint32_t cell : snapshot.cells_left())
+        expect(cells.erase(cell) == 1, name + " leaves a cell that was never told");
+    for (const v1::CellPart& part : snapshot.cells()) {
+        auto& states = cells[part.cell()];
+        const std::string cell = name + ", cell " + std::to_string(part.cell());
+        const auto base_of = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+            expect(number == 0 || states.contains(number), cell + " refers to a state never sent");
+            return number != 0 && states.contains(number) ? &states[number] : nullptr;
+        };
+        const auto told = wire::decode_base_frames(part.number(), part.bases());
+        expect(told.ok(), cell + " names bases that cannot be");
+        if (!told.ok()) return std::nullopt;
+        auto state =
+            decoded(cell, part.number(), part.packed(),
+                    {base_of(told->base), base_of(told->base2), base_of(told->base3)}, part.crc());
+        if (!state) return std::nullopt;
+        states[part.number()] = *std::move(state);
+    }
+    std::map<std::uint32_t, std::pair<std::uint32_t, wire::EntityState>> newest;
+    for (const auto& [cell, states] : cells)
+        for (const wire::EntityState& entity : states.rbegin()->second.entities)
+            if (const auto known = newest.find(entity.id);
+                known == newest.end() || known->second.first < states.rbegin()->first)
+                newest[entity.id] = {states.rbegin()->first, entity};
+    wire::QuantizedFrame frame{.frame = snapshot.frame(), .entities = {}};
+    for (const auto& [id, seen] : newest) frame.entities.push_back(seen.second);
+    return frame;
 }
 
 std::uint64_t PlayState::due_us(const v1::Snapshot& snapshot) const {

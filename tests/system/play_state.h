@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -37,6 +38,8 @@ public:
     std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;
+    // States of the cells in sight, by number: of a client that is told of parts of its world.
+    std::map<std::uint32_t, std::map<std::uint32_t, wire::QuantizedFrame>> cells;
     bool wants_events = false;       // said so in its Hello
     std::vector<v1::Events> events;  // in the order in which they came
 
@@ -51,6 +54,11 @@ private:
     void take(const v1::Snapshot& snapshot);
     void take_results(const v1::Private& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;
+    std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
+                                                const std::string& packed, const wire::Bases& bases,
+                                                std::uint32_t crc);
+    std::optional<wire::QuantizedFrame> seen_by_cells(const v1::Snapshot& snapshot,
+                                                      const std::string& name);
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool promise, const std::string& what);

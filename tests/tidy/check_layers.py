@@ -67,6 +67,7 @@ FLOORS = {
     "clients/bot": ["clients/cpp", "clients/flags", "generated"],
     "clients/flags": ["clients/cpp"],
     "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
+    "clients/relay": [],
     "clients/load": ["clients/cpp", "clients/bot", "clients/flags", "generated"],
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.

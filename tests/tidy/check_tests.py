@@ -34,6 +34,9 @@ COVERED_BY = {
         (["physics/collision/narrowphase/collide_test.cpp"], "two lines: pairs are looked at from both sides"),
     "collision/narrowphase/nearest_point.cpp":
         (["physics/world/query_test.cpp"], "closest_point against signed distances of every kind"),
+    "collision/narrowphase/sweep_lanes.h":
+        (["physics/collision/narrowphase/sweep_surface_test.cpp"],
+         "which boxes a sweep may leave out: every kind against a search triangle by triangle"),
     "constraint_graph/wide_rows.h":
         (["physics/constraint_graph/contact_constraint_wide_test.cpp"], "two lines: a vector into a lane and out of it"),
     "constraints/body_kernel.h":

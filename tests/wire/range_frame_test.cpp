@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "wire/frame_codec.h"
 #include "wire/motion.h"
 #include "wire/range_walk.h"
 #include "wire/start_models.h"

@@ -115,6 +115,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
         need_keyframe_ = ack_due_ = true;
         return;
     }
+    decoded_at_ = now;
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
@@ -172,6 +173,9 @@ std::vector<v1::Events> Conversation::take_events() {
 void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
+    if (decoded_at_ != Clock::time_point{})
+        ack.set_held_ms(static_cast<std::uint32_t>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
     ack_due_ = keyframe_wanted_ = false;
     last_ack_ = now;
 }

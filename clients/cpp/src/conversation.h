@@ -80,7 +80,7 @@ private:
     Clock::duration ack_period_{};
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
-    Clock::time_point last_batch_{}, last_ack_{}, next_ping_{};
+    Clock::time_point last_batch_{}, last_ack_{}, next_ping_{}, decoded_at_{};
 };
 
 }  // namespace jostle::client

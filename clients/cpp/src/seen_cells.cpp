@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "jostle/client/world_view.h"
 #include "wire/base_frames.h"
 
 namespace jostle::client {
@@ -53,7 +52,7 @@ Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spe
     for (auto& [cell, state] : fresh) {
         States& states = cells_[cell];
         states.push_back(std::move(state));
-        if (states.size() > WorldView::ring) states.pop_front();
+        if (states.size() > kept) states.pop_front();
     }
     return {};
 }

@@ -4,6 +4,7 @@
 // together to one frame (proto/WIRE.md, "Cells"). One thread at a time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -16,6 +17,8 @@ namespace jostle::client {
 
 class SeenCells {
 public:
+    static constexpr std::size_t kept = 32;  // states of a cell, as bases of later ones
+
     // The cells of a snapshot. An error leaves everything as it was.
     Status apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec, wire::Codec codec);
     // All entities that are in sight, in rising order of id: of one that is in two cells, on its
@@ -24,7 +27,7 @@ public:
     void clear() { cells_.clear(); }
 
 private:
-    using States = std::deque<wire::QuantizedFrame>;  // rising, at most WorldView::ring
+    using States = std::deque<wire::QuantizedFrame>;  // rising, at most `kept`
     Result<wire::QuantizedFrame> decode(const v1::CellPart& part, const wire::QuantSpec& spec,
                                         wire::Codec codec) const;
 

@@ -3,7 +3,18 @@
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
 import { baseFrames } from './base_frames';
-import { DecodeError, NEWEST_CODEC, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
+import {
+  DecodeError,
+  NEWEST_CODEC,
+  decodeFrame,
+  frameCrc,
+  isSound,
+  type Bases,
+  type QuantSpec,
+  type QuantizedFrame,
+} from './decode_frame';
+import { SeenCells } from './seen_cells';
+import type { Sight } from './sight';
 import { FrameBuffer } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
@@ -13,6 +24,7 @@ import {
   AckSchema,
   ClientMessageSchema,
   InputCode,
+  InterestSchema,
   NoticeCode,
   ServerMessageSchema,
   type Entity,
@@ -81,11 +93,14 @@ export class Connection {
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
   private codec = 1; // of snapshots
+  private readonly cells = new SeenCells();
+  private focus = { x: 0, z: 0 };
   private inputs: Input[] = [];
   private nextSequence = 1;
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
+  private decodedAt = 0;
   private lastPing = 0;
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
@@ -100,6 +115,7 @@ export class Connection {
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
     private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
+    private readonly sight: Sight | undefined = undefined, // absent: it is told of all of the world
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -163,7 +179,10 @@ export class Connection {
     socket.onopen = () => {
       const { world, token, eventsWanted: events } = this;
       const channels = [...this.kinds];
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC };
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
+        maxKbps: this.sight?.maxKbps ?? 0,
+        ...(this.interest() ? { interest: this.interest() } : {}),
+      };
       this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
@@ -243,6 +262,7 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.frames.clear();
+    this.cells.clear();
     this.renderClock.reset();
     this.inputClock.begin(welcome.tickHz);
     this.clock.reset();
@@ -251,7 +271,7 @@ export class Connection {
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
-    this.lastAck = 0;
+    this.lastAck = this.decodedAt = 0;
     this.lastPing = 0;
     this.playingSince = nowUs();
     this.setState('playing', '');
@@ -287,14 +307,14 @@ export class Connection {
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
-      const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec, undefined, this.codec);
-      if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+      const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, base2, base3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));
       if (s.still > 0) this.frames.hold(this.dueUs(told[0] + s.still, s.lateUs));
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
+      this.decodedAt = nowUs();
       const arrived = nowUs();
       this.renderClock.onFrame(serverUs, arrived, s.still > 0);
       if (this.clock.ready) {
@@ -310,6 +330,30 @@ export class Connection {
     }
   }
 
+  private wholeOf(s: Snapshot, bases: Bases): QuantizedFrame {
+    const frame = decodeFrame(s.frame, s.packed, bases, this.spec, undefined, this.codec);
+    if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+    return frame;
+  }
+
+  /** The cells that are in sight. */
+  private partOf(s: Snapshot): QuantizedFrame {
+    this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec);
+    return this.cells.frame(s.frame);
+  }
+
+  /** What it wants to be told of from now on; only while `sight` is given. */
+  lookAt(x: number, z: number): void {
+    if (!this.sight || Math.hypot(x - this.focus.x, z - this.focus.z) < this.sight.radius / 16) return;
+    this.focus = { x, z };
+    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest()! });
+  }
+
+  private interest() {
+    if (!this.sight?.radius) return undefined;
+    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: this.sight.radius });
+  }
+
   /** When a tick was due, on the server's clock. */
   private dueUs(frame: number, lateUs: bigint): number {
     return Number(this.welcome!.epochUs) + Math.round((frame * 1e6) / this.welcome!.tickHz) + Number(lateUs);
@@ -318,7 +362,11 @@ export class Connection {
   private ack() {
     this.ackDue = false;
     this.lastAck = nowUs();
-    return create(AckSchema, { frame: this.frames.newest?.frame ?? 0, needKeyframe: this.needKeyframe });
+    return create(AckSchema, {
+      frame: this.frames.newest?.frame ?? 0,
+      needKeyframe: this.needKeyframe,
+      heldMs: this.decodedAt === 0 ? 0 : Math.floor((this.lastAck - this.decodedAt) / 1000),
+    });
   }
 
   private sendAckIfDue(): void {

@@ -28,6 +28,7 @@ import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import { heightAt } from './water';
 import './style.css';
+import { sightOf } from './sight';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -78,7 +79,9 @@ const told: Events = {
 };
 // ?delay=80&jitter=20&stalls=250: as over a bad link.
 const badLink = linkOf(location.search);
-const connection = new Connection(websocketUrl(), told, badLink ? overLink(openSocket, badLink) : openSocket, token, DRAWN_KINDS);
+const open = badLink ? overLink(openSocket, badLink) : openSocket;
+// ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
+const connection = new Connection(websocketUrl(), told, open, token, DRAWN_KINDS, sightOf(location.search));
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
@@ -289,6 +292,7 @@ renderer.setAnimationLoop(() => {
   eventsPanel.update();
   hitMarks.update(performance.now());
   drive();
+  connection.lookAt(camera.controls.target.x, camera.controls.target.z);
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
   statsPanel.pictureDrawn();

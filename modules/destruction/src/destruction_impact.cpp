@@ -7,6 +7,7 @@
 #include "bond_network.h"
 #include "contact_motion.h"
 #include "destruction_impact.h"
+#include "given_back.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {
@@ -17,42 +18,14 @@ using namespace destruction_detail;
 namespace {
 
 constexpr double knocked_time = 0.2;  // s
-constexpr int rounds_of_giving = 16;
 
-void push(BodyState& body, Vec3 impulse, Vec3 point) {
-    if (!(body.mass > 0)) return;
-    body.linear_velocity += impulse / body.mass;
-    body.angular_velocity += inverse(body.inertia) * cross(point - body.center, impulse);
+bool is_before(const Noted& noted, BodyId id) {
+    return noted.state.id < id;
 }
-
-// What a piece gives back to what struck it.
-struct GivenBack {
-    Vec3 point, normal;  // the normal pushes what struck on its way
-    std::size_t own = 0, other = 0;
-    double speed = 0;  // m/s, against each other, that it shall have
-    double give_own = 0, give_other = 0;
-    double impulse = 0;  // N s, so far
-
-    // The piece gives no more than it got since then.
-    void share(BodyState& piece, BodyState& struck, Vec3 linear, Vec3 angular) {
-        if (!(give_own + give_other > 0)) return;
-        const double now = dot(velocity_at(struck, point) - velocity_at(piece, point), normal);
-        double more = (speed - now) / (give_own + give_other);
-        if (give_own > 0) {
-            const Vec3 got = piece.linear_velocity - linear +
-                             cross(piece.angular_velocity - angular, point - piece.center);
-            more = minimum(more, dot(got, normal) / give_own);
-        }
-        more = maximum(more, -impulse);
-        impulse += more;
-        push(struck, normal * more, point);
-        if (give_own > 0) push(piece, normal * -more, point);
-    }
-};
 
 }  // namespace
 
-// As bodies moved before the step, for what yields(); and who was knocked out.
+// As bodies moved before the step: pieces, what touches them or is near; and who was knocked out.
 void Destruction::before_step(World& world, double dt) {
     derive();
     knocked_.clear();
@@ -67,17 +40,26 @@ void Destruction::before_step(World& world, double dt) {
                 knocked_.emplace_back(piece.body, w);
                 piece.knocked = maximum(0, piece.knocked - dt);
             }
-            if (piece.anchored || piece.chunks.size() < 2) continue;
-            const Result<BodyState> body = world.body(piece.body);
-            if (!body.ok()) continue;
-            piece.linear = body->linear_velocity;
-            piece.angular = body->angular_velocity;
+            if (!places_.empty()) note_before(world, w, piece);
         }
 }
 
+void Destruction::note_before(const World& world, std::uint32_t whole, Piece& piece) {
+    note_before(world, whole, piece.body);
+    if (piece.chunks.size() < 2) return;
+    if (const Result<std::vector<ContactInfo>> near = world.contacts_of(piece.body); near.ok())
+        for (const ContactInfo& c : *near)
+            note_before(world, whole, c.body_a == piece.body ? c.body_b : c.body_a);
+    if (piece.anchored) return;
+    const Result<BodyState> body = world.body(piece.body);
+    if (!body.ok()) return;
+    piece.linear = body->linear_velocity;
+    piece.angular = body->angular_velocity;
+}
+
 void Destruction::pre_solve(PreSolve& pair) {
-    if (place_of(pair.shape_a)) note_before(pair.world, pair.body_b);
-    if (place_of(pair.shape_b)) note_before(pair.world, pair.body_a);
+    if (const Place* at = place_of(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
+    if (const Place* at = place_of(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
@@ -87,16 +69,23 @@ void Destruction::pre_solve(PreSolve& pair) {
 }
 
 // As it was before the first thing that met it in this step.
-void Destruction::note_before(const World& world, BodyId body) {
-    if (velocity_before(body)) return;
-    if (const Result<BodyState> state = world.body(body); state.ok()) before_.push_back(*state);
+void Destruction::note_before(const World& world, std::uint32_t whole, BodyId body) {
+    const auto at = std::lower_bound(before_.begin(), before_.end(), body, is_before);
+    if (at != before_.end() && at->state.id == body) return;
+    const Result<BodyState> state = world.body(body);
+    if (state.ok() && state->mass > 0) before_.insert(at, {*state, whole});
 }
 
 const BodyState* Destruction::velocity_before(BodyId body) const {
-    for (const std::vector<BodyState>* known : {&movers_, &before_})
-        for (const BodyState& state : *known)
-            if (state.id == body) return &state;
-    return nullptr;
+    for (const BodyState& state : movers_)
+        if (state.id == body) return &state;
+    const Noted* noted = noted_before(body);
+    return noted ? &noted->state : nullptr;
+}
+
+const Noted* Destruction::noted_before(BodyId body) const {
+    const auto at = std::lower_bound(before_.begin(), before_.end(), body, is_before);
+    return at != before_.end() && at->state.id == body ? &*at : nullptr;
 }
 
 // What was struck and parted from what it hung on.
@@ -141,8 +130,8 @@ void Destruction::agree() {
     }
 }
 
-Destruction::Piece& Destruction::piece_of(const Press& press) {
-    Whole& whole = wholes_[press.whole];
+const Destruction::Piece& Destruction::piece_of(const Press& press) const {
+    const Whole& whole = wholes_[press.whole];
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 
@@ -184,8 +173,7 @@ double Destruction::speed_left(const Press& press) {
 double Destruction::speed_back(const World& world, const Press& press) const {
     const double speed = speed_left(press);
     const BodyState* before = velocity_before(press.other_body);
-    const Whole& whole = wholes_[press.whole];
-    const Piece& piece = whole.pieces[whole.chunks[press.chunk].piece];
+    const Piece& piece = piece_of(press);
     const Result<BodyState> own = world.body(piece.body);
     if (!before || !own.ok()) return speed;
     const Vec3 brought = velocity_at(*before, press.point) - piece.linear -
@@ -193,22 +181,81 @@ double Destruction::speed_back(const World& world, const Press& press) const {
     return minimum(speed, dot(brought, press.normal));
 }
 
-// All that go on, at once: what one gives back may be what another need not. Projected Gauss-Seidel
-// on copies of the bodies; then each impulse acts on both at its point.
-void Destruction::let_through(World& world, double dt) {
-    std::vector<BodyState> bodies;
-    std::vector<Vec3> linear, angular;  // of pieces, before the step
-    const auto add = [&](BodyId id, const Piece* piece) {
-        std::size_t at = 0;
-        while (at < bodies.size() && bodies[at].id != id) at++;
-        if (at == bodies.size()) {
-            bodies.push_back(*world.body(id));
-            linear.push_back({});
-            angular.push_back({});
-        }
-        if (piece) linear[at] = piece->linear + world.gravity() * dt, angular[at] = piece->angular;
-        return at;
+// What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
+// nothing that it did not keep.
+std::size_t Destruction::meet(const World& world, std::vector<Met>& bodies, BodyId id,
+                              const Piece* piece, double dt) const {
+    std::size_t at = 0;
+    while (at < bodies.size() && bodies[at].now.id != id) at++;
+    if (at == bodies.size()) {
+        const BodyState now = *world.body(id);
+        const BodyState* before = velocity_before(id);
+        bodies.push_back({now, (before ? *before : now).linear_velocity,
+                          (before ? *before : now).angular_velocity,
+                          before ? world.gravity() * dt : Vec3{}});
+    }
+    if (piece) {
+        bodies[at].linear = piece->linear;
+        bodies[at].angular = piece->angular;
+        bodies[at].fall = world.gravity() * dt;
+    }
+    return at;
+}
+
+// What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
+// who shall not get it back as well.
+void Destruction::add_bystanders(const World& world, std::uint32_t whole, double dt,
+                                 std::vector<Met>& bodies, std::vector<std::size_t>& added) const {
+    const std::size_t known = bodies.size();
+    for (const Noted& noted : before_) {
+        if (noted.whole != whole) continue;
+        const auto same = [&](const Met& met) { return met.now.id == noted.state.id; };
+        if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
+            continue;
+        const Result<BodyState> now = world.body(noted.state.id);
+        if (!now.ok() || !now->awake) continue;
+        const Met met{*now, noted.state.linear_velocity, noted.state.angular_velocity,
+                      world.gravity() * dt};
+        if (!(met.energy() > met.energy_before())) continue;
+        added.push_back(bodies.size());
+        bodies.push_back(met);
+    }
+}
+
+// Which bodies share one ledger: those of a whole, and of the wholes that they touch.
+Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bodies) const {
+    Links links;
+    std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
+    std::vector<std::size_t> added;
+    const auto link = [&](std::size_t body, BodyId touched) {
+        const Noted* noted = noted_before(touched);
+        if (!noted) return;
+        const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
+            return entry.first == noted->whole;
+        });
+        if (known != wholes.end()) return void(links.emplace_back(known->second, body));
+        wholes.emplace_back(noted->whole, body);
+        added.clear();
+        add_bystanders(world, noted->whole, dt, bodies, added);
+        for (const std::size_t k : added) links.emplace_back(body, k);
     };
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        const BodyId id = bodies[k].now.id;
+        link(k, id);
+        for (const Press& press : presses_) {
+            if (press.other_body == id) link(k, piece_of(press).body);
+            if (piece_of(press).body == id) link(k, press.other_body);
+        }
+        const Result<std::vector<ContactInfo>> contacts = world.contacts_of(id);
+        if (!contacts.ok()) continue;
+        for (const ContactInfo& c : *contacts) link(k, c.body_a == id ? c.body_b : c.body_a);
+    }
+    return links;
+}
+
+// All that go on, at once; then each impulse acts on both at its point.
+void Destruction::let_through(World& world, double dt) {
+    std::vector<Met> bodies;
     std::vector<GivenBack> all;
     for (const Press& press : presses_) {
         if (!press.impact || !(press.worst > 1)) continue;
@@ -219,25 +266,28 @@ void Destruction::let_through(World& world, double dt) {
             again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point,
                               -press.normal, speed});
         if (press.second) continue;
-        const std::size_t own = add(piece.body, &piece), other = add(press.other_body, nullptr);
+        const std::size_t own = meet(world, bodies, piece.body, &piece, dt),
+                          other = meet(world, bodies, press.other_body, nullptr, dt);
         all.push_back(
             {.point = press.point,
              .normal = press.normal,
-             .own = own,
-             .other = other,
+             .piece = own,
+             .struck = other,
              .speed = speed,
-             .give_own = press.grounded ? 0 : give(bodies[own], press.point, press.normal),
-             .give_other = give(bodies[other], press.point, press.normal)});
+             .give_piece = press.grounded ? 0 : give(bodies[own].now, press.point, press.normal),
+             .give_struck = give(bodies[other].now, press.point, press.normal),
+             .paid = press.paid});
     }
-    for (int round = 0; round < rounds_of_giving; round++)
-        for (GivenBack& one : all)
-            one.share(bodies[one.own], bodies[one.other], linear[one.own], angular[one.own]);
+    if (all.empty()) return;
+    const Links links = links_of(world, dt, bodies);
+    give_back(bodies, all, links);
     for (const GivenBack& one : all) {
         if (!(one.impulse > 0)) continue;
         const Vec3 push = one.normal * one.impulse;
-        static_cast<void>(world.apply_impulse(bodies[one.other].id, push, one.point).ok());
-        if (one.give_own > 0)
-            static_cast<void>(world.apply_impulse(bodies[one.own].id, -push, one.point).ok());
+        const BodyId struck = bodies[one.struck].now.id, piece = bodies[one.piece].now.id;
+        static_cast<void>(world.apply_impulse(struck, push, one.point).ok());
+        if (one.give_piece > 0)
+            static_cast<void>(world.apply_impulse(piece, -push, one.point).ok());
     }
 }
 

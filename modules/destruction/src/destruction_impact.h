@@ -7,6 +7,7 @@
 
 #include "jostle/physics/ids.h"
 #include "jostle/physics/vec3.h"
+#include "jostle/physics/world.h"
 
 namespace jostle::modules::destruction_detail {
 
@@ -33,6 +34,12 @@ struct Again {
     physics::BodyId other_body;
     physics::Vec3 point, normal;  // from the chunk
     double approach = 0;          // m/s
+};
+
+// A body of a whole, or near one, before the step.
+struct Noted {
+    physics::BodyState state;
+    std::uint32_t whole = 0;
 };
 
 }  // namespace jostle::modules::destruction_detail

@@ -7,6 +7,7 @@
 #include "destruction_checks.h"
 #include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
+#include "jostle/modules/fracture_file.h"
 #include "jostle/modules/settings.h"
 
 namespace jostle::modules {
@@ -162,10 +163,13 @@ void Destruction::publish(const World&, ChannelWriter& channels) const {
 
 Status Destruction::configure(World& world, const ModuleSettings& given) {
     double count = 1, spacing = 8, width = 6, height = 3, thickness = 0.3, chunks = 150, seed = 1;
+    double heading = 0;
     Vec3 foot;
+    std::span<const std::byte> file;
     DestructibleDef def;
     DestructionLimits limits = limits_;
     SettingsReader settings(given);
+    settings.bytes("shape", file);
     settings.number("count", count, 0, 100);
     settings.number("spacing", spacing, 0, 1000);
     settings.number("width", width, 0.1, 100);
@@ -176,9 +180,11 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     settings.number("x", foot.x, -1e6, 1e6);
     settings.number("y", foot.y, -1e6, 1e6);
     settings.number("z", foot.z, -1e6, 1e6);
+    settings.number("heading", heading, -7, 7);
     settings.number("density", def.density, 1, 1e5);
     settings.number("tensile", def.bonds.tensile, 1, 1e13);
     settings.number("shear", def.bonds.shear, 1, 1e13);
+    settings.number("compressive", def.bonds.compressive, 1, 1e13);
     settings.number("fracture_energy", def.bonds.fracture_energy, 0, 1e9);
     settings.number("debris_life", limits.debris_life, 0, 1e6);
     settings.number("debris_volume", limits.debris_volume, 0, 1e12);
@@ -186,13 +192,16 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     if (Status s = settings.finish(); !s.ok()) return s;
     if (Status s = set_limits(limits); !s.ok()) return s;
     const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};
-    Result<FracturedShape> wall = fracture_box(
-        half, scattered_seeds(half, static_cast<int>(chunks), static_cast<std::uint64_t>(seed)));
-    if (!wall.ok()) return wall.error();
-    anchor(*wall, {0, -1, 0}, half.y * (1 - 1e-6));
+    Result<FracturedShape> shape =
+        file.empty() ? fracture_box(half, scattered_seeds(half, static_cast<int>(chunks),
+                                                          static_cast<std::uint64_t>(seed)))
+                     : read_fracture(file);
+    if (!shape.ok()) return shape.error();
+    if (file.empty()) anchor(*shape, {0, -1, 0}, half.y * (1 - 1e-6));
+    def.pose.rotation = from_axis_angle({0, 1, 0}, heading);
     for (int k = 0; k < static_cast<int>(count); k++) {
-        def.pose.position = foot + Vec3{spacing * k, half.y, 0};
-        if (const Result<DestructibleId> id = add(world, *wall, def); !id.ok()) return id.error();
+        def.pose.position = foot + Vec3{spacing * k, file.empty() ? half.y : 0, 0};
+        if (const Result<DestructibleId> id = add(world, *shape, def); !id.ok()) return id.error();
     }
     return {};
 }

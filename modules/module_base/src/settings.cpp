@@ -63,12 +63,20 @@ void SettingsReader::body(std::string_view name, physics::BodyId& to) {
         if (given == name) to = body;
 }
 
+void SettingsReader::bytes(std::string_view name, std::span<const std::byte>& to) {
+    bytes_.emplace_back(name);
+    for (const auto& [given, bytes] : settings_.bytes)
+        if (given == name) to = bytes;
+}
+
 Status SettingsReader::finish() {
     for (const auto& [name, value] : settings_.numbers)
         if (!has(numbers_, name))
             fail("there is no setting " + name + "; there are: " + list(numbers_));
     for (const auto& [name, body] : settings_.bodies)
         if (!has(bodies_, name)) fail("there is no body " + name + "; there are: " + list(bodies_));
+    for (const auto& [name, bytes] : settings_.bytes)
+        if (!has(bytes_, name)) fail("there are no bytes " + name + "; there are: " + list(bytes_));
     if (fault_.empty()) return {};
     return Error{ErrorCode::invalid_argument, fault_};
 }

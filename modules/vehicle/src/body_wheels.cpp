@@ -61,7 +61,12 @@ Status make_one(World& world, const BodyState& chassis, const Filter& filter, st
     BodyDef body{.pose = {apply(chassis.pose, hub), chassis.pose.rotation}};
     body.linear_velocity = chassis.linear_velocity +
                            cross(chassis.angular_velocity, body.pose.position - chassis.center);
-    body.angular_velocity = chassis.angular_velocity;
+    // It rolls: four wheels that are still to be spun up slide, and slide where they like.
+    const Vec3 axle = rotate(chassis.pose.rotation, wheel.axle);
+    const Vec3 ahead = rotate(chassis.pose.rotation, cross(wheel.axle, wheel.down));
+    WheelBody& run = car.bodies[index];
+    run.spin = clamp(dot(body.linear_velocity, ahead) / wheel.radius, -1e5, 1e5);
+    body.angular_velocity = chassis.angular_velocity - axle * run.spin;
     ShapeDef shape{.geometry = Cylinder{wheel.radius, 0.5 * wheel.width},
                    .pose = {{}, turn_to({0, 1, 0}, wheel.axle, {1, 0, 0})},
                    .mass = wheel.mass,
@@ -70,7 +75,6 @@ Status make_one(World& world, const BodyState& chassis, const Filter& filter, st
     shape.material.friction_rule = wheel.tyre.friction_rule;
     const Result<BodyId> made = world.create_body(body, shape);
     if (!made.ok()) return made.error();
-    WheelBody& run = car.bodies[index];
     run.body = *made;
     const Quat frame = frame_of(wheel);
     JointDef joint{.body_a = car.def.chassis,

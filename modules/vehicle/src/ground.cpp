@@ -42,35 +42,35 @@ std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filt
                  (**hit).normal};
 }
 
-std::optional<Found> cast_shape_of(const Queries& queries, const QueryFilter& filter,
-                                   const Way& way, const Geometry& shape, Quat rotation) {
-    const auto hit = queries.cast_shape({shape, {way.from, rotation}, way.motion}, filter);
-    if (!hit.ok() || !*hit || (**hit).fraction <= 0) return {};
-    return Found{(**hit).body, (**hit).shape, (**hit).fraction, (**hit).point, (**hit).normal};
-}
-
-std::optional<Found> cast_whole(const Queries& queries, const QueryFilter& filter, const Way& way,
-                                const Wheel& wheel, WheelCast cast) {
-    if (cast == WheelCast::sphere)
-        return cast_shape_of(queries, filter, way, Sphere{wheel.radius}, {});
-    return cast_shape_of(queries, filter, way, Cylinder{wheel.radius, 0.5 * wheel.width},
-                         turn_to({0, 1, 0}, way.axle, {1, 0, 0}));
+ShapeCast whole_wheel(const Way& way, const Wheel& wheel, WheelCast cast) {
+    if (cast == WheelCast::sphere) return {Sphere{wheel.radius}, {way.from, {}}, way.motion};
+    return {Cylinder{wheel.radius, 0.5 * wheel.width},
+            {way.from, turn_to({0, 1, 0}, way.axle, {1, 0, 0})},
+            way.motion};
 }
 
 bool bears(const Way& way, const std::optional<Found>& found) {
     return found && dot(found->normal, way.down) <= -steepest;
 }
 
-std::optional<Found> cast_wheel(const Queries& queries, const Car& car, const Wheel& wheel,
-                                const Way& way) {
-    const QueryFilter filter{.categories = car.def.ground, .ignore = car.def.chassis};
-    if (car.def.cast != WheelCast::ray) {
-        const std::optional<Found> found = cast_whole(queries, filter, way, wheel, car.def.cast);
-        if (bears(way, found)) return found;
-        // It starts inside of something, leans on a wall, or is in the air.
+QueryFilter filter_of(const Car& car) {
+    return {.categories = car.def.ground, .ignore = car.def.chassis};
+}
+
+// All of its wheels at once.
+void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const Way> ways,
+                       std::span<std::optional<Found>> found) {
+    std::vector<ShapeCast> casts;
+    casts.reserve(ways.size());
+    for (std::size_t k = 0; k < ways.size(); k++)
+        casts.push_back(whole_wheel(ways[k], car.def.wheels[k], car.def.cast));
+    const auto hits = queries.cast_shapes(casts, filter_of(car));
+    if (!hits.ok()) return;
+    for (std::size_t k = 0; k < ways.size(); k++) {
+        const std::optional<ShapeCastHit>& hit = (*hits)[k];
+        if (hit && hit->fraction > 0)
+            found[k] = Found{hit->body, hit->shape, hit->fraction, hit->point, hit->normal};
     }
-    const std::optional<Found> below = cast_ray_of(queries, filter, way, wheel.radius);
-    return bears(way, below) ? below : std::nullopt;
 }
 
 // Where the chassis is in the middle of the step, and how it moves.
@@ -108,11 +108,11 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void look(const World& world, const Queries& queries, const Way& way, std::size_t index, Car& car) {
+void stand(const World& world, const Way& way, const std::optional<Found>& found, std::size_t index,
+           Car& car) {
     WheelRun& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
-    const std::optional<Found> found = cast_wheel(queries, car, car.def.wheels[index], way);
-    if (!found) return;
+    if (!bears(way, found)) return;
     ground.found = true;
     ground.point = found->point;
     ground.normal = found->normal;
@@ -139,8 +139,19 @@ void look_for_ground(const World& world, const Queries& queries, const BodyState
                     dt};
     chassis.pose.position += ahead;
     car.grounds.resize(car.wheels.size());
-    for (std::size_t k = 0; k < car.wheels.size(); k++)
-        look(world, queries, way_of(chassis, car.def.wheels[k], car.rigs[k].axle), k, car);
+    std::array<Way, wheels_max> ways;
+    std::array<std::optional<Found>, wheels_max> found;
+    const std::size_t count = car.wheels.size();
+    for (std::size_t k = 0; k < count; k++)
+        ways[k] = way_of(chassis, car.def.wheels[k], car.rigs[k].axle);
+    if (car.def.cast != WheelCast::ray)
+        cast_whole_wheels(queries, car, std::span(ways).first(count), found);
+    for (std::size_t k = 0; k < count; k++) {
+        // It starts inside of something, leans on a wall, or is in the air.
+        if (!bears(ways[k], found[k]))
+            found[k] = cast_ray_of(queries, filter_of(car), ways[k], car.def.wheels[k].radius);
+        stand(world, ways[k], found[k], k, car);
+    }
 }
 
 }  // namespace jostle::modules::vehicle_detail

@@ -20,6 +20,8 @@ using namespace vehicle_detail;
 
 namespace {
 
+constexpr int cars_at_once = 16;  // that a thread takes: some 20 us of looking for ground
+
 Error unknown_car(CarId car) {
     return {ErrorCode::not_found, "there is no car " + std::to_string(car)};
 }
@@ -57,7 +59,8 @@ bool lost_its_ground(const World& world, const Car& car) {
     });
 }
 
-void begin_step(World& world, const Queries& queries, const BodyState& chassis, double dt,
+// Reads the world alone.
+void begin_step(const World& world, const Queries& queries, const BodyState& chassis, double dt,
                 Car& car) {
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
     if (car.driver == Driver::person) car.controls = person_controls(car);
@@ -67,10 +70,7 @@ void begin_step(World& world, const Queries& queries, const BodyState& chassis, 
     choose_gear(car, dt);
     if (car.def.balance.on) measure_lean(chassis, car);
     steer(car, dt);
-    if (car.bodies.empty())
-        look_for_ground(world, queries, chassis, dt, car);
-    else
-        steer_and_brake(world, car);
+    if (car.bodies.empty()) look_for_ground(world, queries, chassis, dt, car);
 }
 
 WheelState state_of(const Car& car, std::size_t k) {
@@ -182,9 +182,11 @@ Result<VehicleDef> Vehicles::def(CarId car) const {
     return found->def;
 }
 
+// Cars look for their ground side by side, on all threads: what each finds is its own.
 void Vehicles::before_step(World& world, double dt) {
-    const Queries queries = world.queries();
     std::size_t kept = 0;
+    std::vector<BodyState> bodies;
+    bodies.reserve(cars_.size());
     for (std::size_t k = 0; k < cars_.size(); k++) {
         const Result<BodyState> chassis = world.body(cars_[k].def.chassis);
         // A car whose chassis is gone, or no longer moves by forces, ends.
@@ -194,15 +196,20 @@ void Vehicles::before_step(World& world, double dt) {
         }
         if (kept != k) cars_[kept] = std::move(cars_[k]);
         Car& car = cars_[kept++];
+        bodies.push_back(*chassis);
         car.active = chassis->awake;
         if (!chassis->awake && car.bodies.empty() && lost_its_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
-        if (car.active)
-            begin_step(world, queries, *chassis, dt, car);
-        else
-            car.follows = false;
+        if (!car.active) car.follows = false;
     }
     cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
+    const Queries queries = world.queries();
+    world.share_out(static_cast<int>(cars_.size()), cars_at_once, [&](int first, int last) {
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++)
+            if (cars_[k].active) begin_step(world, queries, bodies[k], dt, cars_[k]);
+    });
+    for (Car& car : cars_)
+        if (car.active && !car.bodies.empty()) steer_and_brake(world, car);
 }
 
 void Vehicles::before_substep(SubstepContext& substep) {

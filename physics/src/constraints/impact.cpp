@@ -134,6 +134,12 @@ HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const Impact
         if (most <= settled * hardest.approach) break;
     }
     impulses.apply();
+    Vec3 rubbed;
+    for (const Load& load : loads) {
+        hardest.normal_impulse += load.normal;
+        rubbed += load.friction;
+    }
+    hardest.friction_impulse = length(rubbed);
     return hardest;
 }
 

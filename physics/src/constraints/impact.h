@@ -23,9 +23,11 @@ struct ImpactBody {
 struct HardestPoint {
     double approach = 0;  // m/s; 0: nothing approaches
     ImpactPoint point;
+    double normal_impulse = 0, friction_impulse = 0;  // N s, of all points
 };
 
-// Changes the velocities of both. Returns where they came at each other fastest.
+// Changes the velocities of both. Returns where they came at each other fastest, and what they did
+// to each other.
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
                             double restitution, double friction);
 

@@ -2,6 +2,7 @@
 #include "geometry/bvh.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace jostle::physics {
@@ -26,17 +27,30 @@ struct Cut {
 
 }  // namespace
 
+// A node of the tree of twos.
+struct Bvh::Two {
+    Aabb box = {};
+    std::uint32_t first = 0;  // leaf: of its items; else the left child, the right one is next
+    std::uint32_t count = 0;  // items of a leaf; 0: not a leaf
+};
+
 Bvh::Bvh(std::span<const Aabb> boxes) {
     if (boxes.empty()) return;
     items_.resize(boxes.size());
     std::iota(items_.begin(), items_.end(), 0u);
-    nodes_.reserve(2 * boxes.size() / leaf_items + 2);
-    nodes_.push_back({.box = {}, .first = 0, .count = static_cast<std::uint32_t>(boxes.size())});
-    split(0, boxes, 1);
+    std::vector<Two> twos;
+    twos.reserve(2 * boxes.size() / leaf_items + 2);
+    twos.push_back({.box = {}, .first = 0, .count = static_cast<std::uint32_t>(boxes.size())});
+    split(twos, 0, boxes, 1);
+    nodes_.reserve(twos.size());
+    keep(twos, 0, boxes, 1);
+    nodes_.shrink_to_fit();
+    items_ = {};
 }
 
-void Bvh::split(std::uint32_t index, std::span<const Aabb> boxes, int depth) {
-    const std::uint32_t first = nodes_[index].first, count = nodes_[index].count;
+void Bvh::split(std::vector<Two>& twos, std::uint32_t index, std::span<const Aabb> boxes,
+                int depth) {
+    const std::uint32_t first = twos[index].first, count = twos[index].count;
     const auto begin = items_.begin() + first, end = begin + count;
     Aabb box = nothing(), centers = nothing();
     for (auto it = begin; it != end; ++it) {
@@ -44,8 +58,7 @@ void Bvh::split(std::uint32_t index, std::span<const Aabb> boxes, int depth) {
         const Vec3 c = (boxes[*it].low + boxes[*it].high) * 0.5;
         centers = unite(centers, {c, c});
     }
-    nodes_[index].box = box;
-    height_ = std::max(height_, depth);
+    twos[index].box = box;
     if (count <= leaf_items) {
         std::sort(begin, end);
         return;
@@ -98,13 +111,53 @@ void Bvh::split(std::uint32_t index, std::span<const Aabb> boxes, int depth) {
         });
     }
     const auto left_count = static_cast<std::uint32_t>(middle - begin);
-    const auto left = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({.box = {}, .first = first, .count = left_count});
-    nodes_.push_back({.box = {}, .first = first + left_count, .count = count - left_count});
-    nodes_[index].first = left;
-    nodes_[index].count = 0;
-    split(left, boxes, depth + 1);
-    split(left + 1, boxes, depth + 1);
+    const auto left = static_cast<std::uint32_t>(twos.size());
+    twos.push_back({.box = {}, .first = first, .count = left_count});
+    twos.push_back({.box = {}, .first = first + left_count, .count = count - left_count});
+    twos[index].first = left;
+    twos[index].count = 0;
+    split(twos, left, boxes, depth + 1);
+    split(twos, left + 1, boxes, depth + 1);
+}
+
+// Its children are those of the tree of twos, of which the largest makes room for its own two until
+// there are four. A leaf's are its items.
+void Bvh::keep(const std::vector<Two>& twos, std::uint32_t index, std::span<const Aabb> boxes,
+               int depth) {
+    height_ = std::max(height_, depth);
+    const std::size_t at = nodes_.size();
+    Node& node = nodes_.emplace_back();
+    for (int k = 0; k < 4; k++) node.boxes.put_nothing(k);
+    const Two& two = twos[index];
+    node.leaf = two.count > 0;
+    if (node.leaf) {
+        for (std::uint32_t k = 0; k < two.count; k++) {
+            node.child[k] = items_[two.first + k];
+            node.boxes.put(static_cast<int>(k), boxes[node.child[k]]);
+        }
+        return;
+    }
+    std::array<std::uint32_t, 4> children{two.first, two.first + 1};
+    int count = 2;
+    while (count < 4) {
+        int largest = -1;
+        for (int k = 0; k < count; k++) {
+            const Two& child = twos[children[k]];
+            if (child.count > 0) continue;
+            if (largest < 0 || half_area(child.box) > half_area(twos[children[largest]].box))
+                largest = k;
+        }
+        if (largest < 0) break;
+        for (int k = count; k > largest + 1; k--) children[k] = children[k - 1];
+        children[largest + 1] = twos[children[largest]].first + 1;
+        children[largest] = twos[children[largest]].first;
+        count++;
+    }
+    for (int k = 0; k < count; k++) {
+        nodes_[at].boxes.put(k, twos[children[k]].box);
+        nodes_[at].child[k] = static_cast<std::uint32_t>(nodes_.size());
+        keep(twos, children[k], boxes, depth + 1);
+    }
 }
 
 }  // namespace jostle::physics

@@ -11,13 +11,15 @@ Status check_mass(double mass) {
 }
 
 Status check_pose(const char* name, const Transform& pose) {
+    const double norm = norm_squared(pose.rotation);
+    const bool turned = is_finite(norm) && norm > 1e-12 && norm < 1e12;
+    if (turned && is_within(pose.position, limits::max_coordinate)) return {};
+    // Names are put together for errors alone: who asks a lot checks a lot.
     const std::string prefix = name;
     if (Status s =
             check_vector((prefix + ".position").c_str(), pose.position, limits::max_coordinate);
         !s.ok())
         return s;
-    const double norm = norm_squared(pose.rotation);
-    if (is_finite(norm) && norm > 1e-12 && norm < 1e12) return {};
     const Quat q = pose.rotation;
     return invalid_argument(prefix + ".rotation is (" + text(q.x) + ", " + text(q.y) + ", " +
                             text(q.z) + ", " + text(q.w) + "); it must be finite and not zero");

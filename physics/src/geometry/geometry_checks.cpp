@@ -11,6 +11,7 @@ namespace jostle::physics {
 namespace {
 
 Status check_size(const char* name, const char* field, double size) {
+    if (min_shape_size <= size && size <= max_shape_size) return {};
     return check_range((std::string(name) + "." + field).c_str(), size, min_shape_size,
                        max_shape_size);
 }
@@ -80,8 +81,7 @@ Status check_geometry(const char* name, const Geometry& geometry) {
 }
 
 Status check_vector(const char* name, Vec3 value, double limit) {
-    const Vec3 size = abs(value);
-    if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
+    if (is_within(value, limit)) return {};
     return invalid_argument(std::string(name) + " is (" + text(value.x) + ", " + text(value.y) +
                             ", " + text(value.z) + "); each component must be finite and at most " +
                             text(limit) + " in size");

@@ -12,6 +12,11 @@ namespace jostle::physics {
 Status check_geometry(const char* name, const Geometry& geometry);
 Status check_range(const char* name, double value, double low, double high);
 // Each component is finite and at most `limit` in size.
+// Not so of what is not a number.
+inline bool is_within(Vec3 value, double limit) {
+    const Vec3 size = abs(value);
+    return size.x <= limit && size.y <= limit && size.z <= limit;
+}
 Status check_vector(const char* name, Vec3 value, double limit);
 
 }  // namespace jostle::physics

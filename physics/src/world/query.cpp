@@ -9,6 +9,7 @@
 #include "collision/narrowphase/shape_distance.h"
 #include "collision/narrowphase/sweep_surface.h"
 #include "collision/narrowphase/time_of_impact.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/bounds.h"
 #include "geometry/ray.h"
 #include "jostle/physics/limits.h"
@@ -35,12 +36,14 @@ bool reaches(const Placed& plane, const Aabb& box) {
 std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
                                     const QueryFilter& filter) {
     std::vector<std::uint32_t> found;
+    found.reserve(16);
     source.fixed().query(box, filter.categories, found);
     source.moving().query(box, filter.categories, found);
     for (const std::uint32_t plane : source.planes())
         if (reaches(source.shape(plane).placed, box)) found.push_back(plane);
     std::sort(found.begin(), found.end());
     std::vector<QueryShape> shapes;
+    shapes.reserve(found.size());
     for (const std::uint32_t index : found) {
         const QueryShape shape = source.shape(index);
         if (sees(filter, shape)) shapes.push_back(shape);
@@ -217,15 +220,67 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
     return hits;
 }
 
-std::optional<ShapeCastHit> first_touch(const QuerySource& source, const ShapeCast& cast,
-                                        const QueryFilter& filter) {
-    const Placed probe = probe_of(cast);
+// Of those of the shapes of which may_touch() says so.
+template <class MayTouch>
+std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, const ShapeCast& cast,
+                                        const Placed& probe, MayTouch&& may_touch) {
     std::optional<ShapeCastHit> best;
-    for (const QueryShape& shape : shapes_near(source, sweep_of(probe, cast.motion), filter)) {
+    for (const QueryShape& shape : shapes) {
+        if (!may_touch(shape)) continue;
         const auto hit = touch_of(cast, probe, shape);
         if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
     }
     return best;
+}
+
+// ---- questions that are asked side by side, like those of the wheels of a car ----
+
+// One look into the broad phases for all of them, if they are close enough to each other.
+constexpr std::size_t together_max = 16;
+constexpr double together_area = 8;  // of the box of all, in those of each
+
+bool are_close(std::span<const Aabb> boxes, const Aabb& all) {
+    double areas = 0;
+    for (const Aabb& box : boxes) areas += half_area(box);
+    return half_area(all) <= together_area * areas;
+}
+
+// Shapes near all, but not near this one, are not asked.
+bool is_near(const QueryShape& shape, const Aabb& box) {
+    const ShapeKind kind = kind_of(*shape.placed.geometry);
+    if (kind == ShapeKind::plane) return reaches(shape.placed, box);
+    // They have a tree.
+    if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) return true;
+    return overlap(grow(bounds_of(shape.placed), 1e-5 * radius_of(*shape.placed.geometry)), box);
+}
+
+std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const ShapeCast& cast,
+                                              const QueryFilter& filter) {
+    const Placed probe = probe_of(cast);
+    return first_touch(shapes_near(source, sweep_of(probe, cast.motion), filter), cast, probe,
+                       [](const QueryShape&) { return true; });
+}
+
+// At most together_max.
+void first_touches(const QuerySource& source, std::span<const ShapeCast> casts,
+                   const QueryFilter& filter, std::vector<std::optional<ShapeCastHit>>& hits) {
+    UninitializedArray<Placed, together_max> probes;
+    UninitializedArray<Aabb, together_max> boxes;
+    Aabb all;
+    for (std::size_t k = 0; k < casts.size(); k++) {
+        probes[k] = probe_of(casts[k]);
+        boxes[k] = sweep_of(probes[k], casts[k].motion);
+        all = k == 0 ? boxes[k] : unite(all, boxes[k]);
+    }
+    if (casts.size() < 2 || !are_close({boxes.data(), casts.size()}, all)) {
+        for (const ShapeCast& cast : casts) hits.push_back(first_touch_alone(source, cast, filter));
+        return;
+    }
+    const std::vector<QueryShape> shapes = shapes_near(source, all, filter);
+    for (std::size_t k = 0; k < casts.size(); k++)
+        hits.push_back(first_touch(shapes, casts[k], probes[k], [&](const QueryShape& shape) {
+            return is_near(shape, boxes[k]);
+        }));
 }
 
 std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, double max_distance,
@@ -302,7 +357,7 @@ Result<std::vector<std::optional<RayHit>>> Queries::cast_rays(std::span<const Ra
 Result<std::optional<ShapeCastHit>> Queries::cast_shape(const ShapeCast& cast,
                                                         const QueryFilter& filter) const {
     if (Status s = check_cast(cast); !s.ok()) return s.error();
-    return first_touch(*source_, cast, filter);
+    return first_touch_alone(*source_, cast, filter);
 }
 
 Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
@@ -313,8 +368,15 @@ Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
 
 Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
     std::span<const ShapeCast> casts, const QueryFilter& filter) const {
-    return each<std::optional<ShapeCastHit>>(
-        casts, "casts", [&](const ShapeCast& cast) { return cast_shape(cast, filter); });
+    for (std::size_t k = 0; k < casts.size(); k++)
+        if (Status s = check_cast(casts[k]); !s.ok())
+            return Error{s.error().code, "casts[" + std::to_string(k) + "]: " + s.error().message};
+    std::vector<std::optional<ShapeCastHit>> hits;
+    hits.reserve(casts.size());
+    for (std::size_t k = 0; k < casts.size(); k += together_max)
+        first_touches(*source_, casts.subspan(k, std::min(together_max, casts.size() - k)), filter,
+                      hits);
+    return hits;
 }
 
 Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,

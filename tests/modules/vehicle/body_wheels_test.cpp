@@ -72,6 +72,26 @@ TEST(BodyWheels, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
     EXPECT_LT(worst, 0.005);
 }
 
+// In first gear the engine would hold the rear wheels by more than the ground does, and a car whose
+// rear wheels slide ahead of its front turns round: so it is put into a gear that fits at once.
+TEST(BodyWheels, a_car_that_is_let_go_at_60_m_s_in_gear_goes_straight) {
+    for (const int substeps : {1, 8}) {
+        WorldDef def;
+        def.substeps = substeps;
+        TestCar of(def, {0, 0, -60});
+        of.add(with_bodies(of.chassis));
+        of.set({.throttle = 0.5});
+        const int steps = 480 / substeps;  // 480 sub-steps a second
+        for (int k = 0; k < 4 * steps; k++) of.world.step(1.0 / steps).expect();
+        EXPECT_GT(of.speed(), 50);
+        EXPECT_EQ(of.state().gear, 5);
+        // Of some 220 m.
+        const double aside = std::abs(of.body().center.x);
+        EXPECT_LT(aside, 0.5);
+        RecordProperty("aside_m_by_" + std::to_string(substeps), std::to_string(aside));
+    }
+}
+
 TEST(BodyWheels, top_speed_is_where_power_meets_drag) {
     TestCar of({}, {0, 0, -30});
     VehicleDef def = with_bodies(of.chassis);

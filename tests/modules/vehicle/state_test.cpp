@@ -75,6 +75,32 @@ TEST(VehicleState, any_number_of_threads_gives_the_same_bits) {
     }
 }
 
+// So many that they look for their ground on all threads.
+World crowded(int threads) {
+    know_vehicles();
+    World world({.threads = threads});
+    world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
+    world.add_module(std::make_unique<Vehicles>()).expect();
+    for (int k = 0; k < 100; k++) {
+        const BodyId chassis = add_chassis(world, {6.0 * (k % 10), 0.8, 7.0 * (k / 10)});
+        VehicleDef def = modules::saloon({.chassis = chassis});
+        def.cast = static_cast<modules::WheelCast>(k % 3);
+        const CarId car = vehicles_of(world).add(world, def).value();
+        vehicles_of(world).set_controls(world, car, {.throttle = 0.5, .steering = 0.3}).expect();
+    }
+    return world;
+}
+
+TEST(VehicleState, a_hundred_cars_are_the_same_for_any_number_of_threads) {
+    World one = crowded(1);
+    drive(one, 40);
+    for (const int threads : {2, 8}) {
+        World many = crowded(threads);
+        drive(many, 40);
+        EXPECT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
+    }
+}
+
 TEST(VehicleState, a_loaded_world_drives_on_with_the_same_bits) {
     World world = lively(1);
     drive(world, 200);

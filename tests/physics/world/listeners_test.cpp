@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "jostle/physics/module.h"
 #include "support/world_builder.h"
 
@@ -27,6 +29,20 @@ TEST(ListenerCalls, a_listener_is_added_once_and_removed_once) {
     EXPECT_THAT(world.add_listener(listener).error().message, HasSubstr("added already"));
     must(world.remove_listener(listener));
     EXPECT_THAT(world.remove_listener(listener).error().message, HasSubstr("was not added"));
+}
+
+// Each number once, however many threads take part.
+TEST(ListenerCalls, what_is_shared_out_is_done_once) {
+    for (const int threads : {1, 2, 8}) {
+        World world = make_world({.threads = threads});
+        for (const int count : {0, 1, 63, 1000}) {
+            std::vector<int> done(static_cast<std::size_t>(count));
+            world.share_out(count, 16, [&](int first, int last) {
+                for (int k = first; k < last; k++) done[static_cast<std::size_t>(k)]++;
+            });
+            EXPECT_EQ(std::count(done.begin(), done.end(), 1), count);
+        }
+    }
 }
 
 // Wants sub-steps in every second step.

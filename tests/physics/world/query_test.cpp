@@ -310,6 +310,35 @@ TEST(Queries, cast_balls_stop_where_marching_stops) {
     EXPECT_GT(hits, 60);
 }
 
+// Close to each other, they share a look into the broad phases; far apart they do not.
+TEST(Queries, casts_side_by_side_answer_what_each_alone_does) {
+    const RandomScene scene(21);
+    Random random(22);
+    const Queries queries = scene.world.queries();
+    int hits = 0;
+    for (int round = 0; round < 60; round++) {
+        const Vec3 about = random.vector(6);
+        std::vector<ShapeCast> casts;
+        for (int k = 0; k < 1 + round % 20; k++)
+            casts.push_back({RandomScene::random_convex(random),
+                             {about + random.vector(round % 3 == 0 ? 9 : 1), random.rotation()},
+                             random.vector(5)});
+        const auto together = must(queries.cast_shapes(casts));
+        ASSERT_EQ(together.size(), casts.size());
+        for (std::size_t k = 0; k < casts.size(); k++) {
+            const auto alone = must(queries.cast_shape(casts[k]));
+            ASSERT_EQ(together[k].has_value(), alone.has_value());
+            if (!alone) continue;
+            hits++;
+            EXPECT_EQ(together[k]->shape, alone->shape);
+            EXPECT_EQ(together[k]->fraction, alone->fraction);
+            EXPECT_EQ(together[k]->point, alone->point);
+            EXPECT_EQ(together[k]->normal, alone->normal);
+        }
+    }
+    EXPECT_GT(hits, 100);
+}
+
 // Any convex shape: before the hit it touches nothing, a little after it does.
 TEST(Queries, cast_shapes_stop_at_the_first_touch) {
     const RandomScene scene(11);

@@ -99,7 +99,7 @@ double cpu_per_tick(const char* name, Metrics* metrics) {
     double first = 0, last = 0;
     WorldHostSettings settings;
     settings.metrics = metrics;
-    settings.on_frame = [&] {
+    settings.on_frame = [&](bool) {
         last = thread_cpu_seconds();
         if (ticks++ == 0) first = last;
     };

@@ -24,7 +24,7 @@ using test::wait_until;
 TEST(WorldHost, ticks_at_its_rate) {
     std::atomic<int> frames{0};
     WorldHostSettings settings;
-    settings.on_frame = [&] { frames++; };
+    settings.on_frame = [&](bool) { frames++; };
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     const std::uint32_t first = host->frame()->tick;
     const auto begin = Clock::now();
@@ -75,7 +75,7 @@ TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
     int frames = 0;
     WorldHostSettings settings;
     settings.own_thread = false;
-    settings.on_frame = [&] { frames++; };
+    settings.on_frame = [&](bool) { frames++; };
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     EXPECT_EQ(host->frame()->tick, 1u);
     const auto queue = std::make_shared<ResultQueue>();
@@ -150,7 +150,7 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
 
 TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
     WorldHostSettings broken;
-    broken.on_frame = [] { throw std::bad_alloc(); };
+    broken.on_frame = [](bool) { throw std::bad_alloc(); };
     const auto scene = *scenes::find_scene("stack");
     const auto bad = *WorldHost::start("w1", "bad", scene, broken);
     const auto good = *WorldHost::start("w2", "good", scene, {});

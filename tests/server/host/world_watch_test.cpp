@@ -70,7 +70,7 @@ TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
 
 TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
     WorldDirectory worlds({.on_frame =
-                               [] {
+                               [](bool) {
                                    static std::atomic<int> frames{0};
                                    if (++frames == 20) std::this_thread::sleep_for(1500ms);
                                }},
@@ -84,7 +84,7 @@ TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
 TEST(WorldWatch, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
     std::atomic<int> failures{0};
     WorldHostSettings settings;
-    settings.on_frame = [&] {
+    settings.on_frame = [&](bool) {
         failures++;
         throw std::runtime_error("no memory");
     };

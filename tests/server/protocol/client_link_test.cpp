@@ -68,7 +68,10 @@ struct TestClient {
     void listen(Clock::duration later = 0s) {
         while (std::optional<OutMessage> out = link.take_message(Clock::now() + later)) {
             v1::ServerMessage message;
-            ASSERT_TRUE(message.ParseFromString(out->head + (out->shared ? *out->shared : "")));
+            std::string bytes = out->head + (out->shared ? *out->shared : "");
+            for (const SharedBytes& cell : out->cells) bytes += *cell;
+            ASSERT_TRUE(message.ParseFromString(bytes));
+            bytes_taken += bytes.size();
             kinds.push_back(message.message_case());
             if (message.has_snapshot()) {
                 newest_shared = out->shared;
@@ -100,6 +103,7 @@ struct TestClient {
     PlayState state;
     std::vector<v1::ServerMessage::MessageCase> kinds;
     SharedBytes newest_shared;
+    std::size_t bytes_taken = 0;
     std::uint32_t newest_bases = 0;
 };
 
@@ -571,6 +575,85 @@ TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
     clock.hello();
     ASSERT_TRUE(clock.listen_until([&] { return world->frame()->tick > tick + 3; }));
     EXPECT_TRUE(world->frame()->events->ticks.empty());
+}
+
+// A row of 40 balls that roll, ten metres apart.
+class SightTest : public ClientLinkTest {
+protected:
+    void SetUp() override {
+        scenes::SceneDescription row = *scenes::read_scene_json(
+            R"({"name": "row", "bodies": [{"type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]}]})");
+        for (int k = 0; k < 40; k++) {
+            scenes::SceneBody roller;
+            roller.body = {.pose = {{10.0 * k, 0.5, 0}, {}}, .linear_velocity = {0, 0, 0.5}};
+            roller.shapes = {{.geometry = physics::Sphere{0.5}}};
+            row.bodies.push_back(roller);
+        }
+        ASSERT_TRUE(worlds.create("", row).ok());
+    }
+    static void see(v1::Interest& interest, double x, double radius) {
+        interest.mutable_focus()->set_x(x);
+        interest.set_radius(radius);
+    }
+    // The balls that the client sees, by number.
+    static std::set<int> balls(const TestClient& client) {
+        std::set<int> seen;
+        if (const auto* newest = client.state.newest())
+            for (const auto& entity : newest->entities)
+                if (entity.id > 1) seen.insert(static_cast<int>(entity.id) - 2);
+        return seen;
+    }
+};
+
+TEST_F(SightTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    // Cells of 32 m: those that begin within 40 m of x = 16 end at x = 64.
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    EXPECT_TRUE(client.state.welcome.cells());
+    EXPECT_EQ(balls(client), (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_TRUE(client.state.entities.contains(1)) << "the ground is seen from everywhere";
+    EXPECT_EQ(client.state.entities.size(), 8u) << "nobody told it of the others";
+    v1::ClientMessage look;
+    see(*look.mutable_interest(), 300, 40);
+    client.send(look);
+    ASSERT_TRUE(client.listen_until([&] { return !balls(client).contains(0); }));
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).contains(31); }));
+    EXPECT_FALSE(balls(client).contains(5));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, a_budget_bounds_all_that_is_sent) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_max_kbps(40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() == 40; }))
+        << "it comes to know all of the world";
+    const std::size_t before = client.bytes_taken;
+    const auto begun = Clock::now();
+    ASSERT_TRUE(client.listen_until([&] { return Clock::now() - begun > 1s; }));
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    const double kbps = static_cast<double>(client.bytes_taken - before) * 8e-3 / seconds;
+    EXPECT_LE(kbps, 42 + 40 * 0.05);
+    EXPECT_GE(kbps, 20) << "forty balls that roll want more than that";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage look;
+    see(*look.mutable_interest(), 300, 40);
+    client.send(look);
+    client.listen();
+    ASSERT_EQ(client.state.notices.size(), 1u);
+    EXPECT_EQ(client.state.notices[0].message(),
+              "an interest in a stream without one; name the first in the hello");
+    TestClient other(context);
+    other.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 0, -3); });
+    other.listen();
+    ASSERT_EQ(other.state.notices.size(), 1u);
+    EXPECT_EQ(other.state.notices[0].message(),
+              "hello.interest.radius is not 0, for all of the world, or 1 m or more");
 }
 
 TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {

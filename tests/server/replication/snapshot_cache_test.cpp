@@ -258,7 +258,7 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
             Client& client = all[c];
             // The higher its number, the more rarely a client finds time to acknowledge.
             if (random() % (c + 1) == 0) {
-                for (const std::uint32_t acked : client.unacked) client.flow.on_ack(acked, now);
+                for (const std::uint32_t acked : client.unacked) client.flow.on_ack(acked, {}, now);
                 client.unacked.clear();
             }
             if (random() % 400 == 0) client.baselines.reset();  // a CRC that did not match

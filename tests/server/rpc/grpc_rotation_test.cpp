@@ -65,7 +65,7 @@ protected:
     SessionDirectory sessions{100};
     std::atomic<GrpcServer*> woken = nullptr;
     WorldDirectory worlds{{.on_frame =
-                               [this] {
+                               [this](bool) {
                                    if (GrpcServer* const s = woken) s->wake();
                                }},
                           4};

@@ -93,7 +93,7 @@ protected:
     Config config;
     SessionDirectory sessions{4};
     GrpcServer* woken = &server;
-    WorldDirectory worlds{{.on_frame = [this] { woken->wake(); }}, 4};
+    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
     const std::unique_ptr<Gate> gate = *Gate::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};

@@ -32,6 +32,9 @@ public:
         }
         deliver_acks(end_s);
     }
+    void send_others(int count) {
+        for (int k = 0; k < count; k++) send_other();
+    }
     // Ages when they were read, in ms, of snapshots read between two times; sorted.
     std::vector<double> ages_ms(double from_s, double until_s) const {
         std::vector<double> ages;
@@ -61,6 +64,7 @@ private:
     struct Ack {
         std::uint32_t frame;
         double at_s;
+        double held_s = 0;
     };
     static Clock::time_point at(double seconds) {
         return Clock::time_point{} + 1h + from_seconds(seconds);
@@ -73,7 +77,7 @@ private:
     void send() {
         flow_.on_sent(tick_, at(now_s()));
         seen_.push_back({now_s(), read_next()});
-        to_acknowledge_.push_back({tick_, seen_.back().read_s});
+        to_acknowledge_.push_back({.frame = tick_, .at_s = seen_.back().read_s});
     }
     void send_other() {
         flow_.on_other_sent();
@@ -84,16 +88,18 @@ private:
         while (!to_acknowledge_.empty()) {
             const double due = std::max(to_acknowledge_.front().at_s, last_ack_s_ + 0.1);
             if (due > now) break;
-            Ack ack{to_acknowledge_.front().frame, due};
+            Ack ack{};
             while (!to_acknowledge_.empty() && to_acknowledge_.front().at_s <= due) {
-                ack.frame = to_acknowledge_.front().frame;
+                ack = {to_acknowledge_.front().frame, due + way_s,
+                       due - to_acknowledge_.front().at_s};
                 to_acknowledge_.pop_front();
             }
             last_ack_s_ = due;
-            acks_.push_back({ack.frame, due + way_s});
+            acks_.push_back(ack);
         }
         while (!acks_.empty() && acks_.front().at_s <= now) {
-            flow_.on_ack(acks_.front().frame, at(acks_.front().at_s));
+            flow_.on_ack(acks_.front().frame, from_seconds(acks_.front().held_s),
+                         at(acks_.front().at_s));
             acks_.pop_front();
         }
     }
@@ -156,6 +162,18 @@ TEST(FlowControl, readers_of_every_pace_stay_fresh_for_two_minutes) {
         }
 }
 
+// The welcome and the entities come before the first snapshot, and a slow reader reads them first.
+TEST(FlowControl, what_comes_before_the_first_snapshot_is_no_part_of_the_way) {
+    for (const double pace : {20.0, 12.0, 8.0}) {
+        Reader reader(0.0005, messages_a_second(pace));
+        reader.send_others(4);
+        reader.play_until(60);
+        for (double from = 5; from < 50; from += 10)
+            EXPECT_LE(reader.age_p99_ms(from, from + 10), 250 + 1000 / pace)
+                << pace << ", " << from;
+    }
+}
+
 TEST(FlowControl, a_reader_with_jitter_stays_fresh_and_loses_little) {
     std::mt19937 random(7);
     std::exponential_distribution<double> jitter(1 / 0.002);
@@ -171,7 +189,8 @@ TEST(FlowControl, other_messages_count) {
     reader.others_a_tick = 1;
     reader.play_until(60);
     EXPECT_LE(reader.age_p99_ms(5, 60), 260);
-    EXPECT_NEAR(reader.read_between(5, 60), 40 * 55, 5 * 55) << "sixty others of a hundred";
+    EXPECT_LE(reader.read_between(5, 60), 40 * 55) << "sixty of a hundred are others";
+    EXPECT_GE(reader.read_between(5, 60), 28 * 55);
 }
 
 TEST(FlowControl, a_reader_that_becomes_slow_is_fresh_again_within_three_seconds) {
@@ -216,12 +235,12 @@ TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
     FlowControl flow({}, hz, 1);
     const Clock::time_point sent = Clock::time_point{} + 1h;
     for (std::uint32_t tick = 1; tick <= 3; ++tick) flow.on_sent(tick, sent);
-    flow.on_ack(77, sent);
-    flow.on_ack(0, sent);
+    flow.on_ack(77, {}, sent);
+    flow.on_ack(0, {}, sent);
     EXPECT_EQ(flow.in_flight(), 3);
-    flow.on_ack(2, sent + 10ms);
+    flow.on_ack(2, {}, sent + 10ms);
     EXPECT_EQ(flow.in_flight(), 1);
-    flow.on_ack(1, sent + 20ms);
+    flow.on_ack(1, {}, sent + 20ms);
     EXPECT_EQ(flow.in_flight(), 1);
     EXPECT_NEAR(flow.round_trip_s(), 0.010, 1e-6);
 }

@@ -28,15 +28,15 @@ struct ContactEnd {
     BodyId body_a, body_b;
 };
 
-// They press on each other now, and one of the shapes asked (ShapeDef::report_stays). One for each
-// pair of shapes: of several manifolds the impulses are summed, point and normal are those of the
-// one that bears most.
+// They press on each other now, or met between sub-steps, and one of the shapes asked
+// (ShapeDef::report_stays). One for each pair of shapes: of several manifolds and impacts impulses
+// are summed, point and normal are those of the one that bears most.
 struct ContactStay {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
     Vec3 point;   // m, world: the middle of the contact points
     Vec3 normal;  // unit, from a to b
-    // N s over the step, taken as that of the last sub-step times the number of sub-steps.
+    // N s over the step: that of the last sub-step times their number, and of impacts between them.
     double normal_impulse = 0;
     double friction_impulse = 0;
     double penetration = 0;  // m, of the deepest point; negative: apart

@@ -31,6 +31,7 @@ namespace jostle::physics {
 struct ModuleSettings {
     std::vector<std::pair<std::string, double>> numbers = {};
     std::vector<std::pair<std::string, BodyId>> bodies = {};
+    std::vector<std::pair<std::string, std::vector<std::byte>>> bytes = {};  // files' contents
 };
 
 // What somebody who drives holds, until he holds it otherwise: sticks and buttons. What they mean

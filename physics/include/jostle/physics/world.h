@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -274,6 +275,14 @@ public:
     Queries queries() const;
     // About this moment for ever: a copy that may be asked while the world steps on.
     Queries query_frame() const;
+
+    // --- for listeners, in before_step() and after_step() ---
+    // Calls part(first, last) for parts of [0, count), of `grain` or more, on all threads of the
+    // world, and returns when all are done; too few stay on this one. Parts come at once and in any
+    // order: each writes what is its own and no other reads, and of the world it only reads. Then
+    // the bits are the same for any number of threads.
+    void share_out(int count, int grain,
+                   const std::function<void(int first, int last)>& part) const;
 
     // --- for debug views ---
     std::vector<ContactInfo> contacts() const;         // by shapes

@@ -14,8 +14,12 @@
 #include "collision/narrowphase/collide_surface.h"
 #include "collision/narrowphase/gjk.h"
 #include "collision/narrowphase/nearest_on_triangle.h"
+#include "collision/narrowphase/passes_cylinder.h"
+#include "collision/narrowphase/sweep_cup.h"
+#include "collision/narrowphase/sweep_lanes.h"
 #include "foundation/tuning.h"
 #include "geometry/bounds.h"
+#include "geometry/grid_lanes.h"
 #include "geometry/ray.h"
 #include "geometry/surface.h"
 
@@ -45,17 +49,20 @@ public:
           shape_(convex_of(local_, {})),
           box_(grow(bounds_of(local_), 2 * gap)),
           middle_(middle_of(shape_)),
-          gap_(gap) {}
+          gap_(gap),
+          lanes_(shape_, middle_ + origin_, {box_.low + origin_, box_.high + origin_}, motion_,
+                 2 * gap) {}
 
     std::optional<SurfaceTouch> first() {
-        const Vec3 reach = (box_.high - box_.low) * 0.5, center = (box_.low + box_.high) * 0.5;
-        const Aabb all = bounds_of_surface();
-        const double begin =
-            ray_enters({all.low - reach, all.high + reach}, origin_ + center, motion_, 1);
-        if (begin > 1) return std::nullopt;
-        const double way = length(motion_), size = maximum(length(reach), 1e-300);
-        const double parts = clamp(std::ceil(way / (part_length * size)), 1, parts_max);
-        double part = std::floor(minimum(begin * parts, parts - 1));
+        const double size = maximum(0.5 * length(box_.high - box_.low), 1e-300);
+        const double way = length(motion_);
+        double parts = 1, part = 0;
+        if (way > part_length * size) {
+            const double begin = enters_surface();
+            if (begin > 1) return std::nullopt;
+            parts = minimum(std::ceil(way / (part_length * size)), parts_max);
+            part = std::floor(minimum(begin * parts, parts - 1));
+        }
         for (; part < parts && best_.fraction > part / parts; part++)
             sweep_part(part / parts, (part + 1) / parts);
         if (best_.fraction > 1) return std::nullopt;
@@ -68,9 +75,14 @@ public:
     }
 
 private:
-    Aabb bounds_of_surface() const {
-        if (const auto* mesh = std::get_if<Mesh>(surface_.geometry)) return mesh->data->bounds;
-        return std::get<HeightField>(*surface_.geometry).data->bounds;
+    // The fraction at which the box of the shape meets that of the surface; more than 1 if it does
+    // not.
+    double enters_surface() const {
+        const auto* mesh = std::get_if<Mesh>(surface_.geometry);
+        const Aabb& all = mesh != nullptr ? mesh->data->bounds
+                                          : std::get<HeightField>(*surface_.geometry).data->bounds;
+        const Vec3 reach = (box_.high - box_.low) * 0.5, center = (box_.low + box_.high) * 0.5;
+        return ray_enters({all.low - reach, all.high + reach}, origin_ + center, motion_, 1);
     }
 
     void sweep_part(double from, double until) {
@@ -78,8 +90,22 @@ private:
         from_ = from;
         const Vec3 there = origin_ + motion_ * from, on = motion_ * (until - from);
         const Aabb box{box_.low + there + min(on, Vec3{}), box_.high + there + max(on, Vec3{})};
-        for_each_triangle(*surface_.geometry, box,
-                          [&](const SurfaceTriangle& t) { look(t, until); });
+        lanes_.look_between(from, minimum(until, best_.fraction));
+        const auto look_near = [&](const SurfaceTriangle& t) {
+            const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
+                           max(t.corner[0], max(t.corner[1], t.corner[2]))};
+            if (!overlap(own, box)) return;
+            const double before = best_.fraction;
+            look(t, until);
+            // What comes later than that no longer counts.
+            if (best_.fraction < before) lanes_.look_between(from, minimum(until, best_.fraction));
+        };
+        if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
+            mesh->data->tree->nearest_first(
+                lanes_, [&](std::uint32_t index) { look_near(triangle_of(*mesh->data, index)); });
+        else
+            nearest_cell_first(*std::get<HeightField>(*surface_.geometry).data, box,
+                               origin_ + middle_ + motion_ * until, lanes_, look_near);
         std::sort(
             candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
                 return a.enters < b.enters || (a.enters == b.enters && a.triangle < b.triangle);
@@ -99,12 +125,12 @@ private:
         return speed > 0 ? (apart - 0.5 * gap_) / speed : beyond_reach;
     }
 
-    // By the triangle's box and its plane.
+    // By its plane and its box.
     void look(const SurfaceTriangle& t, double until) {
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
-        const double last = minimum(until, best_.fraction), by_box = enters_box(corner);
-        if (by_box >= last) return;
+        if (cup_.hides(corner)) return;
+        const double last = minimum(until, best_.fraction);
         const Vec3 front = normal_of(t);
         const double height = dot(middle_ - corner[0], front);
         const Vec3 n = height >= 0 ? front : -front;
@@ -112,6 +138,8 @@ private:
         const double by_plane = enters_along(apart, n);
         if (by_plane >= last) return;
         if (apart > 2 * gap_ && comes_down_inside(t, corner, n, apart, last)) return;
+        const double by_box = enters_box(corner);
+        if (by_box >= last) return;
         candidates_.push_back({maximum(maximum(by_box, by_plane), from_), t.index});
     }
     // From the middle against n, unit.
@@ -151,12 +179,14 @@ private:
         if (fraction >= last) return true;
         best_ = {fraction, true, there - n * gap_, n};
         touched_ = t.index;
+        cup_.put(shape_, middle_, motion_, best_.point, n, 4 * gap_);
         return true;
     }
 
     void touch(const SurfaceTriangle& t, double at, double last) {
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
+        if (cup_.hides(corner)) return;
         Vec3 n;
         // Where it would be at last most are still beside it.
         for (const double then : {last, at}) {
@@ -173,6 +203,9 @@ private:
             if (enters >= last) return;
             at = maximum(at, enters);
         }
+        if (shape_.core == Core::cylinder &&
+            passes_cylinder(shape_, middle_ + motion_ * last, motion_, corner, 4 * gap_))
+            return;
         advance(t, corner, n, at, last);
     }
     // The point of a long shape's axis that is about nearest to a point at that fraction, as it
@@ -233,6 +266,8 @@ private:
     Aabb box_;
     Vec3 middle_;
     double gap_, from_ = 0;
+    SweepLanes lanes_;
+    SweepCup cup_;  // below what was come down on
     SurfaceTouch best_{beyond_reach, false, {}, {}};
     std::uint32_t touched_ = 0;
     Vec3 hint_;

@@ -11,15 +11,35 @@ std::pair<ShapeId, ShapeId> shapes_of(const ContactBegin& c) {
     return {c.shape_a, c.shape_b};
 }
 
-}  // namespace
-
-void note_bounce(const WorldState& world, std::uint32_t shape, std::uint32_t other,
-                 const HardestPoint& hit, std::vector<ContactBegin>& bounces) {
+// In the order of their contact: create_contact() in state/contact_graph.h.
+bool is_in_order(const WorldState& world, std::uint32_t shape, std::uint32_t other) {
     const auto dynamic = [&](std::uint32_t s) {
         return is_dynamic(world, world.shapes.shapes[s].body);
     };
-    // In the order of their contact: create_contact() in state/contact_graph.h.
-    const bool in_order = dynamic(shape) != dynamic(other) ? dynamic(shape) : shape < other;
+    return dynamic(shape) != dynamic(other) ? dynamic(shape) : shape < other;
+}
+
+}  // namespace
+
+void report_impulse(WorldState& world, std::uint32_t shape, std::uint32_t other,
+                    const HardestPoint& hit) {
+    const ShapeRecord &first = world.shapes.shapes[shape], &second = world.shapes.shapes[other];
+    if (!(first.report_stays || second.report_stays) || !(hit.normal_impulse > 0)) return;
+    const bool in_order = is_in_order(world, shape, other);
+    const std::uint32_t a = in_order ? shape : other, b = in_order ? other : shape;
+    world.events.contacts.push_back({.shape_a = shape_id(world, a),
+                                     .shape_b = shape_id(world, b),
+                                     .body_a = body_id(world, world.shapes.shapes[a].body),
+                                     .body_b = body_id(world, world.shapes.shapes[b].body),
+                                     .point = hit.point.position,
+                                     .normal = in_order ? hit.point.normal : -hit.point.normal,
+                                     .normal_impulse = hit.normal_impulse,
+                                     .friction_impulse = hit.friction_impulse});
+}
+
+void note_bounce(const WorldState& world, std::uint32_t shape, std::uint32_t other,
+                 const HardestPoint& hit, std::vector<ContactBegin>& bounces) {
+    const bool in_order = is_in_order(world, shape, other);
     const std::uint32_t a = in_order ? shape : other, b = in_order ? other : shape;
     const std::uint32_t body_a = world.shapes.shapes[a].body, body_b = world.shapes.shapes[b].body;
     bool touching = false;

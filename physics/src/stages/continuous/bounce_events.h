@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Contact events of bounces, which have no manifold: a bounce begins a contact that ends with the
-// next step. Part of solve_continuous. One thread.
+// Contact events of impacts between sub-steps, which have no manifold: how hard they pressed; and a
+// bounce begins a contact that ends with the next step. Part of solve_continuous. One thread.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,11 @@ namespace jostle::physics {
 // it is, so that their contact goes on.
 void note_bounce(const WorldState& world, std::uint32_t shape, std::uint32_t other,
                  const HardestPoint& hit, std::vector<ContactBegin>& bounces);
-// Reports them; of several bounces of two shapes in one step the first.
+// Tells those who asked for stays of the impulse of an impact. publish_events adds up what a pair
+// did to each other in the step.
+void report_impulse(WorldState& world, std::uint32_t shape, std::uint32_t other,
+                    const HardestPoint& hit);
+// Reports bounces; of several bounces of two shapes in one step the first.
 void report_bounces(EventStore& events, std::vector<ContactBegin>& bounces);
 
 }  // namespace jostle::physics

@@ -33,6 +33,9 @@
 namespace jostle::physics {
 namespace {
 
+// A body of so many shapes knows which of them are near what it may meet.
+constexpr std::size_t many_shapes = 12;
+
 class ToiSolver {
 public:
     explicit ToiSolver(StepContext& step)
@@ -447,13 +450,12 @@ private:
         const bool turned = t.changed || (known != nobody && bodies_[known].changed);
         const bool of_other =
             cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
-        for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
-             own = world_.shapes.shapes[own].next) {
-            if (!may_hit(own, other)) continue;
+        for_each_shape_near(t, other, motion, [&](std::uint32_t own) {
+            if (!may_hit(own, other)) return;
             const bool bouncy = bounces_alone(step_, own, other);
             // Two that move little and have a manifold the contact solver has taken care of, unless
             // an impact has turned one of them since.
-            if (!far && (!bouncy || (!turned && has_manifold(t, own, other)))) continue;
+            if (!far && (!bouncy || (!turned && has_manifold(t, own, other)))) return;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
             const bool held = !turned && is_held(t, own, other);
@@ -486,7 +488,7 @@ private:
                 if ((points.size() == 1 || !turned) && meet(from, points, ClosesBy::bouncing))
                     touches = false;
             }
-            if (!far) continue;
+            if (!far) return;
             // What touches without going in is the contact solver's, or was resolved just now. But
             // one end may rest while the other comes down, or solver and impact have left it going
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
@@ -506,7 +508,44 @@ private:
             if (touches)
                 meet(from, points_touching(a, b, from, 5 * sweep_gap(own, other)),
                      ClosesBy::velocity);
+        });
+    }
+
+    // Where each shape of a body of many is on the rest of its way.
+    const ShapeWays& ways_of(ToiBody& t) const {
+        if (t.ways.known) return t.ways;
+        t.ways = {.known = true, .shapes = {}, .tree = {}};
+        std::size_t count = 0;
+        const std::uint32_t first = world_.bodies.cold[t.body].first_shape;
+        for (std::uint32_t s = first; s != none; s = world_.shapes.shapes[s].next) count++;
+        if (count < many_shapes) return t.ways;
+        std::vector<Aabb> boxes;
+        for (std::uint32_t s = first; s != none; s = world_.shapes.shapes[s].next) {
+            ASSERT(!is_plane(world_.shapes.shapes[s]));
+            t.ways.shapes.push_back(s);
+            boxes.push_back(swept_bounds(swept(s, t.sweep), t.sweep.from, t.sweep.until));
         }
+        t.ways.tree = Bvh(boxes);
+        return t.ways;
+    }
+    // Calls visit(own) for the body's shapes that may come near another one, in order: of few all.
+    template <class Visit>
+    void for_each_shape_near(ToiBody& t, std::uint32_t other, const Sweep& motion,
+                             Visit&& visit) const {
+        const ShapeWays& ways = ways_of(t);
+        const double from = std::max(t.sweep.from, motion.from), until = motion.until;
+        if (ways.tree.empty() || is_plane(world_.shapes.shapes[other]) || from > until) {
+            for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
+                 own = world_.shapes.shapes[own].next)
+                visit(own);
+            return;
+        }
+        const double margin = 6 * sweep_gap(ways.shapes.front(), other) + tuning::swept_margin;
+        std::vector<std::uint32_t> near;
+        ways.tree.query(grow(swept_bounds(swept(other, motion), from, until), margin),
+                        [&](std::uint32_t k) { near.push_back(k); });
+        std::sort(near.begin(), near.end());
+        for (const std::uint32_t k : near) visit(ways.shapes[k]);
     }
 
     // Whether the contact solver has resolved the impact of two shapes, which update_contacts
@@ -599,6 +638,7 @@ private:
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
         const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
+        report_impulse(world_, own, other, hit);
         if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
             note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.

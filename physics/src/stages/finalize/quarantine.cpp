@@ -2,6 +2,7 @@
 #include "stages/finalize/quarantine.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "foundation/check.h"
 #include "stages/step_scratch.h"
@@ -11,14 +12,21 @@
 namespace jostle::physics {
 namespace {
 
-// Impulses that may be as unsound as the body's state are forgotten; the manifold is rebuilt in the
-// next step.
-void clear_impulses(const ContactPlace& place) {
+// What a manifold knows may be as unsound as the body's state: it has no points and bears nothing
+// until it is rebuilt, in the next step.
+void forget_manifold(const ContactPlace& place) {
     const int lane = place.lane;
-    for (auto& lambda : place.block->lambda) lambda[lane] = 0;
+    for (int row = first_saved_row; row < wide_rows; row++) {
+        float& value = float_at(*place.block, row, lane);
+        if (!(absolute(double{value}) <= 1e30)) value = 0;
+    }
+    for (int k = 0; k < 4; k++) {
+        place.block->gap[k][lane] = no_point;
+        place.block->lambda[k][lane] = place.block->mean_impulse[k][lane] = 0;
+    }
     for (auto& friction : place.block->friction) friction[lane] = 0;
     place.block->torsion[lane] = 0;
-    for (auto& mean_impulse : place.block->mean_impulse) mean_impulse[lane] = 0;
+    for (auto& roll : place.rolling->roll) roll[lane] = 0;
     place.meta->moved[lane] = 0;
     place.meta->set(LaneFlag::needs_rebuild, lane, true);
 }
@@ -29,6 +37,15 @@ void clear_impulses(Joint& joint) {
     std::ranges::fill(joint.memory, 0);  // as at its beginning
 }
 
+// How far a pair is apart was told by how its bodies moved: in the next step it is looked at.
+void forget_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
+    std::sort(contacts.begin(), contacts.end());
+    for (const std::uint32_t contact : contacts) store.contacts[contact].limit = -1;
+    for (SeparationBound& bound : store.bounds)
+        if (std::binary_search(contacts.begin(), contacts.end(), bound.contact))
+            bound = {.contact = bound.contact, .body_a = bound.body_a, .body_b = bound.body_b};
+}
+
 }  // namespace
 
 Skipped quarantine(StepContext& step) {
@@ -37,6 +54,7 @@ Skipped quarantine(StepContext& step) {
     // What woke since then was at rest.
     const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;
     ASSERT(not_finite.size() <= world.bodies.awake.size());
+    std::vector<std::uint32_t> contacts;
     for (std::uint32_t i = 0; i < not_finite.size(); i++) {
         if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
@@ -44,12 +62,14 @@ Skipped quarantine(StepContext& step) {
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) clear_impulses(place_of(world, c));
+            if (c.colour >= 0) forget_manifold(place_of(world, c));
+            contacts.push_back(contact);
         });
         for_each_joint(world.joints, world.bodies.cold[body],
                        [&](std::uint32_t joint) { clear_impulses(world.joints.joints[joint]); });
         update_motion_bound(world, body, step.dt);
     }
+    if (!contacts.empty()) forget_bounds(world.contacts, contacts);
     return ran;
 }
 

@@ -46,6 +46,7 @@ struct SceneModule {
         std::string list;  // of the module's message in scene files: "cars"
         std::map<std::string, double> settings;
         std::map<std::string, std::size_t> bodies;
+        std::map<std::string, std::vector<std::byte>> bytes = {};
     };
     std::vector<Thing> things = {};
     // Of save_module(), read after the settings; empty: as it begins. Ids in it are those of the

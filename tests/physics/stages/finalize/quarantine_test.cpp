@@ -86,5 +86,39 @@ TEST(Quarantine, a_joint_forgets_what_it_carried_and_holds_again) {
     }
 }
 
+// What a body that ran away was about to meet, touched or rolled on is sound again: a world that is
+// saved in the same step can be loaded, and in each that follows.
+TEST(Quarantine, a_world_that_is_saved_afterwards_can_be_loaded) {
+    const double nan = std::nan(""), endless = INFINITY;
+    for (const Vec3 v :
+         {Vec3{nan, 0, 0}, Vec3{0, -endless, 0}, Vec3{0, 0, 1e200}, Vec3{1e30, 0, 0}})
+        for (const bool turns : {false, true}) {
+            World world = make_world();
+            must(world.create_body({.type = BodyType::static_body},
+                                   {.geometry = Plane{}, .material = {.rolling_friction = 0.1}}));
+            const BodyId box = add(world, {.position = {0, 0.5, 0}});
+            add(world, {.position = {0, 1.5, 0}});
+            add(world, {.position = {1.05, 0.5, 0}});
+            add(world, {.position = {4, 0.5, 0}, .velocity = {-20, 0, 0}});
+            const BodyId ball = add(
+                world, {.geometry = Sphere{0.5}, .position = {0, 0.5, 3}, .velocity = {1, 0, 0}});
+            run(world, 0.1);
+            WorldState& state = state_of(world);
+            for (const BodyId id : {box, ball}) {
+                BodyWarm& warm = warm_of(state, id.index);
+                (turns ? warm.w : warm.v) = v;
+            }
+            for (int k = 0; k < 20; k++) {
+                must(world.step(1.0 / 60));
+                EXPECT_EQ(find_fault(state), std::nullopt) << "step " << k << ", v " << v.x;
+                const auto loaded = load(save(world));
+                EXPECT_TRUE(loaded.ok())
+                    << "step " << k << ", v " << v.x << " " << v.y << " " << v.z << ", turns "
+                    << turns << ": " << (loaded.ok() ? "" : loaded.error().message);
+                EXPECT_TRUE(k > 0 || !world.events().quarantined.empty());
+            }
+        }
+}
+
 }  // namespace
 }  // namespace jostle::test

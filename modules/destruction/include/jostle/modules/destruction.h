@@ -39,6 +39,9 @@ namespace destruction_detail {
 class BlockFactor;
 struct Again;
 struct Group;
+struct Met;
+struct Noted;
+using Links = std::vector<std::pair<std::size_t, std::size_t>>;
 struct Press;
 // Upon a chunk: at its centre of mass, in the frame of the whole.
 struct Push {
@@ -100,7 +103,8 @@ public:
     // Walls of a scene, side by side along x, anchored at their foot: count (0 to 100), spacing
     // (m), width, height, thickness (m), chunks (1 to 2000), seed; x, y, z of the middle of the
     // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume,
-    // passing_volume.
+    // passing_volume; heading (rad, about y), compressive. With the bytes `shape` of a fracture
+    // file: what it holds instead of walls, its origin at x, y, z.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     // "destruction": of each how many pieces, bonds that hold, bonds that were.
@@ -241,14 +245,23 @@ private:
     void push_through(physics::World& world, double dt);
     void agree();
     void mark_knocked();
-    void note_before(const physics::World& world, physics::BodyId body);
+    void note_before(const physics::World& world, std::uint32_t whole, Piece& piece);
+    void note_before(const physics::World& world, std::uint32_t whole, physics::BodyId body);
     const physics::BodyState* velocity_before(physics::BodyId body) const;
+    const destruction_detail::Noted* noted_before(physics::BodyId body) const;
     void settle_grounded(physics::World& world, std::span<destruction_detail::Press> presses,
                          double dt);
     static double speed_left(const destruction_detail::Press& press);
     double speed_back(const physics::World& world, const destruction_detail::Press& press) const;
+    std::size_t meet(const physics::World& world, std::vector<destruction_detail::Met>& bodies,
+                     physics::BodyId id, const Piece* piece, double dt) const;
+    void add_bystanders(const physics::World& world, std::uint32_t whole, double dt,
+                        std::vector<destruction_detail::Met>& bodies,
+                        std::vector<std::size_t>& added) const;
+    destruction_detail::Links links_of(const physics::World& world, double dt,
+                                       std::vector<destruction_detail::Met>& bodies) const;
     void let_through(physics::World& world, double dt);
-    Piece& piece_of(const destruction_detail::Press& press);
+    const Piece& piece_of(const destruction_detail::Press& press) const;
     void drop_debris(physics::World& world, double dt);
 
     DestructionLimits limits_;
@@ -262,8 +275,8 @@ private:
     std::vector<destruction_detail::Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
-    std::vector<physics::BodyState> movers_;  // what got its speed back, before the step
-    std::vector<physics::BodyState> before_;  // what met a chunk, before the step
+    std::vector<physics::BodyState> movers_;         // what got its speed back, before the step
+    std::vector<destruction_detail::Noted> before_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

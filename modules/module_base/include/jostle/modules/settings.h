@@ -9,6 +9,8 @@
 //     if (Status read = settings.finish(); !read.ok()) return read;
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,8 @@ public:
     void number(std::string_view name, double& to, double low, double high);
     void flag(std::string_view name, bool& to);  // 0 or 1
     void body(std::string_view name, physics::BodyId& to);
+    // As long as the settings are. What they mean is for the caller to check.
+    void bytes(std::string_view name, std::span<const std::byte>& to);
     // A setting that nobody asked for is an error, too, which lists what there is. After all
     // others.
     physics::Status finish();
@@ -33,8 +37,8 @@ private:
     void fail(std::string message);
 
     const physics::ModuleSettings& settings_;
-    std::vector<std::string> numbers_, bodies_;  // that were asked for
-    std::string fault_;                          // the first; empty: none
+    std::vector<std::string> numbers_, bodies_, bytes_;  // that were asked for
+    std::string fault_;                                  // the first; empty: none
 };
 
 // A number of a module's state: saves it, and ends a load when it is not from low to high.

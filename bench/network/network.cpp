@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "network/network.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <deque>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "measure.h"
+#include "network/giesen_model.h"
+#include "recorded_scene.h"
+#include "result_file.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::bench {
+namespace {
+
+constexpr const char* footer = R"(
+Every tick of the scene katamari (901 cubes; a big one rolls about by itself and draws the small ones along) is encoded
+against the frame so many ticks before, and those as far before it. Frames of codec 1 and 2 are decoded and compared; a
+difference ends the run. Rotations are of 10 bits as the server's (M = 511) and of 9 bits as Giesen's (M = 255): compare
+rows of the same. His models go on from frame to frame along each chain of bases; ours begin anew with every frame.
+
+Columns: base (ticks to the base), M, codec, bytes (per frame: mean and 99th percentile), kbit/s (packed bytes at 60 Hz),
+moving (cubes per frame whose pose differs from the base), encode and decode (us per frame, processor time).
+
+Examples:
+  jostle-bench network
+  jostle-bench network --seconds 20 --base 1 --json network.json
+
+Exit status: 0 done, 1 a frame did not come back, or the file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    double seconds = 45;
+    std::vector<int> bases = {1, 6};
+    std::string json;
+};
+
+struct Row {
+    std::string codec;
+    int base = 0, m = 0;
+    double moving = 0, hz = 60;
+    std::vector<double> bytes;
+    double encode_us = 0, decode_us = 0;  // per frame; decode 0: there is no decoder
+};
+
+using Frames = std::vector<wire::QuantizedFrame>;
+
+// False: a frame did not come back.
+bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
+               wire::Codec codec) {
+    for (std::size_t i = 3 * age; i < frames.size(); i++) {
+        const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const double began = cpu_seconds();
+        const auto packed = wire::encode_frame(frames[i], bases, spec, codec);
+        const double encoded = cpu_seconds();
+        const auto back = wire::decode_frame(frames[i].frame, packed, bases, spec,
+                                             wire::default_entities_max, codec);
+        row.decode_us += 1e6 * (cpu_seconds() - encoded);
+        row.encode_us += 1e6 * (encoded - began);
+        row.bytes.push_back(static_cast<double>(packed.size()));
+        if (!back.ok() || *back != frames[i]) return false;
+    }
+    return true;
+}
+
+void run_giesen(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec) {
+    // The player is the last body; the ground, which never moves, costs him next to nothing.
+    const GiesenCoder coder(frames[0].entities.size() - 1, spec.rotation_component);
+    std::deque<GiesenCoder::StatePtr> states(age);  // of the last frames
+    for (std::size_t i = age; i < frames.size(); i++) {
+        const double began = cpu_seconds();
+        GiesenCoder::Coded coded = coder.encode(frames[i], frames[i - age], states.front());
+        const double spent = cpu_seconds() - began;
+        states.pop_front();
+        states.push_back(std::move(coded.state));
+        if (i < 3 * age) continue;
+        row.encode_us += 1e6 * spent;
+        row.bytes.push_back(static_cast<double>(coded.bytes.size()));
+    }
+}
+
+nlohmann::ordered_json to_json(const Row& row) {
+    nlohmann::ordered_json json = {
+        {"codec", row.codec},
+        {"base_ticks", row.base},
+        {"rotation_component", row.m},
+        {"moving_per_frame", rounded(row.moving)},
+        {"bytes_per_frame", rounded(mean(row.bytes))},
+        {"bytes_99", rounded(percentile_99(row.bytes))},
+        {"kbit_per_second", rounded(mean(row.bytes) * 8 * row.hz / 1000)},
+        {"encode_us", rounded(row.encode_us)}};
+    if (row.decode_us > 0) json["decode_us"] = rounded(row.decode_us);
+    return json;
+}
+
+void print_row(const Row& row) {
+    std::printf("%4d %5d  %-8s %7.1f %6.0f %7.1f %7.1f %8.1f", row.base, row.m, row.codec.c_str(),
+                mean(row.bytes), percentile_99(row.bytes), mean(row.bytes) * 8 * row.hz / 1000,
+                row.moving, row.encode_us);
+    if (row.decode_us > 0) std::printf(" %8.1f", row.decode_us);
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+double mean_moving(const Frames& frames, std::size_t age) {
+    std::size_t moving = 0;
+    for (std::size_t i = 3 * age; i < frames.size(); i++)
+        moving += count_moving(frames[i], frames[i - age]);
+    return static_cast<double>(moving) / static_cast<double>(frames.size() - 3 * age);
+}
+
+// The rows of one quantisation; false after a fault, which it told.
+bool measure(nlohmann::ordered_json& rows, const Flags& flags, const wire::QuantSpec& spec) {
+    show_progress("katamari");
+    const auto recorded = record_scene("katamari", flags.seconds, spec);
+    show_progress("");
+    if (!recorded.ok()) {
+        std::fprintf(stderr, "jostle-bench: %s\n", recorded.error().message.c_str());
+        return false;
+    }
+    for (const int base : flags.bases)
+        for (const char* codec : {"1", "2", "giesen"}) {
+            const auto age = static_cast<std::size_t>(base);
+            Row row{.codec = codec, .base = base, .m = spec.rotation_component};
+            row.hz = recorded->hz;
+            row.moving = mean_moving(recorded->frames, age);
+            if (row.codec == "giesen")
+                run_giesen(row, recorded->frames, age, spec);
+            else if (!run_codec(row, recorded->frames, age, spec,
+                                row.codec == "1" ? wire::Codec::bits : wire::Codec::range)) {
+                std::fprintf(stderr, "jostle-bench: a frame of codec %s did not come back\n",
+                             codec);
+                return false;
+            }
+            row.encode_us /= static_cast<double>(row.bytes.size());
+            row.decode_us /= static_cast<double>(row.bytes.size());
+            print_row(row);
+            rows.push_back(to_json(row));
+        }
+    return true;
+}
+
+int run_network(const Flags& flags) {
+    if (!flags.json.empty() && !can_write(flags.json)) return 1;
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    std::printf("%4s %5s  %-8s %7s %6s %7s %7s %8s %8s\n", "base", "M", "codec", "bytes", "99 %",
+                "kbit/s", "moving", "encode", "decode");
+    for (const std::int32_t m : {511, 255})
+        if (!measure(rows, flags, {.units_per_meter = 512, .rotation_component = m})) return 1;
+    if (flags.json.empty()) return 0;
+    const nlohmann::ordered_json head = {{"benchmark", "network"},
+                                         {"cpu", cpu_model()},
+                                         {"compiler", compiler()},
+                                         {"scene", "katamari"},
+                                         {"seconds", flags.seconds}};
+    return write_result(flags.json, head, rows) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_network(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "network", "Bytes and time of snapshots, by codec, of the scene katamari.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--seconds", flags->seconds, "Of the scene")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 600.0));
+    command->add_option("--base", flags->bases, "Ticks between a frame and its base; with commas")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 15));
+    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+    command->footer(footer);
+    command->callback([flags, &status] { status = run_network(*flags); });
+}
+
+}  // namespace jostle::bench

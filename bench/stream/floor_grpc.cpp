@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <absl/synchronization/mutex.h>
+#include <grpcpp/generic/async_generic_service.h>
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "stream/floor.h"
+
+namespace jostle::bench {
+namespace {
+
+using FloorClock = std::chrono::steady_clock;
+
+struct FloorStream;
+
+struct FloorTag {
+    enum class Event { accepted, read, wrote };
+    FloorStream* stream;
+    Event event;
+};
+
+struct FloorStream {
+    grpc::GenericServerContext context;
+    grpc::GenericServerAsyncReaderWriter stream{&context};
+    grpc::ByteBuffer incoming;
+    FloorTag accepted{this, FloorTag::Event::accepted}, read{this, FloorTag::Event::read},
+        wrote{this, FloorTag::Event::wrote};
+    bool writing = false, over = false;
+};
+
+class GrpcFloor {
+public:
+    explicit GrpcFloor(const FloorOptions& options) : options_(options) {}
+
+    Status listen();
+    void run(const std::atomic<bool>& stop);
+
+private:
+    void ask_for_call();
+    void handle(const FloorTag& tag, bool ok);
+    void write_to_all();
+
+    const FloorOptions& options_;
+    grpc::AsyncGenericService service_;
+    std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+    std::unique_ptr<grpc::Server> server_;
+    // Those that are over stay until the end: a benchmark has few.
+    std::vector<std::unique_ptr<FloorStream>> streams_;
+    std::size_t accepted_ = 0;  // the first so many of streams_, which are accepted in their order
+    std::uint32_t frame_ = 0;
+};
+
+Status GrpcFloor::listen() {
+    grpc::ServerBuilder builder;
+    int port = 0;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
+    builder.RegisterAsyncGenericService(&service_);
+    queue_ = builder.AddCompletionQueue();
+    server_ = builder.BuildAndStart();
+    if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot listen"};
+    ask_for_call();
+    return tell_port(options_.port_file, port);
+}
+
+void GrpcFloor::ask_for_call() {
+    streams_.push_back(std::make_unique<FloorStream>());
+    FloorStream& next = *streams_.back();
+    service_.RequestCall(&next.context, &next.stream, queue_.get(), queue_.get(), &next.accepted);
+}
+
+// Acks are read and not looked at.
+void GrpcFloor::handle(const FloorTag& tag, bool ok) {
+    FloorStream& stream = *tag.stream;
+    switch (tag.event) {
+        case FloorTag::Event::accepted:
+            if (!ok) return;
+            accepted_ = streams_.size();
+            ask_for_call();
+            stream.stream.Read(&stream.incoming, &stream.read);
+            return;
+        case FloorTag::Event::read:
+            stream.incoming.Clear();
+            if (ok)
+                stream.stream.Read(&stream.incoming, &stream.read);
+            else
+                stream.over = true;
+            return;
+        case FloorTag::Event::wrote:
+            stream.writing = false;
+            return;
+    }
+}
+
+void GrpcFloor::write_to_all() {
+    const FloorMessage message = make_floor_message(options_.bytes, ++frame_);
+    const grpc::Slice shared(message.shared);
+    for (std::size_t k = 0; k < accepted_; k++) {
+        FloorStream& stream = *streams_[k];
+        if (stream.writing || stream.over) continue;
+        const std::array<grpc::Slice, 2> slices{grpc::Slice(message.head), shared};
+        stream.writing = true;
+        stream.stream.Write(grpc::ByteBuffer(slices.data(), slices.size()), &stream.wrote);
+    }
+}
+
+void GrpcFloor::run(const std::atomic<bool>& stop) {
+    const auto period = std::chrono::duration_cast<FloorClock::duration>(
+        std::chrono::duration<double>(1 / options_.hz));
+    auto next = FloorClock::now() + period;
+    while (!stop) {
+        void* tag = nullptr;
+        bool ok = false;
+        const auto wait = std::max(FloorClock::duration::zero(), next - FloorClock::now());
+        const auto deadline = std::chrono::system_clock::now() + wait;
+        if (queue_->AsyncNext(&tag, &ok, deadline) == grpc::CompletionQueue::GOT_EVENT)
+            handle(*static_cast<FloorTag*>(tag), ok);
+        if (FloorClock::now() < next) continue;
+        write_to_all();
+        next += period;
+    }
+    server_->Shutdown(std::chrono::system_clock::now());
+    queue_->Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    while (queue_->Next(&tag, &ok)) {
+    }
+}
+
+}  // namespace
+
+Status serve_grpc_floor(const FloorOptions& options, const std::atomic<bool>& stop) {
+    // Debian builds absl with it on; it costs a tenth of all and finds nothing in a floor.
+    absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
+    GrpcFloor floor(options);
+    if (Status listening = floor.listen(); !listening.ok()) return listening;
+    floor.run(stop);
+    return {};
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Who is to load which server, for how long: what the flags of jostle-load say.
+#pragma once
+
+#include <string>
+
+#include "bot/script.h"
+#include "jostle/client/security.h"
+
+namespace jostle::load {
+
+enum class Transport { grpc, websocket, raw };
+
+struct LoadPlan {
+    std::string target;  // HOST:PORT
+    client::Security security;
+    std::string world;
+    int clients = 10;
+    int threads = 2;
+    double ramp = 1, settle = 1, seconds = 10;  // s
+    bots::Script script;                        // empty: the clients only watch
+
+    // Of sinks. Raw: messages with their length (raw_framing.h), as servers of benchmarks send.
+    Transport transport = Transport::grpc;
+    int ack_every = 0;           // snapshots; 0: as the server's welcome asks for
+    double read_rate = 0;        // messages a second that each client reads; 0: as they come
+    double decode_share = 0.01;  // of the clients; 0: none
+};
+
+}  // namespace jostle::load

@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { DecodeError, frameCrc, type EntityState } from './decode_frame';
+import { SeenCells, type CellPart } from './seen_cells';
+
+const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
+
+// A cell without entities, absolute or against another: its CRC is 0.
+const empty = (cell: number, number: number, bases = 0): CellPart => ({
+  cell,
+  number,
+  bases,
+  packed: new Uint8Array(2),
+  crc: 0,
+});
+
+describe('cells in sight', () => {
+  it('are empty at first and stay known until they are left', () => {
+    const cells = new SeenCells();
+    cells.apply([empty(7, 10), empty(8, 10)], [], SPEC, 1);
+    expect(cells.frame(10)).toEqual({ frame: 10, entities: [] });
+    cells.apply([empty(7, 12, 2 | (255 << 8))], [8], SPEC, 1);
+    expect(() => cells.apply([empty(8, 13, 3 | (255 << 8))], [], SPEC, 1)).toThrow(/cell 8 of tick 13: its state 10/);
+  });
+
+  it('that are spoilt change nothing', () => {
+    const cells = new SeenCells();
+    cells.apply([empty(7, 10)], [], SPEC, 1);
+    expect(() => cells.apply([empty(9, 11), { ...empty(7, 11), crc: 5 }], [], SPEC, 1)).toThrow(DecodeError);
+    expect(() => cells.apply([empty(9, 12, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not known/);
+    expect(() => cells.apply([empty(7, 10)], [], SPEC, 1)).toThrow(/not newer/);
+  });
+
+  it('show an entity that is in two of them where it was last', () => {
+    const cells = new SeenCells();
+    const at = (id: number, x: number): EntityState => ({
+      id,
+      position: [x, 0, 0],
+      largest: 3,
+      rotation: [0, 0, 0],
+      atRest: false,
+    });
+    // As if they had been decoded: what is told by whom is the decoder's matter.
+    const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
+    known.set(1, [{ frame: 20, entities: [at(3, 100), at(4, 1)] }]);
+    known.set(2, [{ frame: 24, entities: [at(2, 7), at(3, 104)] }]);
+    expect(cells.frame(25).entities.map((e) => [e.id, e.position[0]])).toEqual([
+      [2, 7],
+      [3, 104],
+      [4, 1],
+    ]);
+    expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
+  });
+});

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "given_back.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "contact_motion.h"
+
+namespace jostle::modules::destruction_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr int rounds_of_giving = 16;
+
+void push(BodyState& body, Vec3 impulse, Vec3 point) {
+    if (!(body.mass > 0)) return;
+    body.linear_velocity += impulse / body.mass;
+    body.angular_velocity += inverse(body.inertia) * cross(point - body.center, impulse);
+}
+
+void push(std::span<Met> bodies, const GivenBack& one, double impulse) {
+    push(bodies[one.struck].now, one.normal * impulse, one.point);
+    if (one.give_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
+}
+
+// The piece gives no more than it got since before the step.
+void share(std::span<Met> bodies, GivenBack& one) {
+    if (!(one.give_piece + one.give_struck > 0)) return;
+    const BodyState &piece = bodies[one.piece].now, &struck = bodies[one.struck].now;
+    const double now =
+        dot(velocity_at(struck, one.point) - velocity_at(piece, one.point), one.normal);
+    double more = (one.speed - now) / (one.give_piece + one.give_struck);
+    if (one.give_piece > 0) {
+        const Met& met = bodies[one.piece];
+        const Vec3 got = piece.linear_velocity - met.linear - met.fall +
+                         cross(piece.angular_velocity - met.angular, one.point - piece.center);
+        more = minimum(more, dot(got, one.normal) / one.give_piece);
+    }
+    more = maximum(more, -one.impulse);
+    one.impulse += more;
+    push(bodies, one, more);
+}
+
+double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
+    return 0.5 * (body.mass * length_squared(linear) + dot(angular, body.inertia * angular));
+}
+
+// Which bodies hang together: by body, the lowest of them.
+std::vector<std::size_t> groups_of(std::span<const Met> bodies, std::span<const GivenBack> all,
+                                   std::span<const std::pair<std::size_t, std::size_t>> links) {
+    std::vector<std::size_t> group(bodies.size());
+    for (std::size_t k = 0; k < group.size(); k++) group[k] = k;
+    const auto lowest = [&](std::size_t k) {
+        while (group[k] != k) k = group[k] = group[group[k]];
+        return k;
+    };
+    const auto join = [&](std::size_t x, std::size_t y) {
+        const std::size_t a = lowest(x), b = lowest(y);
+        group[a > b ? a : b] = a > b ? b : a;
+    };
+    for (const GivenBack& one : all) join(one.piece, one.struck);
+    for (const auto& [a, b] : links) join(a, b);
+    for (std::size_t k = 0; k < group.size(); k++) group[k] = lowest(k);
+    return group;
+}
+
+// Of a group, J.
+struct Ledger {
+    double before = 0, after = 0;     // the step
+    double given = 0, of_change = 0;  // after all was given; of the change of velocity alone
+    double paid = 0;
+
+    // The share of what is given at which there is no more than there was:
+    // after + b s + of_change s^2 = most.
+    double share() const {
+        const double most = maximum(before - paid, after), b = given - after - of_change;
+        if (!(given > most) || !(of_change > 0)) return 1;
+        const double root = square_root(b * b + 4 * of_change * (most - after));
+        // Both are the same; each has its rounding.
+        const double part = b > 0 ? 2 * (most - after) / (b + root) : (root - b) / (2 * of_change);
+        return clamp(part, 0, 1);
+    }
+};
+
+}  // namespace
+
+double Met::energy() const {
+    return energy_of(now, now.linear_velocity, now.angular_velocity);
+}
+
+double Met::energy_before() const {
+    return energy_of(now, linear, angular) +
+           0.5 * now.mass * dot(fall, linear + now.linear_velocity);
+}
+
+// Projected Gauss-Seidel: what one gives back may be what another need not. Each impulse wants its
+// own pair of bodies to meet again as fast as they did, but whoever is in several pairs, or was
+// turned, would then have more energy than it came with: all impulses of a group are lessened
+// alike, which leaves momenta alone.
+void give_back(std::span<Met> bodies, std::span<GivenBack> all,
+               std::span<const std::pair<std::size_t, std::size_t>> links) {
+    const std::vector<Met> after(bodies.begin(), bodies.end());
+    for (int round = 0; round < rounds_of_giving; round++)
+        for (GivenBack& one : all) share(bodies, one);
+    const std::vector<std::size_t> group = groups_of(bodies, all, links);
+    std::vector<Ledger> ledgers(bodies.size());
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        const BodyState &now = bodies[k].now, &was = after[k].now;
+        Ledger& ledger = ledgers[group[k]];
+        ledger.before += after[k].energy_before();
+        ledger.after += after[k].energy();
+        ledger.given += bodies[k].energy();
+        ledger.of_change += energy_of(now, now.linear_velocity - was.linear_velocity,
+                                      now.angular_velocity - was.angular_velocity);
+    }
+    for (const GivenBack& one : all) ledgers[group[one.struck]].paid += one.paid;
+    std::copy(after.begin(), after.end(), bodies.begin());
+    for (GivenBack& one : all) {
+        one.impulse *= ledgers[group[one.struck]].share();
+        push(bodies, one, one.impulse);
+    }
+}
+
+}  // namespace jostle::modules::destruction_detail

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// Which of four boxes a convex shape may touch on the part of its way that is still of interest:
+// those that its own box meets there, and that are not separated from it along the way from their
+// nearest point to its middle, at the end of that part. A shape that comes nearer to a box along
+// that direction was still further apart before.
+#pragma once
+
+#include "geometry/box_lanes.h"
+#include "geometry/support.h"
+
+namespace jostle::physics {
+
+class SweepLanes {
+public:
+    // In the frame of the boxes; `middle` and `box` of the shape where its way begins, `gap` m:
+    // what is within it is touched.
+    SweepLanes(const Convex& shape, Vec3 middle, const Aabb& box, Vec3 motion, double gap)
+        : core_(shape.core), middle_(row(middle)), motion_(row(motion)) {
+        const double way = length(motion), reach = 0.5 * length(box.high - box.low);
+        const Vec3 off = abs(middle);
+        // Ten times what float rounds away.
+        const double slack =
+            1e-6 * (maximum(off.x, maximum(off.y, off.z)) + 2 * (reach + way)) + gap;
+        const Vec3 s{slack, slack, slack};
+        low_ = row(box.low - s);
+        high_ = row(box.high + s);
+        spread(row(way > 0 ? motion * (1 / way) : Vec3{}), ahead_);
+        earlier_ = lanes(0.1 * reach);
+        take_size(shape, reach, slack);
+    }
+
+    // From here to there, fractions of the motion, is what counts now.
+    void look_between(double from, double until) {
+        const Float4 at = motion_ * lanes(from), end = motion_ * lanes(until);
+        spread(low_ + smaller4(at, end), overlap_.low);
+        spread(high_ + larger4(at, end), overlap_.high);
+        spread(middle_ + end, end_);
+    }
+
+    // `key` is less for what lies nearer to the way of the middle, and earlier.
+    // A branch that is alone is not looked at closer: what is in it is.
+    unsigned operator()(const BoxLanes& boxes, bool leaf, Float4& key) const {
+        const unsigned meets = overlapping(overlap_, boxes);
+        if (meets == 0 || (!leaf && (meets & (meets - 1)) == 0)) return meets;
+        Float4 d[3];  // to the middle
+        for (int k = 0; k < 3; k++)
+            d[k] = end_[k] - larger4(smaller4(end_[k], boxes.high[k]), boxes.low[k]);
+        const Float4 along = times(d, ahead_), squared = times(d, d);
+        key = squared - along * along - earlier_ * along;
+        const Mask4 apart = (squared > extent(d, squared)) & (along <= splat4(0));
+        return meets & ~lanes_set(apart);
+    }
+
+private:
+    static constexpr double larger_ = 1.00001;
+
+    static Float4 lanes(double d) { return splat4(static_cast<float>(d)); }
+    static Float4 row(Vec3 v) {
+        return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
+    }
+    static void spread(Float4 v, Float4 to[3]) {
+        for (int k = 0; k < 3; k++) to[k] = splat4(v[k]);
+    }
+    static Float4 times(const Float4 a[3], const Float4 b[3]) {
+        return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+    }
+    static Float4 size_along(const Float4 d[3], const Float4 axis[3]) {
+        const Float4 along = times(d, axis);
+        return larger4(along, -along);
+    }
+    void take_size(const Convex& shape, double reach, double slack) {
+        const bool known = core_ == Core::point || core_ == Core::segment || core_ == Core::box ||
+                           core_ == Core::cylinder;
+        radius_ = lanes((known ? shape.radius : reach) * larger_ + slack);
+        if (!known || core_ == Core::point) return;
+        spread(row(shape.size * larger_), size_);
+        spread(row(shape.axes.y), y_);
+        if (core_ != Core::box) return;
+        spread(row(shape.axes.x), x_);
+        spread(row(shape.axes.z), z_);
+    }
+    // Of the shape along d, times the length of d.
+    Float4 extent(const Float4 d[3], Float4 squared) const {
+        const Float4 round = radius_ * root4(squared);
+        if (core_ == Core::cylinder) {
+            const Float4 along = size_along(d, y_);
+            return round + size_[0] * root4(larger4(squared - along * along, splat4(0))) +
+                   size_[1] * along;
+        }
+        if (core_ == Core::segment) return round + size_[1] * size_along(d, y_);
+        if (core_ == Core::box)
+            return round + ((size_[0] * size_along(d, x_) + size_[1] * size_along(d, y_)) +
+                            size_[2] * size_along(d, z_));
+        return round;
+    }
+
+    Core core_;
+    // x, y, z beside one another.
+    Float4 middle_, motion_, low_, high_;
+    // Four times the same.
+    BoxLanes overlap_;
+    Float4 end_[3], ahead_[3], earlier_, radius_;
+    Float4 size_[3], x_[3], y_[3], z_[3];  // as far as the core needs them
+};
+
+}  // namespace jostle::physics

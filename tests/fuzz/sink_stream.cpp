@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// What a server sends to a sink of jostle-load, over each transport: however the bytes are cut, the
+// same messages arrive and the stream ends for the same reason.
+#include "fuzz/reader.h"
+#include "fuzz/target.h"
+#include "load/http2_framing.h"
+#include "load/raw_framing.h"
+#include "load/sink_conversation.h"
+#include "load/websocket_framing.h"
+
+namespace jostle::fuzz {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+std::unique_ptr<load::Framing> framing_of(std::uint8_t kind) {
+    switch (kind % 4) {
+        case 0:
+            return std::make_unique<load::WebSocketFraming>("localhost:1");
+        case 1:
+            return std::make_unique<load::RawFraming>();
+        case 2:
+            return std::make_unique<load::Http2Framing>(load::Http2Request{.authority = "a:1"});
+        default:
+            return std::make_unique<load::Http2Framing>(load::Http2Request{
+                .authority = "a:1", .token = "t", .window = load::Http2Request::window_max});
+    }
+}
+
+// One sink, and what became of the bytes that it was given.
+class Sink final : private load::Framing::Reader {
+public:
+    explicit Sink(std::uint8_t kind)
+        : framing_(framing_of(kind)),
+          conversation_({.spectator = false, .decodes = true}, figures_) {
+        speak();
+    }
+
+    // False: the stream is over.
+    bool hear(Bytes bytes) {
+        const Status taken = framing_->take(bytes, *this);
+        if (!taken.ok()) heard += "\nended: " + taken.error().message;
+        return taken.ok();
+    }
+
+    std::string heard;
+
+private:
+    void on_message(load::Bytes message) override {
+        heard += "\nmessage of " + std::to_string(message.size());
+        now_ += 10ms;
+        conversation_.receive(message, now_);
+        framing_->used(message.size());
+        speak();
+    }
+
+    void speak() {
+        conversation_.play({v1::Input()});
+        for (int k = 0; k < 8; k++) {
+            const auto message = conversation_.take_message(now_);
+            if (!message) return;
+            framing_->send(*message);
+        }
+    }
+
+    load::Figures figures_;
+    std::unique_ptr<load::Framing> framing_;
+    load::SinkConversation conversation_;
+    load::Clock::time_point now_ = load::Clock::time_point() + 1000s;
+};
+
+std::string heard_in_pieces(std::uint8_t kind, Bytes input, std::size_t piece) {
+    Sink sink(kind);
+    for (std::size_t at = 0; at < input.size(); at += piece)
+        if (!sink.hear(input.subspan(at, std::min(piece, input.size() - at)))) break;
+    return sink.heard;
+}
+
+}  // namespace
+
+void run(Bytes input) {
+    Reader in(input);
+    const auto kind = in.number<std::uint8_t>();
+    const std::string whole = heard_in_pieces(kind, in.rest(), input.size() + 1);
+    for (const std::size_t piece : {1, 7, 24})
+        expect(heard_in_pieces(kind, in.rest(), piece) == whole,
+               "how bytes are cut makes no difference");
+}
+
+}  // namespace jostle::fuzz

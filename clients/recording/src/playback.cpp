@@ -7,8 +7,6 @@
 
 namespace jostle::client {
 
-using Kind = RecordingEntry::Kind;
-
 Playback::Playback(RecordingReader recording)
     : recording_(std::move(recording)), position_(recording_.first()) {
     view_.begin(recording_.welcome());
@@ -68,7 +66,7 @@ Result<bool> Playback::next() {
 
 const RecordingEntry* Playback::keyframe_before(std::uint32_t tick) const {
     for (const RecordingEntry& entry : std::views::reverse(recording_.index()))
-        if (entry.kind == Kind::keyframe && entry.frame <= tick) return &entry;
+        if (entry.kind == RecordingEntry::Kind::keyframe && entry.frame <= tick) return &entry;
     return nullptr;
 }
 
@@ -80,7 +78,7 @@ Status Playback::begin_at(const RecordingEntry& keyframe) {
     position_ = keyframe.offset;
     for (const RecordingEntry& entry : recording_.index()) {
         if (entry.offset >= keyframe.offset) break;
-        if (entry.kind != Kind::standing) continue;
+        if (entry.kind != RecordingEntry::Kind::standing) continue;
         const auto record = recording_.read(entry.offset);
         if (!record.ok()) return broken(record.error());
         if (Status s = apply(record->message, entry.offset); !s.ok()) return broken(s.error());
@@ -93,7 +91,7 @@ Status Playback::seek(std::uint32_t tick) {
     if (!keyframe) {
         std::string begins = "; it has no keyframe at all";
         for (const RecordingEntry& entry : std::views::reverse(recording_.index()))
-            if (entry.kind == Kind::keyframe)
+            if (entry.kind == RecordingEntry::Kind::keyframe)
                 begins = ", which begins with tick " + std::to_string(entry.frame);
         return Error{ErrorCode::not_found,
                      "tick " + std::to_string(tick) + " is before the recording" + begins};
@@ -101,7 +99,8 @@ Status Playback::seek(std::uint32_t tick) {
     const std::uint32_t now = view_.frame().frame;
     if (broken_ || now == 0 || now > tick || position_ <= keyframe->offset)
         if (Status status = begin_at(*keyframe); !status.ok()) return status;
-    for (;;) {
+    // What comes after the tick is of no concern, and may be damaged.
+    while (view_.frame().frame != tick) {
         if (Status status = look_ahead(); !status.ok()) return broken(status.error());
         if (!ahead_) break;
         if (ahead_->message.snapshot().frame() > tick) return {};
@@ -116,7 +115,7 @@ Status Playback::seek(std::uint32_t tick) {
 
 Result<bool> Playback::skip_fault() {
     for (const RecordingEntry& entry : recording_.index()) {
-        if (entry.kind != Kind::keyframe || entry.offset <= position_) continue;
+        if (entry.kind != RecordingEntry::Kind::keyframe || entry.offset <= position_) continue;
         if (Status status = begin_at(entry); !status.ok()) return status.error();
         return true;
     }

@@ -19,6 +19,11 @@ const RecordedWorld& three_seconds() {
     return made;
 }
 
+const RecordedWorld& short_recording() {
+    static const RecordedWorld made = record_world(60, 20);
+    return made;
+}
+
 // The places of all records, and after them that of the index.
 std::vector<std::uint64_t> record_places(const std::string& file) {
     std::vector<std::uint64_t> places;
@@ -38,7 +43,7 @@ std::string error_of_opening(const std::string& file) {
 }  // namespace
 
 TEST(DamagedRecording, one_that_was_cut_at_any_byte_is_read_up_to_there) {
-    const RecordedWorld& world = three_seconds();
+    const RecordedWorld& world = short_recording();
     const std::vector<std::uint64_t> places = record_places(world.file);
     const auto whole = opened(world.file).value().index();
     ASSERT_GT(world.file.size(), 2048u);

@@ -16,7 +16,7 @@
 namespace jostle::bench {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* network_footer = R"(
 Every tick of the scene katamari (901 cubes; a big one rolls about by itself and draws the small ones along) is encoded
 against the frame so many ticks before, and those as far before it. Frames of codec 1 and 2 are decoded and compared; a
 difference ends the run. Rotations are of 10 bits as the server's (M = 511) and of 9 bits as Giesen's (M = 255): compare
@@ -31,7 +31,7 @@ Examples:
 
 Exit status: 0 done, 1 a frame did not come back, or the file could not be written, 2 wrong flags.)";
 
-struct Flags {
+struct NetworkFlags {
     double seconds = 45;
     std::vector<int> bases = {1, 6};
     std::string json;
@@ -112,7 +112,7 @@ double mean_moving(const Frames& frames, std::size_t age) {
 }
 
 // The rows of one quantisation; false after a fault, which it told.
-bool measure(nlohmann::ordered_json& rows, const Flags& flags, const wire::QuantSpec& spec) {
+bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire::QuantSpec& spec) {
     show_progress("katamari");
     const auto recorded = record_scene("katamari", flags.seconds, spec);
     show_progress("");
@@ -142,7 +142,7 @@ bool measure(nlohmann::ordered_json& rows, const Flags& flags, const wire::Quant
     return true;
 }
 
-int run_network(const Flags& flags) {
+int run_network(const NetworkFlags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     std::printf("%4s %5s  %-8s %7s %6s %7s %7s %8s %8s\n", "base", "M", "codec", "bytes", "99 %",
@@ -163,7 +163,7 @@ int run_network(const Flags& flags) {
 void add_network(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "network", "Bytes and time of snapshots, by codec, of the scene katamari.");
-    const auto flags = std::make_shared<Flags>();
+    const auto flags = std::make_shared<NetworkFlags>();
     command->add_option("--seconds", flags->seconds, "Of the scene")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
@@ -172,7 +172,7 @@ void add_network(CLI::App& app, int& status) {
         ->capture_default_str()
         ->check(CLI::Range(1, 15));
     command->add_option("--json", flags->json, "Writes the figures here as JSON");
-    command->footer(footer);
+    command->footer(network_footer);
     command->callback([flags, &status] { status = run_network(*flags); });
 }
 

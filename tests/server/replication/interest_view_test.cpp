@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double hz = 60, cell_m = 32;
+constexpr double hz = 60, cell_edge_m = 32;
 
 Clock::time_point at(std::uint32_t tick) {
     return Clock::time_point{} + 1h + from_seconds(tick / hz);
@@ -45,8 +45,8 @@ struct Field {
             const int cell = static_cast<int>(id - 1) / 4;
             const double turn = moves ? 0.05 * tick + id : id;
             poses.push_back({.id = id,
-                             .pose = {{cell % 10 * cell_m + 4.0 + id % 4 * 6 + std::cos(turn), 1,
-                                       cell / 10 * cell_m + 16 + std::sin(turn)},
+                             .pose = {{cell % 10 * cell_edge_m + 4.0 + id % 4 * 6 + std::cos(turn),
+                                       1, cell / 10 * cell_edge_m + 16 + std::sin(turn)},
                                       {}},
                              .awake = moves});
         }
@@ -58,7 +58,7 @@ struct Field {
 };
 
 // Our bytes for the test: six numbers, then the packed cell.
-std::string serialize(const EncodedCell& cell) {
+std::string put_cell(const EncodedCell& cell) {
     const std::uint32_t head[] = {cell.id,          cell.number,      cell.bases.base,
                                   cell.bases.base2, cell.bases.base3, cell.crc};
     std::string bytes(sizeof head + cell.packed.size(), '\0');
@@ -124,7 +124,7 @@ struct Eyes {
     }
 
     InterestView view;
-    CellFeed feed{cell_m, wire::QuantSpec(), serialize};
+    CellFeed feed{cell_edge_m, wire::QuantSpec(), put_cell};
     std::map<CellId, std::map<std::uint32_t, wire::QuantizedFrame>> known;
     std::map<CellId, std::vector<std::uint32_t>> sent_at;
     std::vector<std::size_t> bytes_of_tick;
@@ -152,7 +152,7 @@ TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
         eyes.tick(field, tick);
     }
     for (const auto& [cell, states] : eyes.known)
-        EXPECT_LE(eyes.feed.distance(cell, 300, 16), 40 + cell_m / 4);
+        EXPECT_LE(eyes.feed.distance(cell, 300, 16), 40 + cell_edge_m / 4);
     EXPECT_GT(eyes.sent_at.size(), eyes.known.size() + 5) << "it saw others before";
 }
 

@@ -37,11 +37,13 @@ BoxPair make_pair(const Placed& a, const Placed& b) {
     return p;
 }
 
+// Of a pose that is no number no separation compares, and the first axis stays: such a body is put
+// back when the step ends.
 struct FaceAxis {
-    int axis = -1;               // 0-2: a face of a, 3-5: a face of b
+    int axis = 0;                // 0-2: a face of a, 3-5: a face of b
     double preferred = -1e300;   // its separation with the preference for the cached axis
     double separation = -1e300;  // largest over all six
-    int widest = -1;             // which of them has that
+    int widest = 0;              // which of them has that
 };
 
 // m: of axes that are equal but for this the first wins.

@@ -99,12 +99,19 @@ void SinkClient::tick(Clock::time_point now) {
     if (!over_) watch();
 }
 
+std::string SinkClient::why_closed() const {
+    const std::string closed = "the server closed the connection";
+    if (conversation_.joined()) return closed;
+    return closed + " before it said welcome; is --target the port of " +
+           (plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?");
+}
+
 void SinkClient::receive(std::span<std::uint8_t> scratch) {
     if (plan_.read_rate > 0 && plan_.transport != Transport::grpc)
         scratch = scratch.first(slow_piece);
     const ssize_t size = recv(socket_, scratch.data(), scratch.size(), 0);
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (size <= 0) return end(size < 0 ? std::strerror(errno) : "the server closed the connection");
+    if (size <= 0) return end(size < 0 ? std::strerror(errno) : why_closed());
     const Status taken = framing_->take(scratch.first(static_cast<std::size_t>(size)), *this);
     if (!taken.ok()) end(taken.error().message);
 }

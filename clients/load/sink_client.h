@@ -43,6 +43,7 @@ public:
 
 private:
     void on_message(Bytes message) override;
+    std::string why_closed() const;
     void receive(std::span<std::uint8_t> scratch);
     void read_waiting(Clock::time_point now);
     void say(Clock::time_point now);

@@ -589,7 +589,8 @@ void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities)
         std::vector<EntityId> gone;
         for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
             if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
-        if (!gone.empty()) waiting_.push_back({encode_removed(gone), nullptr});
+        if (!gone.empty())
+            waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
         for (const EntityId id : gone) known_entities_[id] = false;
     }
     entity_list_ = entities;

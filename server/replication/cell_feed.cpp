@@ -19,6 +19,10 @@ CellFeed::Cells CellFeed::cells(const FramePtr& frame,
     for (auto& [id, history] : histories_)
         if (!now.contains(id)) now[id].frame = frame->tick;
     for (auto& [id, content] : now) add(id, std::move(content), frame->tick);
+    std::erase_if(histories_, [&](const auto& entry) {
+        const CellState& newest = entry.second.states.back();
+        return newest.content->entities.empty() && frame->tick - newest.number > empty_ticks;
+    });
     auto cells = std::make_shared<std::vector<CellState>>();
     cells->reserve(histories_.size());
     for (const auto& [id, history] : histories_) cells->push_back(history.states.back());
@@ -52,10 +56,12 @@ const wire::QuantizedFrame* CellFeed::find(const History& history, std::uint32_t
 
 SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames bases, wire::Codec codec) {
     const std::lock_guard lock(mutex_);
-    History& history = histories_[state.id];
-    // Another thread may have made a newer state meanwhile: then this one is made for one client.
-    if (history.states.empty() || history.states.back().number != state.number)
-        return encode(history, state, bases, codec);
+    // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
+    // made for one client.
+    const auto known = histories_.find(state.id);
+    if (known == histories_.end()) return encode({}, state, bases, codec);
+    History& history = known->second;
+    if (history.states.back().number != state.number) return encode(history, state, bases, codec);
     SharedBytes& bytes = history.encodings[{bases, codec}];
     if (!bytes) bytes = encode(history, state, bases, codec);
     return bytes;

@@ -39,10 +39,11 @@ class CellFeed {
 public:
     using Serialize = std::function<std::string(const EncodedCell&)>;
     static constexpr std::size_t states_kept = 32;  // of a cell, as bases
+    static constexpr std::uint32_t empty_ticks = 256;
 
     CellFeed(double cell_m, const wire::QuantSpec& spec, Serialize serialize);
 
-    // In rising order of id; those that were not empty once stay.
+    // In rising order of id. One that became empty stays for `empty_ticks`.
     using Cells = std::shared_ptr<const std::vector<CellState>>;
     // The cells of a frame; of the newest one that was asked for, when it is newer.
     // `quantized` is asked only for a new frame.

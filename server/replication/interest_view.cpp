@@ -79,11 +79,21 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
                           {cell, known->second.states.bases_for(cell.number), false,
                            cell.members != known->second.members}});
     }
+    // Cells that are gone: nobody has been there for long.
+    std::erase_if(known_, [&](const auto& known) {
+        const bool there = std::ranges::binary_search(cells, known.first, {}, &CellState::id);
+        if (!there) left_.push_back(known.first);
+        return !there;
+    });
     std::ranges::stable_sort(ranked, std::ranges::greater{}, &Ranked::rank);
     std::vector<Wanted> parts;
     parts.reserve(ranked.size());
     for (Ranked& entry : ranked) parts.push_back(std::move(entry.part));
     return parts;
+}
+
+void InterestView::reset() {
+    for (auto& [cell, known] : known_) known.states.reset();
 }
 
 void InterestView::on_sent(const Wanted& part, std::uint32_t tick) {

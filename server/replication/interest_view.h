@@ -51,8 +51,8 @@ public:
     void on_sent(const Wanted& part, std::uint32_t tick);
     // Cells that the client is to forget: they are out of sight since the last call of wanted().
     std::vector<CellId> take_left() { return std::exchange(left_, {}); }
-    // The client lost track: all cells are new to it.
-    void reset() { known_.clear(); }
+    // The client lost track: each cell that it has is sent whole again.
+    void reset();
 
 private:
     struct Known {

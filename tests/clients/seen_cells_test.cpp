@@ -88,8 +88,17 @@ TEST_F(SeenCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
     add_cell(unknown, 7, state(12, {}), &never);
     EXPECT_EQ(apply(unknown).error().message, "cell 7 of tick 12: its state 9 is not known");
     v1::Snapshot old;
-    add_cell(old, 7, state(10, {}));
+    add_cell(old, 7, state(10, {}), &never);
     EXPECT_EQ(apply(old).error().message, "cell 7 of tick 10 is not newer than the last one");
+}
+
+TEST_F(SeenCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number) {
+    for (const double x : {5.0, 7.0}) {
+        v1::Snapshot whole;
+        add_cell(whole, 7, state(10, {{1, x}}));
+        ASSERT_TRUE(apply(whole).ok());
+        EXPECT_NEAR(x_of(1), x, 0.001);
+    }
 }
 
 }  // namespace

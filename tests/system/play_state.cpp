@@ -66,6 +66,7 @@ void PlayState::take(const v1::ServerMessage& message) {
 void PlayState::take(const v1::Roster& roster) {
     rosters++;
     for (const std::uint32_t id : roster.removed()) {
+        removed.insert(id);
         expect(entities.erase(id) == 1, "a roster removes entity " + std::to_string(id) +
                                             ", which the client never heard of");
     }
@@ -178,6 +179,7 @@ std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot&
             decoded(cell, part.number(), part.packed(),
                     {base_of(told->base), base_of(told->base2), base_of(told->base3)}, part.crc());
         if (!state) return std::nullopt;
+        if (part.bases() == 0) states.clear();
         states[part.number()] = *std::move(state);
     }
     std::map<std::uint32_t, std::pair<std::uint32_t, wire::EntityState>> newest;
@@ -187,7 +189,8 @@ std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot&
                 known == newest.end() || known->second.first < states.rbegin()->first)
                 newest[entity.id] = {states.rbegin()->first, entity};
     wire::QuantizedFrame frame{.frame = snapshot.frame(), .entities = {}};
-    for (const auto& [id, seen] : newest) frame.entities.push_back(seen.second);
+    for (const auto& [id, seen] : newest)
+        if (!removed.contains(id)) frame.entities.push_back(seen.second);
     return frame;
 }
 

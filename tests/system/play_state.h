@@ -36,6 +36,7 @@ public:
     std::map<std::uint32_t, std::uint32_t> crc_of;     // by frame
     std::set<std::uint64_t> geometry;                  // told
     std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
+    std::set<std::uint32_t> removed;                   // likewise
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;
     // States of the cells in sight, by number: of a client that is told of parts of its world.

@@ -18,7 +18,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellPart& part,
     const Result<wire::BaseFrames> told = wire::decode_base_frames(part.number(), part.bases());
     if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
     const auto known = cells_.find(part.cell());
-    if (known != cells_.end() && part.number() <= known->second.back().frame)
+    if (known != cells_.end() && part.bases() != 0 && part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     wire::Bases bases;
     const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
@@ -51,6 +51,8 @@ Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spe
     for (const std::uint32_t cell : snapshot.cells_left()) cells_.erase(cell);
     for (auto& [cell, state] : fresh) {
         States& states = cells_[cell];
+        // One that is told whole begins anew.
+        if (!states.empty() && state.frame <= states.back().frame) states.clear();
         states.push_back(std::move(state));
         if (states.size() > kept) states.pop_front();
     }

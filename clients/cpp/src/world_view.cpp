@@ -100,7 +100,10 @@ Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
                                                  const wire::Bases& bases) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
-        return cells_->frame(snapshot.frame());
+        wire::QuantizedFrame seen = cells_->frame(snapshot.frame());
+        // Who was removed may still be in a cell that comes late.
+        std::erase_if(seen.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+        return seen;
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
     auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,

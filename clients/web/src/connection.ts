@@ -181,7 +181,7 @@ export class Connection {
       const channels = [...this.kinds];
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.sight?.maxKbps ?? 0,
-        ...(this.interest() ? { interest: this.interest() } : {}),
+        ...(this.sight ? { interest: this.interest(this.sight) } : {}),
       };
       this.sendMessage({ case: 'hello', value: hello });
     };
@@ -339,19 +339,20 @@ export class Connection {
   /** The cells that are in sight. */
   private partOf(s: Snapshot): QuantizedFrame {
     this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec);
-    return this.cells.frame(s.frame);
+    const seen = this.cells.frame(s.frame);
+    // Who was removed may still be in a cell that comes late.
+    return { frame: seen.frame, entities: seen.entities.filter((e) => this.entities.has(e.id)) };
   }
 
   /** What it wants to be told of from now on; only while `sight` is given. */
   lookAt(x: number, z: number): void {
-    if (!this.sight || Math.hypot(x - this.focus.x, z - this.focus.z) < this.sight.radius / 16) return;
+    if (!this.sight || Math.hypot(x - this.focus.x, z - this.focus.z) < Math.max(2, this.sight.radius / 16)) return;
     this.focus = { x, z };
-    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest()! });
+    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest(this.sight) });
   }
 
-  private interest() {
-    if (!this.sight?.radius) return undefined;
-    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: this.sight.radius });
+  private interest(sight: Sight) {
+    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: sight.radius });
   }
 
   /** When a tick was due, on the server's clock. */

@@ -27,7 +27,8 @@ describe('cells in sight', () => {
     cells.apply([empty(7, 10)], [], SPEC, 1);
     expect(() => cells.apply([empty(9, 11), { ...empty(7, 11), crc: 5 }], [], SPEC, 1)).toThrow(DecodeError);
     expect(() => cells.apply([empty(9, 12, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not known/);
-    expect(() => cells.apply([empty(7, 10)], [], SPEC, 1)).toThrow(/not newer/);
+    expect(() => cells.apply([empty(7, 10, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not newer/);
+    cells.apply([empty(7, 10)], [], SPEC, 1); // told whole: it begins anew
   });
 
   it('show an entity that is in two of them where it was last', () => {

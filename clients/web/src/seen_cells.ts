@@ -22,7 +22,9 @@ export class SeenCells {
     const fresh = parts.map((part) => ({ cell: part.cell, state: this.decode(part, spec, codec) }));
     for (const cell of left) this.cells.delete(cell);
     for (const { cell, state } of fresh) {
-      const states = this.cells.get(cell) ?? [];
+      let states = this.cells.get(cell) ?? [];
+      // One that is told whole begins anew.
+      if (states.length > 0 && state.frame <= states[states.length - 1]!.frame) states = [];
       states.push(state);
       if (states.length > RING) states.shift();
       this.cells.set(cell, states);
@@ -50,7 +52,7 @@ export class SeenCells {
   private decode(part: CellPart, spec: QuantSpec, codec: number): QuantizedFrame {
     const known = this.cells.get(part.cell) ?? [];
     const name = `cell ${part.cell} of tick ${part.number}`;
-    if (known.length > 0 && part.number <= known[known.length - 1]!.frame)
+    if (part.bases !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)
       throw new DecodeError(`${name} is not newer than the last one`);
     const [base, base2, base3] = baseFrames(part.number, part.bases).map((number) => {
       const state = known.find((k) => k.frame === number);

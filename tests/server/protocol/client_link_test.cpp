@@ -638,6 +638,36 @@ TEST_F(SightTest, a_budget_bounds_all_that_is_sent) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
+TEST_F(SightTest, who_is_removed_is_gone_and_the_stream_goes_on) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    std::uint32_t sequence = 1;
+    for (int round = 0; round < 3; round++) {
+        client.inputs(sequence++, {ball(0.3)});
+        ASSERT_TRUE(client.listen_until([&] { return client.state.entities.size() == 9; }));
+        const std::uint32_t spawned = client.state.entities.rbegin()->first;
+        client.inputs(sequence++, {removal(spawned)});
+        ASSERT_TRUE(client.listen_until([&] { return client.state.removed.contains(spawned); }));
+        const int so_far = client.state.snapshots;
+        ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > so_far + 5; }));
+    }
+    EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, who_lost_track_gets_every_cell_whole_again) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    client.ack(client.state.newest_frame, true);
+    client.state.cells.clear();
+    EXPECT_TRUE(client.listen_until([&] { return client.state.cells.size() >= 3; }))
+        << "the ground's cell too, which does not move";
+    EXPECT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
 TEST_F(SightTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
     TestClient client(context);
     client.hello();

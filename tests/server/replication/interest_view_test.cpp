@@ -207,6 +207,35 @@ TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
     EXPECT_EQ(eyes.known.size(), 100u);
 }
 
+// Somebody who flies leaves cells behind: they are forgotten, and clients are told.
+TEST(CellFeed, a_cell_that_stays_empty_is_gone_after_a_while) {
+    Eyes eyes(0);
+    const auto fly = [&](std::uint32_t tick) {
+        auto list = std::make_shared<EntityList>();
+        auto flier = std::make_shared<EntityDescription>();
+        flier->id = 1;
+        list->push_back(flier);
+        auto frame = std::make_shared<Frame>();
+        frame->tick = tick;
+        frame->entity_list = list;
+        const auto cells = eyes.feed.cells(frame, [&] {
+            return wire::QuantizedFrame{
+                .frame = tick,
+                .entities = {wire::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
+        });
+        for (const auto& part : eyes.view.wanted(eyes.feed, *cells, tick, at(tick)))
+            eyes.view.on_sent(part, tick);
+        return cells->size();
+    };
+    std::size_t most = 0, left = 0;
+    for (std::uint32_t tick = 1; tick < 5000; tick++) {
+        most = std::max(most, fly(tick));
+        left += eyes.view.take_left().size();
+    }
+    EXPECT_LE(most, CellFeed::empty_ticks / cell_edge_m + 3);
+    EXPECT_GE(left, 140u) << "of 156 that it flew through";
+}
+
 TEST(CellFeed, clients_share_the_bytes_of_a_cell) {
     Field field(true);
     Eyes one(0);

@@ -17,8 +17,6 @@ constexpr auto farewell = 200ms;  // until what was said last is sent
 
 }  // namespace
 
-// --- one thread ---
-
 PlayerThread::PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun)
     : plan_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
 
@@ -115,36 +113,6 @@ Figures PlayerThread::end() {
     stop_ = true;
     thread_.join();
     return std::move(figures_);
-}
-
-// --- all of them ---
-
-PlayerCrowd::PlayerCrowd(const LoadPlan& plan) {
-    const Clock::time_point begun = Clock::now();
-    const int threads = std::min(plan.threads, plan.clients);
-    for (int k = 0; k < threads; k++)
-        threads_.push_back(std::make_unique<PlayerThread>(plan, k, threads, begun));
-}
-
-Crowd::Progress PlayerCrowd::progress() const {
-    Progress all;
-    for (const auto& thread : threads_) {
-        const Progress one = thread->progress();
-        all.joined += one.joined;
-        all.snapshots += one.snapshots;
-        all.inputs += one.inputs;
-    }
-    return all;
-}
-
-void PlayerCrowd::measure() {
-    for (const auto& thread : threads_) thread->measure();
-}
-
-Figures PlayerCrowd::end() {
-    Figures all;
-    for (const auto& thread : threads_) all.merge(thread->end());
-    return all;
 }
 
 }  // namespace jostle::load

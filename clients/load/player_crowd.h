@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bot/player.h"
-#include "load/crowd.h"
 #include "load/load_plan.h"
+#include "load/threaded_crowd.h"
 
 namespace jostle::load {
 
@@ -52,16 +52,6 @@ private:
     std::thread thread_;
 };
 
-class PlayerCrowd : public Crowd {
-public:
-    explicit PlayerCrowd(const LoadPlan& plan);
-
-    Progress progress() const override;
-    void measure() override;
-    Figures end() override;
-
-private:
-    std::vector<std::unique_ptr<PlayerThread>> threads_;
-};
+using PlayerCrowd = ThreadedCrowd<PlayerThread>;
 
 }  // namespace jostle::load

@@ -39,8 +39,6 @@ bool is_in_share(int number, double share) {
 
 }  // namespace
 
-// --- one thread ---
-
 SinkThread::SinkThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
                        Clock::time_point begun)
     : plan_(plan), address_(address), begun_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
@@ -136,36 +134,6 @@ Figures SinkThread::end() {
     thread_.join();
     members_.clear();  // sockets close
     return std::move(figures_);
-}
-
-// --- all of them ---
-
-SinkCrowd::SinkCrowd(const LoadPlan& plan, const SinkAddress& address) {
-    const Clock::time_point begun = Clock::now();
-    const int threads = std::min(plan.threads, plan.clients);
-    for (int k = 0; k < threads; k++)
-        threads_.push_back(std::make_unique<SinkThread>(plan, address, k, threads, begun));
-}
-
-Crowd::Progress SinkCrowd::progress() const {
-    Progress all;
-    for (const auto& thread : threads_) {
-        const Progress one = thread->progress();
-        all.joined += one.joined;
-        all.snapshots += one.snapshots;
-        all.inputs += one.inputs;
-    }
-    return all;
-}
-
-void SinkCrowd::measure() {
-    for (const auto& thread : threads_) thread->measure();
-}
-
-Figures SinkCrowd::end() {
-    Figures all;
-    for (const auto& thread : threads_) all.merge(thread->end());
-    return all;
 }
 
 }  // namespace jostle::load

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bot/behaviour.h"
-#include "load/crowd.h"
 #include "load/sink_client.h"
+#include "load/threaded_crowd.h"
 
 namespace jostle::load {
 
@@ -53,16 +53,6 @@ private:
     std::thread thread_;
 };
 
-class SinkCrowd : public Crowd {
-public:
-    SinkCrowd(const LoadPlan& plan, const SinkAddress& address);
-
-    Progress progress() const override;
-    void measure() override;
-    Figures end() override;
-
-private:
-    std::vector<std::unique_ptr<SinkThread>> threads_;
-};
+using SinkCrowd = ThreadedCrowd<SinkThread>;
 
 }  // namespace jostle::load

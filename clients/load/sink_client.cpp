@@ -100,10 +100,11 @@ void SinkClient::tick(Clock::time_point now) {
 }
 
 std::string SinkClient::why_closed() const {
-    const std::string closed = "the server closed the connection";
-    if (conversation_.joined()) return closed;
-    return closed + " before it said welcome; is --target the port of " +
-           (plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?");
+    std::string why = "the server closed the connection";
+    if (conversation_.joined()) return why;
+    why += " before it said welcome; is --target the port of ";
+    why += plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?";
+    return why;
 }
 
 void SinkClient::receive(std::span<std::uint8_t> scratch) {

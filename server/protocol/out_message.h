@@ -23,6 +23,12 @@ struct OutMessage {
         for (const SharedBytes& cell : cells) bytes += cell->size();
         return bytes;
     }
+    // For who does not send pieces.
+    std::string in_one() const {
+        std::string bytes = head + (shared ? *shared : "");
+        for (const SharedBytes& cell : cells) bytes += *cell;
+        return bytes;
+    }
 };
 
 }  // namespace jostle::server

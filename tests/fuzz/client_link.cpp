@@ -70,7 +70,7 @@ private:
             const auto out = link_.take_message(now_);
             if (!out) return;
             v1::ServerMessage message;
-            expect(message.ParseFromString(out->head + (out->shared ? *out->shared : "")),
+            expect(message.ParseFromString(out->in_one()),
                    "what the server sends is a ServerMessage");
             state_.take(message);
         }

@@ -80,9 +80,7 @@ void Line::write(Clock::time_point now) {
             return;
         }
         if (hung_up_) continue;
-        std::string bytes = out->head;
-        if (out->shared) bytes += *out->shared;
-        down_.put(std::move(bytes), arrival(now));
+        down_.put(out->in_one(), arrival(now));
     }
     link_.wait_for_write(now);
     // As the transports do with who takes nothing: nobody waits for the last word to be heard.

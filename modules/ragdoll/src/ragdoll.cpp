@@ -335,20 +335,24 @@ void Ragdolls::lead(World& world, Figure& figure, double dt) {
     }
 }
 
-// Powered: muscles towards the pose; limp: none.
+// Powered: muscles towards the pose; limp: none. What led a pose that stands now is taken back in
+// the next step.
 void Ragdolls::pull(World& world, Figure& figure, double dt) {
     const bool blends = figure.blended < figure.blend;
     const double part = blends ? figure.blended / figure.blend : 1;
     const int substeps = world.substeps();
+    figure.moved = false;
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
         const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
         const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
         Quat target = turn;
-        if (bone.muscle.hertz > 0)
+        if (bone.muscle.hertz > 0 && bone.before != turn) {
             target = from_rotation_vector(rate_of(bone.before, turn, dt) *
                                           lead_of(bone.muscle, dt, substeps)) *
                      turn;
+            figure.moved = true;
+        }
         bone.before = turn;
         const JointKind kind = kind_of(bone, strength, normalized(target));
         static_cast<void>(world.set_joint(bone.joint, kind).ok());
@@ -359,14 +363,17 @@ void Ragdolls::before_step(World& world, double dt) {
     for (Figure& figure : figures_) {
         if (!figure.alive) continue;
         drop_if_broken(world, figure);
-        // One more step after the last change: what moved stands now.
+        if (!figure.alive) continue;
+        const bool led = figure.mode == RagdollMode::kinematic;
         const bool changes = figure.moved || figure.blended < figure.blend;
-        if (!figure.alive || (!changes && figure.mode == RagdollMode::limp)) continue;
         if (figure.blended < figure.blend)
             figure.blended = minimum(figure.blend, figure.blended + dt);
-        figure.moved = false;
-        if (figure.mode == RagdollMode::kinematic || figure.root_held) lead(world, figure, dt);
-        if (figure.mode != RagdollMode::kinematic) pull(world, figure, dt);
+        if (led || (figure.root_held && (changes || figure.mode == RagdollMode::powered)))
+            lead(world, figure, dt);
+        if (led)
+            figure.moved = false;
+        else if (changes)
+            pull(world, figure, dt);
     }
 }
 

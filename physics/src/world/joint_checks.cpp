@@ -6,8 +6,13 @@
 
 namespace jostle::physics {
 
+std::string JointCheck::path_of(const char* field) const {
+    return (whole_ != nullptr ? whole_->path_of(name_) : name_) + "." + field;
+}
+
 void JointCheck::number(const char* name, double value, double low, double high) {
-    if (status_.ok()) status_ = check_range((path_ + name).c_str(), value, low, high);
+    if (!status_.ok() || (value >= low && value <= high)) return;
+    status_ = check_range(path_of(name).c_str(), value, low, high);
 }
 
 void JointCheck::ordered(const char* lower_name, double lower, const char* upper_name, double upper,
@@ -17,12 +22,12 @@ void JointCheck::ordered(const char* lower_name, double lower, const char* upper
 }
 
 void JointCheck::vector(const char* name, Vec3 value, double limit) {
-    if (status_.ok()) status_ = check_vector((path_ + name).c_str(), value, limit);
+    if (status_.ok()) status_ = check_vector(path_of(name).c_str(), value, limit);
 }
 
 void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::size_t least,
                         std::size_t most, double limit) {
-    const std::string path = path_ + name;
+    const std::string path = path_of(name);
     if (status_.ok() && (points.size() < least || points.size() > most))
         status_ = invalid_argument(path + " are " + std::to_string(points.size()) + "; give " +
                                    std::to_string(least) + " to " + std::to_string(most));
@@ -36,42 +41,40 @@ void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::
 }
 
 void JointCheck::drive(const char* name, const RotationDrive& drive) {
-    const std::string prefix = path_ + name;
-    JointCheck inside(prefix.c_str());
+    JointCheck inside(*this, name);
     inside.spring("spring", drive.spring);
     inside.number("max_torque", drive.max_torque, 0, 1e12);
-    if (inside.status_.ok())
-        inside.status_ = check_pose((prefix + ".target").c_str(), {{}, drive.target});
-    if (status_.ok()) status_ = inside.status_;
+    if (inside.status_.ok() && !check_pose("target", {{}, drive.target}).ok())
+        inside.status_ = check_pose(inside.path_of("target").c_str(), {{}, drive.target});
+    keep(inside);
 }
 
 void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
-    const std::string prefix = path_ + name;
-    JointCheck inside(prefix.c_str());
+    JointCheck inside(*this, name);
     visit_limit(inside, limit, low, high);
     if (inside.status_.ok() && limit.lower > limit.upper)
-        inside.status_ = invalid_argument(prefix + ".lower is above " + prefix +
-                                          ".upper; give the lower one first");
-    if (status_.ok()) status_ = inside.status_;
+        inside.status_ =
+            invalid_argument(inside.path_of("lower") + " is above " + inside.path_of("upper") +
+                             "; give the lower one first");
+    keep(inside);
 }
 
 void JointCheck::spring(const char* name, const JointSpring& spring) {
-    JointCheck inside((path_ + name).c_str());
+    JointCheck inside(*this, name);
     visit_spring(inside, spring);
-    if (status_.ok()) status_ = inside.status_;
+    keep(inside);
 }
 
 void JointCheck::axis(const char* name, const JointAxis& axis, double low, double high) {
-    const std::string prefix = path_ + name;
-    JointCheck inside(prefix.c_str());
+    JointCheck inside(*this, name);
     visit_axis(inside, axis, low, high);
     const bool moves = axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled;
     if (inside.status_.ok() && !axis.free && (moves || axis.friction > 0))
         inside.status_ =
-            invalid_argument(prefix +
+            invalid_argument(path_of(name) +
                              " is locked and has a limit, spring, motor or friction; make it "
                              "free, or take those away");
-    if (status_.ok()) status_ = inside.status_;
+    keep(inside);
 }
 
 Status check_kind(const JointKind& kind) {

@@ -16,7 +16,11 @@ Status check_kind(const JointKind& kind);
 // A visitor of the table; keeps the first fault.
 class JointCheck {
 public:
-    explicit JointCheck(const char* kind) : path_(std::string(kind) + ".") {}
+    explicit JointCheck(const char* kind) : name_(kind) {}
+    // Of a part of what the other looks at, which lives on.
+    JointCheck(const JointCheck& whole, const char* name) : whole_(&whole), name_(name) {}
+    JointCheck(const JointCheck&) = delete;
+    JointCheck& operator=(const JointCheck&) = delete;
     const Status& status() const { return status_; }
 
     void number(const char* name, double value, double low, double high);
@@ -33,15 +37,22 @@ public:
     void limit(const char* name, const JointLimit& limit, double low, double high);
     template <class Motor>
     void motor(const char* name, const Motor& motor) {
-        JointCheck inside((path_ + name).c_str());
+        JointCheck inside(*this, name);
         visit_motor(inside, motor);
-        if (status_.ok()) status_ = inside.status_;
+        keep(inside);
     }
     void spring(const char* name, const JointSpring& spring);
     void axis(const char* name, const JointAxis& axis, double low, double high);
 
 private:
-    std::string path_;
+    // Made when there is a fault: joints are set by the thousand in a step.
+    std::string path_of(const char* field) const;
+    void keep(const JointCheck& part) {
+        if (status_.ok()) status_ = part.status_;
+    }
+
+    const JointCheck* whole_ = nullptr;
+    const char* name_;
     Status status_;
 };
 

@@ -118,8 +118,8 @@ Status World::set_joint(JointId id, const JointKind& kind) {
         return Error{ErrorCode::failed_precondition,
                      std::string("the joint is a ") + kind_name(j.kind) + "; it cannot become a " +
                          kind_name(kind) + ": destroy it and create another"};
-    if (Status s = check_kind(kind); !s.ok()) return s;
     if (j.kind == kind) return {};
+    if (Status s = check_kind(kind); !s.ok()) return s;
     j.kind = kind;
     forget_density(world, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);

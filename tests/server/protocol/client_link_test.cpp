@@ -68,8 +68,7 @@ struct TestClient {
     void listen(Clock::duration later = 0s) {
         while (std::optional<OutMessage> out = link.take_message(Clock::now() + later)) {
             v1::ServerMessage message;
-            std::string bytes = out->head + (out->shared ? *out->shared : "");
-            for (const SharedBytes& cell : out->cells) bytes += *cell;
+            const std::string bytes = out->in_one();
             ASSERT_TRUE(message.ParseFromString(bytes));
             bytes_taken += bytes.size();
             kinds.push_back(message.message_case());

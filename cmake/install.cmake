@@ -21,6 +21,12 @@ jostle_install(physics jostle_base jostle_physics)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/base/include/ ${PROJECT_SOURCE_DIR}/physics/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 
+jostle_install(modules ${jostle_modules})
+foreach(module ${jostle_modules})
+    string(REPLACE jostle_ "" folder ${module})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+endforeach()
+
 if(JOSTLE_RPC)
     jostle_install(client jostle_wire jostle_proto jostle_rpc jostle_client)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)

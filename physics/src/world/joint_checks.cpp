@@ -53,9 +53,8 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     JointCheck inside(*this, name);
     visit_limit(inside, limit, low, high);
     if (inside.status_.ok() && limit.lower > limit.upper)
-        inside.status_ =
-            invalid_argument(inside.path_of("lower") + " is above " + inside.path_of("upper") +
-                             "; give the lower one first");
+        inside.status_ = invalid_argument(inside.path_of("lower") + " is above " +
+                                          inside.path_of("upper") + "; give the lower one first");
     keep(inside);
 }
 

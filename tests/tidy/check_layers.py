@@ -51,6 +51,7 @@ FLOORS = {
     "server/identity": ["server/base", "server/config"],
     "server/tls": ["server/base", "server/config"],
     "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
+    "server/persistence": ["server/base"],
     "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],

@@ -201,6 +201,17 @@ Error named(const std::string& path, Error error) {
     return error;
 }
 
+// A row that a damaged page does not tell of has no digest that could be wrong.
+Status check_structure(SqliteDatabase& database) {
+    Result<SqliteStatement> check = database.prepare("PRAGMA integrity_check(1)");
+    if (!check.ok()) return check.error();
+    const Result<bool> row = check->step();
+    if (!row.ok()) return row.error();
+    const std::string_view says = *row ? check->bytes(0) : "";
+    if (says == "ok") return {};
+    return Error{ErrorCode::corrupt_data, "it is damaged: " + std::string(says)};
+}
+
 // Ours, of this version, and nobody else's now.
 Status take_file(SqliteDatabase& database, Durability durability) {
     if (Status s = database.execute("PRAGMA locking_mode = EXCLUSIVE;"
@@ -232,7 +243,7 @@ Status take_file(SqliteDatabase& database, Durability durability) {
                                  : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
         !s.ok())
         return s;
-    if (*tables != 0) return {};
+    if (*tables != 0) return check_structure(database);
     const std::string make = "BEGIN IMMEDIATE;" + std::string(schema) +
                              "PRAGMA application_id = " + std::to_string(application_id) +
                              ";PRAGMA user_version = " + std::to_string(schema_version) +

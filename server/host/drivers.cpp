@@ -59,4 +59,12 @@ void Drivers::release_body(World& world, BodyId body) {
     if (at != driven_.end()) release(world, at->first);
 }
 
+void Drivers::write(HostImage& image) const {
+    for (const auto& [client, body] : driven_) image.driven.push_back({client, body});
+}
+
+void Drivers::restore(const HostImage& image) {
+    for (const HostImage::Driven& driven : image.driven) driven_[driven.client] = driven.body;
+}
+
 }  // namespace jostle::server

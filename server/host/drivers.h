@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "host/command.h"
+#include "host/host_image.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
@@ -24,6 +25,9 @@ public:
     // The body's controls are as if nobody held them.
     void release(physics::World& world, ClientId client);
     void release_body(physics::World& world, physics::BodyId body);
+
+    void write(HostImage& image) const;
+    void restore(const HostImage& image);
 
 private:
     std::map<ClientId, physics::BodyId> driven_;

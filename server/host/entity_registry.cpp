@@ -21,23 +21,24 @@ double reach_of(const physics::World& world, physics::ShapeId shape, physics::Ve
 
 }  // namespace
 
-EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
-                             std::optional<std::uint32_t> color, std::string name) {
+std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World& world,
+                                                            physics::BodyId body) {
     const physics::BodyState state = *world.body(body);
     auto description = std::make_shared<EntityDescription>();
-    const EntityId id = description->id = next_id_++;
     description->type = state.type;
     for (const physics::ShapeId shape : world.shapes_of(body)) {
         description->shapes.push_back(*world.shape(shape));
         description->reach =
             std::max(description->reach, reach_of(world, shape, state.pose.position));
     }
-    description->owner = owner;
-    description->color = color;
-    description->name = std::move(name);
     description->mass = state.mass;
     description->drivable = can_be_driven(world, body);
-    entities_.emplace(id, Entity{body, std::move(description)});
+    return description;
+}
+
+void EntityRegistry::put(EntityId id, Entity entity) {
+    const physics::BodyId body = entity.body;
+    entities_.emplace(id, std::move(entity));
     if (entity_of_body_.size() <= body.index) {
         entity_of_body_.resize(body.index + 1, 0);
         generation_of_body_.resize(body.index + 1, 0);
@@ -46,7 +47,44 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     generation_of_body_[body.index] = body.generation;
     list_ = nullptr;
     places_ = nullptr;
+}
+
+EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
+                             std::optional<std::uint32_t> color, std::string name) {
+    std::shared_ptr<EntityDescription> description = describe(world, body);
+    const EntityId id = description->id = next_id_++;
+    description->owner = owner;
+    description->color = color;
+    description->name = std::move(name);
+    put(id, {body, std::move(description)});
     return id;
+}
+
+Status EntityRegistry::restore(const physics::World& world, const HostImage& image) {
+    for (const HostImage::Entity& kept : image.entities) {
+        if (!world.contains(kept.body))
+            return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
+                                                      " is kept, but the world lacks its body"};
+        std::shared_ptr<EntityDescription> description = describe(world, kept.body);
+        description->id = kept.id;
+        description->owner = kept.owner;
+        description->color = kept.color;
+        description->name = kept.name;
+        description->mass = kept.mass;
+        description->reach = kept.reach;
+        put(kept.id, {kept.body, std::move(description)});
+    }
+    next_id_ = image.next_id;
+    return {};
+}
+
+void EntityRegistry::write(HostImage& image) const {
+    image.next_id = next_id_;
+    for (const auto& [id, entity] : entities_) {
+        const EntityDescription& told = *entity.description;
+        image.entities.push_back(
+            {id, entity.body, told.owner, told.color, told.name, told.mass, told.reach});
+    }
 }
 
 void EntityRegistry::remove(EntityId id) {

@@ -13,6 +13,7 @@
 
 #include "host/command.h"
 #include "host/frame.h"
+#include "host/host_image.h"
 #include "host/query_frame.h"
 #include "jostle/physics/world.h"
 
@@ -28,6 +29,10 @@ public:
     // Describes a body of the world as it is now.
     EntityId add(const physics::World& world, physics::BodyId body, ClientId owner,
                  std::optional<std::uint32_t> color, std::string name);
+    // As write() told, in a registry in which there is nothing yet. corrupt_data: of a body that
+    // the world does not have.
+    Status restore(const physics::World& world, const HostImage& image);
+    void write(HostImage& image) const;
     // One that is there. Its body can still be looked up until the step after the next has begun.
     void remove(EntityId id);
     // The world stepped: its events name bodies that were there before, and no older ones.
@@ -48,6 +53,11 @@ public:
     const std::shared_ptr<const ShapePlaces>& places();
 
 private:
+    // Of a body of the world.
+    static std::shared_ptr<EntityDescription> describe(const physics::World& world,
+                                                       physics::BodyId body);
+    void put(EntityId id, Entity entity);
+
     EntityId next_id_ = 1;
     std::map<EntityId, Entity> entities_;
     std::vector<EntityId> entity_of_body_;           // by index

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "host/command.h"
+#include "host/host_image.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::server {
@@ -24,6 +25,9 @@ public:
     void release(physics::World& world, ClientId client);
     // Everyone lets go of the body.
     void release_body(physics::World& world, physics::BodyId body);
+
+    void write(HostImage& image) const;
+    void restore(const HostImage& image);
 
 private:
     struct Held {

@@ -42,6 +42,39 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     return hosted;
 }
 
+Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
+                                         const HostLimits& limits, double work_per_second) {
+    HostedWorld hosted({.world = std::move(world), .limits = limits});
+    hosted.work_per_second_ = work_per_second;
+    HostedState& state = hosted.state_;
+    if (Status s = state.entities.restore(state.world, image); !s.ok()) return s.error();
+    state.ownership.restore(image);
+    state.grabs.restore(image);
+    state.drivers.restore(image);
+    for (const HostImage::Counted& counted : image.counted)
+        hosted.last_sequences_[counted.client] = counted.sequence;
+    hosted.quarantined_.insert(image.quarantined.begin(), image.quarantined.end());
+    hosted.ids_ = {image.scene_bodies, image.scene_joints};
+    Result<ModuleChannels> channels = ModuleChannels::of(state.world);
+    if (!channels.ok()) return channels.error();
+    hosted.channels_ = *std::move(channels);
+    return hosted;
+}
+
+HostImage HostedWorld::image(std::uint32_t tick) const {
+    HostImage image{.tick = tick,
+                    .quarantined = {quarantined_.begin(), quarantined_.end()},
+                    .scene_bodies = ids_.bodies,
+                    .scene_joints = ids_.joints};
+    state_.entities.write(image);
+    state_.ownership.write(image);
+    state_.grabs.write(image);
+    state_.drivers.write(image);
+    for (const auto& [client, sequence] : last_sequences_)
+        image.counted.push_back({client, sequence});
+    return image;
+}
+
 Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
     std::uint32_t& last = last_sequences_[client];
     if (sequence <= last)

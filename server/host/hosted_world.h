@@ -14,6 +14,7 @@
 #include "host/command.h"
 #include "host/export_scene.h"
 #include "host/frame.h"
+#include "host/host_image.h"
 #include "host/module_channels.h"
 #include "host/query_frame.h"
 #include "jostle/base/result.h"
@@ -26,6 +27,13 @@ public:
     // resource_exhausted: the scene costs more than the limits allow.
     static Result<HostedWorld> create(const scenes::SceneDescription& scene,
                                       const HostLimits& limits, int threads);
+
+    // One that goes on as the kept one would have: `world` is its world, to the bit. corrupt_data:
+    // the two do not belong together.
+    static Result<HostedWorld> restore(physics::World world, const HostImage& image,
+                                       const HostLimits& limits, double work_per_second);
+    // All but the bodies; `tick` is the last one that was stepped.
+    HostImage image(std::uint32_t tick) const;
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);

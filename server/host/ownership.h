@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/command.h"
+#include "host/host_image.h"
 
 namespace jostle::server {
 
@@ -23,6 +24,9 @@ public:
     bool owns(ClientId client, EntityId entity) const;
     int count(ClientId client) const;
     std::vector<EntityId> owned_by(ClientId client) const;  // in rising order
+
+    void write(HostImage& image) const;
+    void restore(const HostImage& image);
 
 private:
     std::map<ClientId, std::set<EntityId>> owned_;

@@ -15,7 +15,7 @@ namespace jostle::server {
 namespace {
 
 // How often timeouts and watches are looked at.
-constexpr auto housekeeping_period = std::chrono::milliseconds(100);
+constexpr auto front_housekeeping_period = std::chrono::milliseconds(100);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr int calls_asked_for = 16;
 // Who asks stands back behind who plays.
@@ -27,14 +27,16 @@ Error too_much(std::string what) {
 
 }  // namespace
 
-struct CallFront::Tag {
+struct CallFront::Tag : RpcTag {
     enum class Event { accepted, read, wrote, finished, done };
 
-    Call* call = nullptr;
-    Event event = Event::accepted;
+    Tag(Call* of_call, Event of_event) : RpcTag(Of::call), call(of_call), event(of_event) {}
+
+    Call* call;
+    Event event;
 };
 
-// Belongs to the front's thread, but for the time in which a thread of a pool answers: that one
+// Belongs to the queue's thread, but for the time in which a thread of a pool answers: that one
 // begins the write that hands it back.
 struct CallFront::Call {
     grpc::GenericServerContext context;
@@ -78,12 +80,11 @@ CallFront::~CallFront() {
     stop();
 }
 
-void CallFront::start(std::unique_ptr<grpc::ServerCompletionQueue> queue,
-                      const ConnectionTable& connections) {
-    queue_ = std::move(queue);
+void CallFront::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
+    queue_ = &queue;
     connections_ = &connections;
+    due_ = Clock::now() + front_housekeeping_period;
     for (int i = 0; i < calls_asked_for; i++) ask_for_call();
-    thread_ = std::thread([this] { run(); });
 }
 
 // The pools first: what they answer begins an operation, which a queue that shuts down forbids.
@@ -93,42 +94,18 @@ void CallFront::stop() {
     asking_.stop();
     changing_.stop();
     waiting_.stop();
-    pools_stopped_ = true;
-    if (thread_.joinable()) thread_.join();
 }
 
 void CallFront::ask_for_call() {
     calls_.push_back(std::make_unique<Call>());
     Call& call = *calls_.back();
     call.context.AsyncNotifyWhenDone(&call.done);
-    service_.RequestCall(&call.context, &call.stream, queue_.get(), queue_.get(), &call.accepted);
-}
-
-void CallFront::run() {
-    Clock::time_point housekeeping = Clock::now() + housekeeping_period;
-    bool shut_down = false;
-    for (;;) {
-        // Here, where all other operations are begun.
-        if (pools_stopped_ && !shut_down) {
-            queue_->Shutdown();
-            shut_down = true;
-        }
-        void* tag = nullptr;
-        bool ok = false;
-        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
-        const auto next = queue_->AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
-        if (next == grpc::CompletionQueue::SHUTDOWN) break;
-        const Clock::time_point now = Clock::now();
-        if (next == grpc::CompletionQueue::GOT_EVENT) handle(*static_cast<Tag*>(tag), ok);
-        if (now < housekeeping) continue;
-        if (!stopping_) housekeep(now);
-        housekeeping = now + housekeeping_period;
-    }
-    calls_.clear();
+    service_.RequestCall(&call.context, &call.stream, queue_, queue_, &call.accepted);
 }
 
 // While the front stops nothing is begun any more: the server has cancelled what is open.
-void CallFront::handle(Tag& tag, bool ok) {
+void CallFront::handle(RpcTag& any, bool ok) {
+    Tag& tag = static_cast<Tag&>(any);
     Call& call = *tag.call;
     switch (tag.event) {
         case Tag::Event::accepted:
@@ -332,14 +309,25 @@ void CallFront::tell_watches() {
 }
 
 // A client that neither sends nor takes costs a call and its bytes: for a while only.
-void CallFront::housekeep(Clock::time_point now) {
-    tell_watches();
+void CallFront::give_up_waiting(Clock::time_point now) {
     for (const auto& call : calls_) {
         const Clock::rep since = call->waits_since.load();
         if (since == 0 || call->is_done) continue;
         if (now - Clock::time_point(Clock::duration(since)) > limits_.patience)
             call->context.TryCancel();
     }
+}
+
+void CallFront::housekeep(Clock::time_point now) {
+    if (now < due_) return;
+    due_ = now + front_housekeeping_period;
+    if (stopping_) return;
+    tell_watches();
+    give_up_waiting(now);
+}
+
+void CallFront::forget_all() {
+    calls_.clear();
 }
 
 }  // namespace jostle::server

@@ -2,9 +2,10 @@
 //
 // All RPCs but the play streams, behind one door: each call is bounded in size, time and number
 // before any work is done for it, the work waits in short queues, and what has no room is told to
-// come again. One thread takes calls, requests and endings off a completion queue; answers are made
-// on the threads of four pools: what is quick, what asks worlds, what changes them and what waits
-// for them, so that health and lists never wait for a question or a scene.
+// come again. Calls, requests and endings come off the completion queue of a play shard, on its
+// thread; answers are made on the threads of four pools: what is quick, what asks worlds, what
+// changes them and what waits for them, so that health and lists never wait for a question or a
+// scene.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -15,13 +16,13 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/clock.h"
 #include "base/work_pool.h"
 #include "connection/connection_table.h"
 #include "rpc/call_method.h"
+#include "rpc/rpc_tag.h"
 #include "telemetry/rpc_metrics.h"
 
 namespace jostle::server {
@@ -45,19 +46,22 @@ public:
     ~CallFront();
 
     grpc::AsyncGenericService& service() { return service_; }
-    // After the server was started; the queue is one of its builder's. `connections` outlives the
-    // front.
-    void start(std::unique_ptr<grpc::ServerCompletionQueue> queue,
-               const ConnectionTable& connections);
-    // After the server was shut down.
+    // After the server was started, before the queue's thread is; queue and `connections` outlive
+    // the front's calls.
+    void start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections);
+    // After the server was shut down, and before the queue is: nothing is begun any more.
     void stop();
+
+    // For the thread of the queue.
+    void handle(RpcTag& tag, bool ok);
+    void housekeep(Clock::time_point now);                   // does nothing before it is due
+    Clock::time_point housekeeping() const { return due_; }  // when it is
+    void forget_all();                                       // the queue is empty
 
 private:
     struct Call;
     struct Tag;
 
-    void run();
-    void handle(Tag& tag, bool ok);
     void forget(Call& call);
     void ask_for_call();
     void begin(Call& call);
@@ -69,7 +73,7 @@ private:
     WorkPool& pool_of(const CallMethod& method);
     void count(const Call& call, grpc::StatusCode code) const;
     void tell_watches();
-    void housekeep(Clock::time_point now);
+    void give_up_waiting(Clock::time_point now);
     Status admit(Call& call) const;
     Status let_in(Call& call) const;
     CallContext context_of(const Call& call) const;
@@ -79,14 +83,14 @@ private:
     const CallLimits limits_;
     RpcMetrics* const metrics_;
     grpc::AsyncGenericService service_;
-    std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+    grpc::ServerCompletionQueue* queue_ = nullptr;
     const ConnectionTable* connections_ = nullptr;
+    Clock::time_point due_{};
     std::list<std::unique_ptr<Call>> calls_;  // also those that were asked for and did not come
     std::size_t open_ = 0, staying_ = 0;
     std::atomic<double> unsent_bytes_{0};
-    std::atomic<bool> stopping_{false}, pools_stopped_{false};
+    std::atomic<bool> stopping_{false};
     WorkPool quick_, asking_, changing_, waiting_;
-    std::thread thread_;
 };
 
 }  // namespace jostle::server

@@ -116,11 +116,10 @@ Status GrpcServer::start() {
     for (int i = 0; i < settings_.network_threads; ++i)
         shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, table_,
                                                       builder.AddCompletionQueue()));
-    auto front_queue = builder.AddCompletionQueue();
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
-    front_.start(std::move(front_queue), table_);
-    for (const auto& shard : shards_) shard->start();
+    front_.start(shards_.front()->queue(), table_);
+    for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &front_ : nullptr);
     serving_ = true;
     answered_ = Clock::now().time_since_epoch().count();
     asker_ = std::thread([this] { ask_itself(); });

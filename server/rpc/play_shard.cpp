@@ -29,7 +29,8 @@ PlayShard::~PlayShard() {
     stop();
 }
 
-void PlayShard::start() {
+void PlayShard::start(CallFront* front) {
+    front_ = front;
     for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
     thread_ = std::thread([this] { run(); });
 }
@@ -86,7 +87,9 @@ void PlayShard::run() {
         void* tag = nullptr;
         bool ok = false;
         // gRPC takes its deadlines on the system clock; the distance is what counts.
-        const auto wait = std::max(Clock::duration::zero(), housekeeping_ - Clock::now());
+        const Clock::time_point due =
+            front_ ? std::min(housekeeping_, front_->housekeeping()) : housekeeping_;
+        const auto wait = std::max(Clock::duration::zero(), due - Clock::now());
         const auto deadline = std::chrono::system_clock::now() + wait;
         const auto next = queue_->AsyncNext(&tag, &ok, deadline);
         if (next == grpc::CompletionQueue::SHUTDOWN) break;
@@ -94,12 +97,13 @@ void PlayShard::run() {
         const Clock::time_point now = Clock::now();
         if (next == grpc::CompletionQueue::GOT_EVENT) {
             if (tag != nullptr) {
-                handle(*static_cast<PlayTag*>(tag), ok, now);
+                hand_on(*static_cast<RpcTag*>(tag), ok, now);
             } else if (!stopping_) {
                 awake_ = false;  // before looking: a frame that comes meanwhile wakes again
                 advance_all(now);
             }
         }
+        if (front_) front_->housekeep(now);
         if (now >= housekeeping_ && !stopping_) {
             housekeep(now);
             housekeeping_ = now + (streams_.empty() ? Clock::duration(idle_shard_period)
@@ -108,6 +112,14 @@ void PlayShard::run() {
     }
     streams_.clear();
     waiting_.clear();
+    if (front_) front_->forget_all();
+}
+
+void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
+    if (tag.of == RpcTag::Of::call)
+        front_->handle(tag, ok);
+    else
+        handle(static_cast<PlayTag&>(tag), ok, now);
 }
 
 void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One network thread: a completion queue and the play streams whose calls arrived on it. All
-// reading, encoding and writing for these clients happens here, so nothing is locked and no write
-// wakes another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
+// One network thread: a completion queue and the play streams whose calls arrived on it; one of the
+// shards has all other calls as well (call_front.h), because gRPC lets whoever waits on a queue
+// read all connections, and has to wake another thread for what is not its own. All reading,
+// encoding and writing for these clients happens here, so nothing is locked and no write wakes
+// another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
 // housekeeping tick is due.
 #pragma once
 
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "connection/connection_table.h"
+#include "rpc/call_front.h"
 #include "rpc/play_stream.h"
 
 namespace jostle::server {
@@ -28,8 +31,9 @@ public:
               std::unique_ptr<grpc::ServerCompletionQueue> queue);
     ~PlayShard();
 
-    // After the server was started.
-    void start();
+    // After the server was started. `front`: its calls arrive here, too; null: another shard's.
+    void start(CallFront* front);
+    grpc::ServerCompletionQueue& queue() { return *queue_; }
     // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
     // awake already.
     void wake();
@@ -41,6 +45,7 @@ public:
 
 private:
     void run();
+    void hand_on(RpcTag& tag, bool ok, Clock::time_point now);
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
     void advance_all(Clock::time_point now);
     void housekeep(Clock::time_point now);
@@ -53,6 +58,7 @@ private:
     RawPlayService& service_;
     const ConnectionTable& connections_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+    CallFront* front_ = nullptr;
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
     std::size_t first_ = 0;  // whose write starts first this time

@@ -15,6 +15,7 @@
 #include "connection/connection_table.h"
 #include "jostle/v1/play.grpc.pb.h"
 #include "protocol/client_link.h"
+#include "rpc/rpc_tag.h"
 
 namespace jostle::server {
 
@@ -25,11 +26,14 @@ inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
 class PlayStream;
 
 // What a completion queue gives back.
-struct PlayTag {
+struct PlayTag : RpcTag {
     enum class Event { accepted, read, wrote, finished };
 
-    PlayStream* stream = nullptr;
-    Event event = Event::accepted;
+    PlayTag(PlayStream* of_stream, Event of_event)
+        : RpcTag(Of::play), stream(of_stream), event(of_event) {}
+
+    PlayStream* stream;
+    Event event;
 };
 
 class PlayStream {

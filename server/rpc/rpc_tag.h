@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// What a completion queue gives back: whose event it is. Play streams and calls share a queue.
+#pragma once
+
+#include <cstdint>
+
+namespace jostle::server {
+
+struct RpcTag {
+    enum class Of : std::uint8_t { play, call };
+
+    explicit RpcTag(Of whose) : of(whose) {}
+
+    const Of of;
+};
+
+}  // namespace jostle::server

@@ -200,14 +200,14 @@ struct Yard {
         rising.push_back({up.arrival_us(us), sequence, input});
     }
 
-    void run(double seconds) {
+    void run(double seconds, bool watching = true) {
         const std::int64_t end = us + std::llround(seconds * 1e6);
         for (; us < end; us += 500) {
             if (us >= next_tick_us) tick_server();
             listen();
             if (us < next_picture_us) continue;
             next_picture_us += std::llround(1e6 / pictures_hz);
-            picture();
+            if (watching) picture();
         }
     }
     // Of our body, from then on until 0.3 s ago: how far pictures were from where the server came
@@ -365,6 +365,18 @@ TEST(Predictor, a_body_that_comes_near_or_goes_is_handed_over_without_a_step) {
     EXPECT_EQ(most, 3u);
     // 18 m/s, and 0.35 of it to catch up with what is shown in the future.
     EXPECT_LT(yard.far_moved, 1.4 * 18 / pictures_hz);
+}
+
+TEST(Predictor, goes_on_where_it_was_after_half_a_second_in_which_nothing_was_drawn) {
+    Yard yard;
+    yard.run(3);
+    yard.push({0, 0, 4});
+    yard.run(0.1);
+    yard.run(0.5, false);
+    const std::uint64_t corrections = yard.predictor.stats().corrections;
+    yard.run(2);
+    EXPECT_EQ(yard.predictor.stats().corrections, corrections) << "it was foreseen meanwhile";
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 2);
 }
 
 TEST(Predictor, foresees_nothing_for_who_is_not_there) {

@@ -14,6 +14,7 @@ import { linkOf } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
+import type { Foreseen } from './prediction/foreseen';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerWords } from './panels/driver';
 import { EventsPanel } from './panels/events';
@@ -82,6 +83,22 @@ const badLink = linkOf(location.search);
 const open = badLink ? overLink(openSocket, badLink) : openSocket;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, open, token, DRAWN_KINDS, sightOf(location.search));
+// ?predict=1: what a hand holds or a push hits answers at once.
+let foreseen: Foreseen | undefined;
+async function foresee(): Promise<void> {
+  const without = (error: unknown) => {
+    foreseen = undefined;
+    toasts.say(`nothing is foreseen: ${error instanceof Error ? error.message : error}`);
+  };
+  try {
+    const { loadForeseen } = await import('./prediction/load');
+    foreseen = await loadForeseen(connection.frames, without);
+    connection.foresee(foreseen);
+  } catch (error) {
+    without(error);
+  }
+}
+if (new URLSearchParams(location.search).get('predict') === '1') void foresee();
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
@@ -282,6 +299,7 @@ renderer.setAnimationLoop(() => {
   camera.controls.update();
   const now = nowUs();
   drawn.update(connection.frames, connection.renderClock.advance(now), now);
+  foreseen?.draw(drawn, connection.inputClock.position(now), now);
   const shown = shownNow();
   dressBodies(shown);
   view.update(drawn);
@@ -320,6 +338,10 @@ Object.defineProperty(window, 'jostle', {
     },
     get stats() {
       return statsPanel.latest;
+    },
+    /** What is foreseen: whom, and how well; undefined: nothing, or not yet. */
+    get foreseen() {
+      return foreseen && { followed: foreseen.followed, ...foreseen.stats };
     },
     /** Ids of dynamic bodies that the scene made. */
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),

@@ -18,6 +18,8 @@ constexpr double agree_m = 0.003, agree_rad = 0.01;
 // integers' noise, beyond somebody pushed it.
 constexpr double pushed_speed = 0.25, pushed_spin = 1;  // m/s, rad/s
 constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
+constexpr double rim_factor = 2;
+constexpr std::size_t rim_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
 constexpr std::size_t inputs_max = 1024;
 constexpr std::int64_t unseen_us = 250'000;
@@ -90,6 +92,7 @@ void Foresight::forget_world() {
     world_.reset();
     moments_.clear();
     told_.clear();
+    rim_.clear();
     corrected_.clear();
     newest_frame_ = 0;
 }
@@ -148,23 +151,27 @@ void Foresight::again_from(std::uint32_t first) {
 
 // --- frames ---
 
-// The dynamic bodies that are near, and those that were and are not yet far.
-Foresight::Near Foresight::near_bodies(const ToldFrame& frame, const Vec3& around) const {
+// Who is near, or was and is not yet far; and the nearest of the others.
+Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) const {
     std::vector<std::pair<double, const ToldBody*>> candidates;
     for (const ToldBody& body : frame.bodies) {
         if (body.type != BodyType::dynamic) continue;
-        const double far = body.entity == entity_ ? 0 : gap(body.pose.position, around);
-        const double most =
-            is_member(body.entity) ? leave_factor * options_.near_m : options_.near_m;
-        if (far <= most) candidates.emplace_back(far, &body);
+        const double far = body.entity == entity_ ? 0 : gap(body.pose.position, center);
+        if (far <= rim_factor * options_.near_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
     });
-    candidates.resize(std::min(candidates.size(), options_.near_max));
-    Near near;
-    for (const auto& [far, body] : candidates) near[body->entity] = *body;
-    return near;
+    Around around;
+    for (const auto& [far, body] : candidates) {
+        const double most =
+            is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
+        if (far <= most && around.near.size() < options_.near_max)
+            around.near[body->entity] = *body;
+        else if (around.rim.size() < rim_max)
+            around.rim[body->entity] = *body;
+    }
+    return around;
 }
 
 bool Foresight::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
@@ -231,30 +238,52 @@ Motion Foresight::put_right(const ToldBody& now, std::uint32_t frame) {
     return right;
 }
 
-// Whether anybody came or went.
-bool Foresight::change_members(const ToldFrame& frame, const Near& near) {
-    std::vector<std::uint32_t> gone;
-    for (const auto& [id, body] : world_->members().moving)
-        if (!near.contains(id)) gone.push_back(id);
-    for (const auto& [id, body] : world_->members().fixed)
-        if (!find_body(frame, id)) gone.push_back(id);
-    for (const std::uint32_t id : gone) world_->remove(id);
-    bool any = !gone.empty();
-    for (const auto& [id, now] : near)
-        if (!is_member(id)) any |= add(frame, now, measured(now, frame.number));
-    return any;
+bool Foresight::rim_changed(const Bodies& rim) const {
+    return !std::equal(
+        rim.begin(), rim.end(), rim_.begin(), rim_.end(), [](const auto& now, const auto& before) {
+            return now.first == before.first && agrees(now.second.pose, before.second.pose);
+        });
 }
 
-void Foresight::start(const ToldFrame& frame, const Near& near) {
+void Foresight::change_members(const ToldFrame& frame, const Around& around) {
+    const LocalWorld::Members& members = world_->members();
+    std::vector<std::uint32_t> gone;
+    for (const auto& [id, body] : members.moving)
+        if (!around.near.contains(id)) gone.push_back(id);
+    for (const auto& [id, body] : members.fixed)
+        if (!find_body(frame, id)) gone.push_back(id);
+    for (const auto& [id, body] : members.rim)
+        if (!around.rim.contains(id)) gone.push_back(id);
+    for (const std::uint32_t id : gone) world_->remove(id);
+    for (const auto& [id, now] : around.near)
+        if (!is_member(id)) add(frame, now, measured(now, frame.number));
+    change_rim(frame, around.rim);
+}
+
+void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
+    for (const auto& [id, now] : rim) {
+        const auto before = rim_.find(id);
+        if (!world_->members().rim.contains(id)) {
+            if (const auto shapes = frame.shapes_of(id)) world_->add_to_rim(id, *shapes, now.pose);
+        } else if (before == rim_.end() || !(before->second.pose == now.pose)) {
+            world_->move_rim(id, now.pose);
+        }
+    }
+    rim_ = rim;
+}
+
+void Foresight::start(const ToldFrame& frame, const Around& around) {
     moments_.clear();
+    rim_.clear();
     world_.emplace(gravity_, options_.substeps);
-    change_members(frame, near);
+    change_members(frame, around);
     add_fixed(frame);
     keep(frame.number);
     changed_ = true;
 }
 
-void Foresight::compare(const ToldFrame& told, const Near& near) {
+void Foresight::compare(const ToldFrame& told, const Around& around) {
+    const Bodies& near = around.near;
     const std::uint32_t frame = told.number, now = tick();
     const Moment& guess = *find(frame);
     stats_.frames++;
@@ -271,13 +300,13 @@ void Foresight::compare(const ToldFrame& told, const Near& near) {
     }
     others |= std::any_of(guess.motions.begin(), guess.motions.end(),
                           [&](const auto& one) { return !near.contains(one.first); });
-    if (wrong.empty() && !others) return;
+    if (wrong.empty() && !others && !rim_changed(around.rim)) return;
     stats_.corrections += wrong.empty() ? 0 : 1;
     go_back(frame);
     drop_newest();
     for (const auto& [id, motion] : wrong)
         if (near.contains(id)) world_->set_motion(id, motion, near.at(id).at_rest);
-    change_members(told, near);
+    change_members(told, around);
     keep(frame);
     step_to(now);
 }
@@ -296,16 +325,16 @@ void Foresight::on_frame(const ToldFrame& told) {
     if (frame == newest_frame_) return;
     const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     if (!own || own->type != BodyType::dynamic) return forget_world();
-    const Near near = near_bodies(told, own->pose.position);
+    const Around around = look_around(told, own->pose.position);
     if (catch_up(frame))
-        compare(told, near);
+        compare(told, around);
     else
-        start(told, near);
+        start(told, around);
     newest_frame_ = frame;
-    told_ = near;
+    told_ = around.near;
     while (moments_.front().tick < frame) drop_oldest();
     while (!inputs_.empty() && inputs_.front().tick + 1 < frame) inputs_.pop_front();
-    std::erase_if(corrected_, [&](const auto& one) { return !near.contains(one.first); });
+    std::erase_if(corrected_, [&](const auto& one) { return !told_.contains(one.first); });
 }
 
 // --- pictures ---

@@ -71,7 +71,12 @@ private:
         PoseError error;
         bool foreseen;
     };
-    using Near = std::map<std::uint32_t, ToldBody>;
+    using Bodies = std::map<std::uint32_t, ToldBody>;
+    // The dynamic bodies about the one that is followed: who moves in the world, and round these
+    // who stands in it, so that nothing falls for want of what carries it.
+    struct Around {
+        Bodies near, rim;
+    };
 
     // --- ticks ---
     void forget_world();
@@ -89,16 +94,18 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Near near_bodies(const ToldFrame& frame, const physics::Vec3& around) const;
+    Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
     bool add(const ToldFrame& frame, const ToldBody& body, const Motion& motion);
     void add_fixed(const ToldFrame& frame);
-    bool change_members(const ToldFrame& frame, const Near& near);
+    bool rim_changed(const Bodies& rim) const;
+    void change_members(const ToldFrame& frame, const Around& around);
+    void change_rim(const ToldFrame& frame, const Bodies& rim);
     double seconds_of(const ToldBody& before, std::uint32_t frame) const;
     Motion measured(const ToldBody& now, std::uint32_t frame) const;
     Motion put_right(const ToldBody& now, std::uint32_t frame);
-    void start(const ToldFrame& frame, const Near& near);
+    void start(const ToldFrame& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
-    void compare(const ToldFrame& frame, const Near& near);
+    void compare(const ToldFrame& frame, const Around& around);
 
     // --- pictures ---
     std::optional<wire::Pose> foreseen(std::uint32_t id, double position, Pace* pace);
@@ -115,7 +122,8 @@ private:
     std::vector<Moment> spare_;   // for their memory
     std::deque<Sent> inputs_;     // by sequence
     std::uint32_t newest_frame_ = 0;
-    Near told_;                                         // of that frame: who was near
+    Bodies told_;                                       // of that frame: who was near
+    Bodies rim_;                                        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
     std::map<std::uint32_t, Shown> shown_;

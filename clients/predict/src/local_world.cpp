@@ -35,9 +35,22 @@ bool LocalWorld::add(std::uint32_t entity, BodyType type, double mass,
     return true;
 }
 
+bool LocalWorld::add_to_rim(std::uint32_t entity, std::span<const ShapeDef> shapes,
+                            const Transform& pose) {
+    const Result<BodyId> body =
+        world_.create_body({.type = BodyType::static_body, .pose = pose}, shapes);
+    if (body.ok()) change().rim[entity] = *body;
+    return body.ok();
+}
+
+void LocalWorld::move_rim(std::uint32_t entity, const Transform& pose) {
+    const auto at = members_->rim.find(entity);
+    if (at != members_->rim.end()) static_cast<void>(world_.set_pose(at->second, pose).ok());
+}
+
 void LocalWorld::remove(std::uint32_t entity) {
     Members& members = change();
-    for (auto* list : {&members.moving, &members.fixed}) {
+    for (auto* list : {&members.moving, &members.fixed, &members.rim}) {
         const auto at = list->find(entity);
         if (at == list->end()) continue;
         static_cast<void>(world_.destroy_body(at->second).ok());

@@ -38,7 +38,9 @@ class LocalWorld {
 public:
     // Who is in it. Shared by the moments in which that was so.
     struct Members {
-        std::map<std::uint32_t, physics::BodyId> moving, fixed;  // by entity
+        // By entity. Those of the rim are dynamic ones that stand as long as no frame says
+        // otherwise.
+        std::map<std::uint32_t, physics::BodyId> moving, fixed, rim;
         std::optional<physics::JointId> held;
     };
     // After the step of a tick.
@@ -55,6 +57,9 @@ public:
     // Of some type; `mass` is of a dynamic one, in kg. False: the solver cannot have such a body.
     bool add(std::uint32_t entity, physics::BodyType type, double mass,
              std::span<const physics::ShapeDef> shapes, const Motion& motion, bool at_rest);
+    bool add_to_rim(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
+                    const physics::Transform& pose);
+    void move_rim(std::uint32_t entity, const physics::Transform& pose);
     void remove(std::uint32_t entity);
     Motion motion(std::uint32_t entity) const;
     void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);

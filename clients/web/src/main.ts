@@ -339,9 +339,13 @@ Object.defineProperty(window, 'jostle', {
     get stats() {
       return statsPanel.latest;
     },
+    /** Which tick an input of now is meant for; 0: not known yet. */
+    get inputTick() {
+      return connection.inputClock.ready ? connection.inputClock.tick(nowUs()) : 0;
+    },
     /** What is foreseen: whom, and how well; undefined: nothing, or not yet. */
     get foreseen() {
-      return foreseen && { followed: foreseen.followed, ...foreseen.stats };
+      return foreseen && { followed: foreseen.followed, sent: foreseen.sent, late: foreseen.late, ...foreseen.stats };
     },
     /** Ids of dynamic bodies that the scene made. */
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),

@@ -20,6 +20,10 @@ export class Foreseen implements Foresees {
   private frames = 0; // compared so far
   private sinceInput = 0;
   private readonly left = new Set<number>(); // to the server
+  private readonly meant = new Map<number, number>(); // of inputs that the server did not answer yet: their ticks
+  /** Inputs that the server applied later than they were meant to be, and such that were foreseen. */
+  late = 0;
+  sent = 0;
 
   constructor(
     private readonly predictor: Predictor,
@@ -32,6 +36,7 @@ export class Foreseen implements Foresees {
     this.followed = 0;
     this.held = false;
     this.left.clear();
+    this.meant.clear();
     this.try(() => this.predictor.begin(tickHz, gravity ?? { x: 0, y: 0, z: 0 }));
   }
 
@@ -50,10 +55,15 @@ export class Foreseen implements Foresees {
     else if (kind?.case === 'impulse' && !this.held) this.follow(kind.value.entity ?? 0);
     if (kind?.case === 'grab' || kind?.case === 'release') this.held = kind.case === 'grab';
     this.sinceInput = 0;
-    if (tick > 0) this.try(() => this.predictor.addInput(sequence, tick, input));
+    if (tick === 0) return;
+    if (!this.meant.has(sequence)) this.sent++;
+    this.meant.set(sequence, tick);
+    this.try(() => this.predictor.addInput(sequence, tick, input));
   }
 
   result({ sequence, tick, code }: InputResult): void {
+    if (tick > (this.meant.get(sequence) ?? tick)) this.late++;
+    this.meant.delete(sequence);
     this.try(() => this.predictor.onResult(sequence, tick, code === InputCode.APPLIED));
   }
 

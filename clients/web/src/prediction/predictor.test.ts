@@ -83,6 +83,25 @@ describe('predictor', () => {
     expect(yard.offMm(yard.us - 600_000)).toBeLessThan(5);
   });
 
+  it('follows the hand that drags', async () => {
+    const yard = await Yard.make();
+    yard.run(3);
+    const began = yard.us;
+    yard.speed = 3;
+    const at = (x: number, y: number, z: number) => ({ x, y, z });
+    yard.send({ kind: { case: 'grab', value: { entity: OWN, point: at(0.2, 0.45, 0.1) } } });
+    for (let k = 0; k < 120; k++) {
+      const turn = k / 20;
+      yard.send({ kind: { case: 'drag', value: { target: at(0.2 + Math.sin(turn), 0.45 + Math.min(1, k / 60), 0.1 + 1 - Math.cos(turn)) } } });
+      yard.run(1 / 60);
+    }
+    yard.run(0.3); // until the server has told of all of it
+    expect(yard.predictor.stats.corrections).toBe(0);
+    expect(yard.offMm(began)).toBeLessThan(2);
+    expect(yard.stepMm).toBeLessThan(20);
+    expect(yard.drawn.get(OWN)![1], 'it was lifted').toBeGreaterThan(1);
+  });
+
   it('takes a refused push back, and moves a late one', async () => {
     const refused = await Yard.make();
     refused.run(3);

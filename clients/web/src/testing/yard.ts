@@ -4,6 +4,7 @@
 
 import { readFileSync } from 'node:fs';
 import { create } from '@bufbuild/protobuf';
+import type { Input } from '../connection';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
 import type { EntityState } from '../frame_state';
 import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
@@ -71,6 +72,8 @@ function quantize(id: number, pose: Float64Array, atRest: boolean): EntityState 
   return { id, position: position as [number, number, number], largest, rotation: rotation as [number, number, number], atRest };
 }
 
+/** Gives our body so many m/s. */
+const pushOf = ([x, y, z]: Point): Input => ({ kind: { case: 'impulse', value: { entity: OWN, impulse: { x: MASS * x, y: MASS * y, z: MASS * z } } } });
 const distance = (a: Point, b: Point) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 export class Yard {
@@ -86,7 +89,7 @@ export class Yard {
   // --- on the way ---
   private readonly up: LinkConditioner;
   private readonly down: LinkConditioner;
-  private readonly rising: { atUs: number; sequence: number; tick: number; velocity: Point }[] = [];
+  private readonly rising: { atUs: number; sequence: number; tick: number; input: Input }[] = [];
   private readonly falling: {
     atUs: number;
     frame: number;
@@ -140,10 +143,6 @@ export class Yard {
     return BODIES.map(({ entity }) => quantize(entity.id, all.poseOf(entity.id), false));
   }
 
-  private pushServer(tick: number, velocity: Point): void {
-    const impulse = { x: MASS * velocity[0], y: MASS * velocity[1], z: MASS * velocity[2] };
-    this.server.addInput(++this.serverSequence, tick, { kind: { case: 'impulse', value: { entity: OWN, impulse } } });
-  }
 
   private tickServer(): void {
     const tick = ++this.serverTick;
@@ -154,10 +153,10 @@ export class Yard {
       this.applied = sent.sequence;
       results.push({ sequence: sent.sequence, tick, applied: !this.refuses });
       this.marginUs = Math.round((sent.tick - tick) * TICK_US + dueUs - sent.atUs);
-      if (!this.refuses) this.pushServer(tick, sent.velocity);
+      if (!this.refuses) this.server.addInput(++this.serverSequence, tick, sent.input);
     }
     const other = this.pushesOfOthers.get(tick);
-    if (other) this.pushServer(tick, other);
+    if (other) this.server.addInput(++this.serverSequence, tick, pushOf(other));
     const now = new Everybody();
     for (const id of [OWN, OTHER]) now.poseOf(id)[0] = 1e6; // so far away that nothing is walked: it shows the solver's poses
     this.server.draw(now, tick, tick * 1e6);
@@ -202,12 +201,16 @@ export class Yard {
   }
 
   push(velocity: Point, ticksLate = 0): void {
+    this.pushed.add(this.send(pushOf(velocity), ticksLate));
+  }
+
+  /** Which tick it is meant for. */
+  send(input: Input, ticksLate = 0): number {
     const tick = this.clock.tick(this.us) - ticksLate;
-    const impulse = { x: MASS * velocity[0], y: MASS * velocity[1], z: MASS * velocity[2] };
-    this.predictor.addInput(++this.sequence, tick, { kind: { case: 'impulse', value: { entity: OWN, impulse } } });
+    this.predictor.addInput(++this.sequence, tick, input);
     this.clock.sent(this.sequence);
-    this.pushed.add(tick);
-    this.rising.push({ atUs: this.up.arrivalUs(this.us), sequence: this.sequence, tick, velocity });
+    this.rising.push({ atUs: this.up.arrivalUs(this.us), sequence: this.sequence, tick, input });
+    return tick;
   }
 
   /** `watching`: pictures are drawn. */

@@ -21,9 +21,11 @@ namespace asio = boost::asio;
 namespace {
 
 // Scripts come from this server alone; a page may also talk to other servers' /play, because the
-// viewer can be pointed at them. Nobody may put the viewer into a frame.
+// viewer can be pointed at them. Its predictor is WebAssembly. Nobody may put the viewer into a
+// frame.
 constexpr std::string_view content_security_policy =
-    "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; "
     "connect-src 'self' ws: wss: http: https:; frame-ancestors 'none'";
 
 }  // namespace

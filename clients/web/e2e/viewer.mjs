@@ -1,6 +1,6 @@
 // The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
 // one more body, draws shapes of every kind and a module's lines, asks what is under the pointer, looks at the solver, reads events,
-// drives a car, a character and a boat.
+// foresees what it drags over a slow link, plays a recording, drives a car, a character and a boat.
 // Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
 // shapes. Exit status 1 when something does not hold.
 
@@ -11,6 +11,8 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { playing } from './playing.mjs';
+import { predicting } from './predicting.mjs';
+import { replaying } from './replaying.mjs';
 import { shapesScene } from './shapes_scene.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -209,6 +211,9 @@ try {
     expect(true, `events in words: ${words}`);
     await page.keyboard.press('e');
   }
+
+  await predicting({ page, url: `http://127.0.0.1:${ports.http}`, until, expect });
+  await replaying({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, shoot: screenshot && shoot });
 
   // Last, and made only now: its waves cost the server more than all the others.
   const harbour = await post('/api/worlds', { name: 'harbour', sceneName: 'harbour' });

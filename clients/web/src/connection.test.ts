@@ -92,6 +92,28 @@ describe('connection', () => {
     expect(batch!.value.inputs[0]!.kind).toMatchObject({ case: 'drag', value: { target: { x: 9 } } });
   });
 
+  it('names ticks, sends at once and tells who foresees, once the input clock runs', () => {
+    welcome();
+    const heard: unknown[] = [];
+    const nothing = () => {};
+    connection.foresee({ begin: () => heard.push('begin'), came: nothing, went: nothing, frame: nothing, result: nothing,
+      input: (sequence, tick, input) => heard.push([sequence, tick, input.kind?.case]),
+    });
+    const target = (x: number) => ({ kind: { case: 'drag' as const, value: { target: { x, y: 0, z: 0 } } } });
+    connection.send(target(0));
+    vi.advanceTimersByTime(70); // it left with its batch
+    sockets[0]!.take();
+    connection.inputClock.onFrame(100, 0, 0, performance.now() * 1000);
+    const tick = connection.inputClock.tick(performance.now() * 1000);
+    connection.send(target(1));
+    const [batch] = sockets[0]!.take().filter((m) => m.case === 'input');
+    expect(batch!.value).toMatchObject({ firstSequence: 2, inputs: [{ tick }] });
+    connection.send(target(2));
+    connection.send(target(3)); // in its place
+    expect(sockets[0]!.take(), 'the next batch').toEqual([]);
+    expect(heard).toEqual(['begin', [1, 0, 'drag'], [2, tick, 'drag'], [3, tick, 'drag'], [3, tick, 'drag']]);
+  });
+
   it('asks for a keyframe when it does not know the base, and counts it once', () => {
     welcome();
     sockets[0]!.take();

@@ -15,7 +15,7 @@ import {
 } from './decode_frame';
 import { SeenCells } from './seen_cells';
 import type { Sight } from './sight';
-import { FrameBuffer } from './frame_buffer';
+import { FrameBuffer, type PoseFrame } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
@@ -60,6 +60,17 @@ export interface Events {
   refused(result: InputResult): void;
   /** What the server has to say to the person. */
   notice(text: string): void;
+}
+
+/** Who foresees what inputs do (prediction/foreseen.ts). */
+export interface Foresees {
+  begin(welcome: Welcome): void;
+  came(entity: Entity): void;
+  went(entity: number): void;
+  frame(frame: PoseFrame): void;
+  result(result: InputResult): void;
+  /** An input that will be sent with that number; one of the same number as the last comes in its place. Tick 0: the next one. */
+  input(sequence: number, tick: number, input: Input): void;
 }
 
 /** What a WebSocket is to us; tests bring their own. */
@@ -108,6 +119,8 @@ export class Connection {
   private lastHeard = 0;
   private playingSince = 0;
   private lastNotice: Notice | undefined;
+  private foresees: Foresees | undefined;
+  private lastBatch = 0;
 
   constructor(
     private readonly url: string,
@@ -147,12 +160,26 @@ export class Connection {
     this.connect();
   }
 
-  send(input: Input): void {
+  /** From now on inputs name the tick that they are meant for (InputClock), and this is told of all that it needs to foresee them. */
+  foresee(foresees: Foresees): void {
+    this.foresees = foresees;
+    if (!this.welcome) return;
+    foresees.begin(this.welcome);
+    for (const entity of this.entities.values()) foresees.came(entity);
+  }
+
+  send(given: Input): void {
     if (this.state !== 'playing') return;
-    // Dragging makes many targets; only the newest that has not been sent matters.
+    const now = nowUs();
+    const tick = this.foresees && this.inputClock.ready ? this.inputClock.tick(now) : 0;
+    const input = tick > 0 ? { ...given, tick } : given;
+    // Dragging makes many targets; of a tick only the newest that has not been sent matters.
     const last = this.inputs[this.inputs.length - 1];
-    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag') this.inputs.pop();
+    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.pop();
     this.inputs.push(input);
+    this.foresees?.input(this.nextSequence + this.inputs.length - 1, tick, input);
+    // What waits for its batch needs a longer lead.
+    if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
   }
 
   private setState(state: State, why: string): void {
@@ -274,21 +301,28 @@ export class Connection {
     this.lastAck = this.decodedAt = 0;
     this.lastPing = 0;
     this.playingSince = nowUs();
+    this.foresees?.begin(welcome);
     this.setState('playing', '');
     this.pump();
   }
 
   private onEntityList(change: Roster): void {
-    for (const id of change.removed) this.entities.delete(id);
+    for (const id of change.removed) {
+      this.entities.delete(id);
+      this.foresees?.went(id);
+    }
     for (const entity of change.added) {
       this.largeShapes.fillIn(entity);
       this.entities.set(entity.id, entity);
+      this.foresees?.came(entity);
     }
     this.events.entityList(this.entities);
   }
 
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
+    // Before its frame, so that late inputs are where the server had them.
+    for (const result of s.own?.results ?? []) this.foresees?.result(result);
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
     for (const result of s.own?.results ?? [])
@@ -301,17 +335,17 @@ export class Connection {
 
   private decode(s: Snapshot): void {
     try {
-      const told = baseFrames(s.frame, s.bases);
-      const [base, base2, base3] = told.map((number) => {
+      const bases = baseFrames(s.frame, s.bases);
+      const [base, base2, base3] = bases.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
       const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, base2, base3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
-      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(told[0]));
-      if (s.still > 0) this.frames.hold(this.dueUs(told[0] + s.still, s.lateUs));
-      this.frames.add(frame, serverUs, this.spec, channels);
+      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(bases[0]));
+      if (s.still > 0) this.frames.hold(this.dueUs(bases[0] + s.still, s.lateUs));
+      const told = this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
       this.decodedAt = nowUs();
@@ -323,6 +357,7 @@ export class Connection {
         this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
         this.inputClock.onMargin(s.own?.inputSequence ?? 0, s.own?.inputMarginUs ?? 0);
       }
+      this.foresees?.frame(told);
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;
@@ -385,15 +420,17 @@ export class Connection {
       this.lastPing = now;
       this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });
     }
-    if (this.inputs.length > 0) {
-      const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
-      const firstSequence = this.nextSequence;
-      this.nextSequence += inputs.length;
-      this.inputClock.sent(this.nextSequence - 1);
-      const clientTimeUs = Math.floor(now) % 2 ** 32;
-      this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
-    } else {
-      this.sendAckIfDue();
-    }
+    if (this.inputs.length > 0) this.sendInputs(now);
+    else this.sendAckIfDue();
+  }
+
+  private sendInputs(now: number): void {
+    const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
+    const firstSequence = this.nextSequence;
+    this.nextSequence += inputs.length;
+    this.lastBatch = now;
+    this.inputClock.sent(this.nextSequence - 1);
+    const clientTimeUs = Math.floor(now) % 2 ** 32;
+    this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
   }
 }

@@ -62,6 +62,11 @@ export class FrameBuffer {
     return this.frames[this.frames.length - 1]?.drawn;
   }
 
+  /** The newest, and before it the one before; fewer at the beginning. */
+  get newestTwo(): PoseFrame[] {
+    return this.frames.slice(-2).map((f) => f.drawn);
+  }
+
   /** The two frames around a time on the server's clock; twice the same at the ends. */
   around(serverUs: number): { a: PoseFrame; b: PoseFrame } | undefined {
     const count = this.frames.length;

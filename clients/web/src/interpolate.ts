@@ -144,6 +144,10 @@ export class DrawnPoses {
   get source(): PoseFrame | undefined {
     return this.now.source;
   }
+  /** -1: it is not in the picture. */
+  indexOf(id: number): number {
+    return this.now.indexOf(id);
+  }
 
   /** What is to be drawn at nowUs on our clock, which shows serverUs of the server's (RenderClock.advance). */
   update(frames: FrameBuffer, serverUs: number, nowUs: number): void {

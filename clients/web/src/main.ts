@@ -14,13 +14,17 @@ import { linkOf } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
+import type { Foreseen } from './prediction/foreseen';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerWords } from './panels/driver';
 import { EventsPanel } from './panels/events';
+import { TimelinePanel } from './panels/timeline';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
 import { postToServer, Queries } from './queries';
+import { RecordedStream } from './recording/recorded_stream';
+import { Recording } from './recording/recording';
 import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
@@ -68,7 +72,7 @@ const told: Events = {
   },
   entityList: (entities) => {
     view.setEntities(entities, connection.welcome?.clientId ?? 0);
-    drivable = [...entities.values()].filter((entity) => entity.drivable);
+    drivable = recorded ? [] : [...entities.values()].filter((entity) => entity.drivable);
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.forget();
   },
@@ -81,9 +85,27 @@ const told: Events = {
 const badLink = linkOf(location.search);
 const open = badLink ? overLink(openSocket, badLink) : openSocket;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
-const connection = new Connection(websocketUrl(), told, open, token, DRAWN_KINDS, sightOf(location.search));
+// What is played instead of a live world.
+let recorded: RecordedStream | undefined;
+const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, DRAWN_KINDS, sightOf(location.search));
+// ?predict=1: what a hand holds or a push hits answers at once.
+let foreseen: Foreseen | undefined;
+async function foresee(): Promise<void> {
+  const without = (error: unknown) => {
+    foreseen = undefined;
+    toasts.say(`nothing is foreseen: ${error instanceof Error ? error.message : error}`);
+  };
+  try {
+    const { loadForeseen } = await import('./prediction/load');
+    foreseen = await loadForeseen(connection.frames, without);
+    connection.foresee(foreseen);
+  } catch (error) {
+    without(error);
+  }
+}
+if (new URLSearchParams(location.search).get('predict') === '1') void foresee();
 const statsPanel = new StatsPanel(byId('stats'), connection);
-const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
+const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
 let drivable: Entity[] = [];
@@ -117,7 +139,10 @@ const eventsPanel = new EventsPanel(
 );
 const worlds = new WorldsPanel(
   byId('worlds'),
-  (world) => connection.join(world),
+  (world) => {
+    play(undefined);
+    connection.join(world);
+  },
   (text) => toasts.say(text),
   () => connection.welcome?.worldId ?? '',
   token,
@@ -130,10 +155,47 @@ function websocketUrl(): string {
   return url.href;
 }
 
+let shownUs = 0; // by the picture, on the server's clock
+
 /** How far the picture is behind the newest that the server told. */
 function pictureBehindMs(): number {
   const newest = connection.frames.newest;
-  return newest ? Math.max(0, (newest.serverUs - connection.renderClock.shownUs) / 1000) : 0;
+  return newest ? Math.max(0, (newest.serverUs - shownUs) / 1000) : 0;
+}
+
+const timeline = new TimelinePanel(byId('timeline'));
+
+/** undefined: a live world again. */
+function play(stream: RecordedStream | undefined): void {
+  recorded = stream;
+  timeline.show(stream);
+  tools.enabled = stream === undefined;
+  document.documentElement.toggleAttribute('data-recording', stream !== undefined);
+}
+
+async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise<void> {
+  try {
+    const recording = new Recording(new Uint8Array(await bytes));
+    if (recording.cut) toasts.say(`${name} is played as far as it goes: ${recording.cut}`);
+    driving.letGo();
+    play(new RecordedStream(recording));
+    connection.join('');
+  } catch (error) {
+    toasts.say(`${name}: ${error instanceof Error ? error.message : error}`);
+  }
+}
+
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  const file = event.dataTransfer?.files[0];
+  if (file) void playRecording(file.name, file.arrayBuffer());
+});
+
+async function fetched(url: string): Promise<ArrayBuffer> {
+  const answer = await fetch(url);
+  if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+  return answer.arrayBuffer();
 }
 
 function choose(tool: Tool): void {
@@ -173,6 +235,7 @@ addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.key === 'Escape') driving.letGo();
   if (driving.down(event.code)) return event.preventDefault();
+  if (recorded && event.key === ' ' && event.target === document.body) timeline.toggle();
   const chosen = TOOLS.find(({ key }) => key === event.key);
   if (chosen) choose(chosen.tool);
   if (event.key === 'w') void worlds.toggle();
@@ -281,7 +344,10 @@ if (innerWidth < 700) byId('stats').hidden = true;
 renderer.setAnimationLoop(() => {
   camera.controls.update();
   const now = nowUs();
-  drawn.update(connection.frames, connection.renderClock.advance(now), now);
+  shownUs = recorded ? recorded.advance(now) : connection.renderClock.advance(now);
+  drawn.update(connection.frames, shownUs, now);
+  if (!recorded) foreseen?.draw(drawn, connection.inputClock.position(now), now);
+  timeline.update();
   const shown = shownNow();
   dressBodies(shown);
   view.update(drawn);
@@ -298,7 +364,10 @@ renderer.setAnimationLoop(() => {
   statsPanel.pictureDrawn();
 });
 
-connection.join(new URLSearchParams(location.search).get('world') ?? '');
+// ?recording=URL plays one, as dropping a file does.
+const recordingUrl = new URLSearchParams(location.search).get('recording');
+if (recordingUrl) void playRecording(recordingUrl, fetched(recordingUrl));
+else connection.join(new URLSearchParams(location.search).get('world') ?? '');
 
 // A window for tests: read-only.
 Object.defineProperty(window, 'jostle', {
@@ -320,6 +389,18 @@ Object.defineProperty(window, 'jostle', {
     },
     get stats() {
       return statsPanel.latest;
+    },
+    /** Which tick an input of now is meant for; 0: not known yet. */
+    get inputTick() {
+      return connection.inputClock.ready ? connection.inputClock.tick(nowUs()) : 0;
+    },
+    /** Of the recording that is played. */
+    get recording() {
+      return recorded && { tick: recorded.tick, seconds: recorded.seconds, length: recorded.length, playing: recorded.playing };
+    },
+    /** What is foreseen: whom, and how well; undefined: nothing, or not yet. */
+    get foreseen() {
+      return foreseen && { followed: foreseen.followed, sent: foreseen.sent, late: foreseen.late, ...foreseen.stats };
     },
     /** Ids of dynamic bodies that the scene made. */
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),

@@ -45,6 +45,8 @@ interface Press {
 
 export class Tools {
   tool: Tool = 'drag';
+  /** False: it only tells what is under the pointer. */
+  enabled = true;
   private held: { entity: number; plane: THREE.Plane } | undefined;
   private pressed: Press | undefined;
   private hovering: PointerEvent | undefined;
@@ -89,7 +91,7 @@ export class Tools {
     this.connection.frames.newest?.entities.find((state) => state.id === entity)?.atRest === false;
 
   private down(event: PointerEvent): void {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || !this.enabled) return;
     const { x, y } = { x: event.clientX, y: event.clientY };
     const raycaster = this.ray(event);
     if (this.tool === 'throw') {

@@ -29,8 +29,8 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-#if defined(JOSTLE_SCALAR)
-#define JOSTLE_INLINE inline  // all in one function takes a compiler minutes
+#if defined(JOSTLE_SCALAR) || defined(JOSTLE_SMALL)
+#define JOSTLE_INLINE inline  // all in one function takes a compiler minutes, and much code
 #else
 #define JOSTLE_INLINE inline __attribute__((always_inline))
 #endif

@@ -200,14 +200,14 @@ struct Yard {
         rising.push_back({up.arrival_us(us), sequence, input});
     }
 
-    void run(double seconds) {
+    void run(double seconds, bool watching = true) {
         const std::int64_t end = us + std::llround(seconds * 1e6);
         for (; us < end; us += 500) {
             if (us >= next_tick_us) tick_server();
             listen();
             if (us < next_picture_us) continue;
             next_picture_us += std::llround(1e6 / pictures_hz);
-            picture();
+            if (watching) picture();
         }
     }
     // Of our body, from then on until 0.3 s ago: how far pictures were from where the server came
@@ -365,6 +365,39 @@ TEST(Predictor, a_body_that_comes_near_or_goes_is_handed_over_without_a_step) {
     EXPECT_EQ(most, 3u);
     // 18 m/s, and 0.35 of it to catch up with what is shown in the future.
     EXPECT_LT(yard.far_moved, 1.4 * 18 / pictures_hz);
+}
+
+TEST(Predictor, the_top_of_a_tower_stands_on_what_is_too_far_away_to_be_foreseen) {
+    Yard yard;
+    constexpr std::uint32_t first = 10, top = 19;
+    for (std::uint32_t k = 0; k < 10; k++)
+        yard.add(first + k, physics::Box{{0.35, 0.35, 0.35}}, {-8, 0.35 + 0.7 * k, 0}, true);
+    yard.view.apply(yard.roster);
+    yard.predictor.follow(top);
+    yard.run(3);
+    EXPECT_EQ(yard.predictor.bodies(), 5u) << "3 m of 7";
+    yard.push({0.5, 0, 0}, top);  // shakes the tower, which is awake then
+    double worst_mm = 0;
+    for (int picture = 0; picture < 60; picture++) {
+        yard.run(1 / pictures_hz);
+        worst_mm = std::max(worst_mm, 1000 * yard.predictor.stats().last_error_m);
+    }
+    RecordProperty("worst_mm", std::to_string(worst_mm));
+    RecordProperty("corrections", static_cast<int>(yard.predictor.stats().corrections));
+    EXPECT_LT(worst_mm, 10);
+    EXPECT_LT(yard.predictor.stats().corrections, 30u);
+}
+
+TEST(Predictor, goes_on_where_it_was_after_half_a_second_in_which_nothing_was_drawn) {
+    Yard yard;
+    yard.run(3);
+    yard.push({0, 0, 4});
+    yard.run(0.1);
+    yard.run(0.5, false);
+    const std::uint64_t corrections = yard.predictor.stats().corrections;
+    yard.run(2);
+    EXPECT_EQ(yard.predictor.stats().corrections, corrections) << "it was foreseen meanwhile";
+    EXPECT_LT(yard.off_mm(yard.us - 600'000), 2);
 }
 
 TEST(Predictor, foresees_nothing_for_who_is_not_there) {

@@ -25,19 +25,10 @@
 #include <vector>
 
 #include "jostle/client/interpolation.h"
+#include "jostle/client/predictor_options.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
-
-struct PredictorOptions {
-    double near_m = 3;             // how far from the body others are foreseen, between origins
-    std::size_t near_max = 32;     // of these the nearest
-    std::size_t fixed_max = 1000;  // bodies that stand still or move on rails; the first by id
-    // Further than this beyond the newest frame nothing is foreseen. A world in which nothing moves
-    // sends a frame a second.
-    std::uint32_t ticks_max = 120;
-    int substeps = 8;  // as the server's world
-};
 
 class Predictor {
 public:
@@ -60,12 +51,7 @@ public:
     std::vector<SmoothPose> sample(double position, std::int64_t now_us,
                                    std::vector<SmoothPose> interpolated);
 
-    struct Stats {
-        std::uint64_t frames = 0;       // that were compared
-        std::uint64_t corrections = 0;  // of them: that were not what was foreseen
-        std::uint64_t steps = 0;        // that were taken, again or not
-        double last_error_m = 0;        // greatest of the last frame, before it was corrected
-    };
+    using Stats = PredictorStats;
     const Stats& stats() const;
     std::size_t bodies() const;  // that are foreseen
 

@@ -1,0 +1,52 @@
+// Plays a recording: a button, a slider over its time, and how fast.
+
+import type { RecordedStream } from '../recording/recorded_stream';
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+
+export class TimelinePanel {
+  private readonly button = document.createElement('button');
+  private readonly slider = document.createElement('input');
+  private readonly words = document.createElement('output');
+  private readonly speed = document.createElement('select');
+  private stream: RecordedStream | undefined;
+
+  constructor(private readonly panel: HTMLElement) {
+    this.button.type = 'button';
+    this.button.onclick = () => this.toggle();
+    Object.assign(this.slider, { type: 'range', min: '0', step: '0.01' });
+    this.slider.setAttribute('aria-label', 'Time of the recording');
+    this.slider.oninput = () => this.stream?.seek(Number(this.slider.value));
+    this.speed.setAttribute('aria-label', 'Speed');
+    for (const times of SPEEDS) this.speed.add(new Option(`${times} ×`, String(times), times === 1, times === 1));
+    this.speed.onchange = () => {
+      if (this.stream) this.stream.speed = Number(this.speed.value);
+    };
+    panel.append(this.button, this.slider, this.words, this.speed);
+  }
+
+  /** undefined: nothing is played any more. */
+  show(stream: RecordedStream | undefined): void {
+    this.stream = stream;
+    this.panel.hidden = stream === undefined;
+    if (!stream) return;
+    this.slider.max = String(stream.length);
+    this.speed.value = String(stream.speed);
+  }
+
+  toggle(): void {
+    if (!this.stream) return;
+    if (this.stream.playing) this.stream.playing = false;
+    else this.stream.play();
+  }
+
+  /** With every picture. */
+  update(): void {
+    const { stream } = this;
+    if (!stream) return;
+    const words = stream.playing ? 'Pause' : 'Play';
+    if (this.button.textContent !== words) this.button.textContent = words;
+    this.slider.value = String(stream.seconds);
+    this.words.textContent = `${stream.seconds.toFixed(1)} / ${stream.length.toFixed(1)} s · tick ${stream.tick}`;
+  }
+}

@@ -1,0 +1,121 @@
+// Whose motion the viewer foresees, and when it does not: the body that a hand holds or a push hits, until it rests. What the
+// predictor gets wrong again and again is left to the server: clients are not told of joints and modules, so parts of ragdolls and cars
+// are not foreseen for long.
+
+import type { Foresees, Input } from '../connection';
+import type { FrameBuffer, PoseFrame } from '../frame_buffer';
+import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
+import type { Picture, Predictor, PredictorStats } from './predictor';
+
+const WRONG_M = 0.05; // a frame that differs by more was foreseen wrongly
+const FORGET_SHARE = 1 / 30; // of what frames before said, by each
+const TOO_OFTEN = 0.5;
+const QUIET_FRAMES = 60; // after the last input
+
+export class Foreseen implements Foresees {
+  /** 0: nobody. */
+  followed = 0;
+  private held = false;
+  private wrong = 0; // share of frames
+  private frames = 0; // compared so far
+  private sinceInput = 0;
+  private readonly left = new Set<number>(); // to the server
+  private readonly meant = new Map<number, number>(); // of inputs that the server did not answer yet: their ticks
+  /** Inputs that the server applied later than they were meant to be, and such that were foreseen. */
+  late = 0;
+  sent = 0;
+
+  constructor(
+    private readonly predictor: Predictor,
+    private readonly buffer: FrameBuffer,
+    /** The predictor failed: this foresees nothing any more. */
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  begin({ tickHz, gravity }: Welcome): void {
+    this.followed = 0;
+    this.held = false;
+    this.left.clear();
+    this.meant.clear();
+    this.try(() => this.predictor.begin(tickHz, gravity ?? { x: 0, y: 0, z: 0 }));
+  }
+
+  came(entity: Entity): void {
+    this.try(() => this.predictor.addBody(entity));
+  }
+
+  went(entity: number): void {
+    this.try(() => this.predictor.removeBody(entity));
+    if (entity === this.followed) this.follow(0);
+  }
+
+  input(sequence: number, tick: number, input: Input): void {
+    const kind = input.kind;
+    if (kind?.case === 'grab') this.follow(kind.value.entity ?? 0);
+    else if (kind?.case === 'impulse' && !this.held) this.follow(kind.value.entity ?? 0);
+    if (kind?.case === 'grab' || kind?.case === 'release') this.held = kind.case === 'grab';
+    this.sinceInput = 0;
+    if (tick === 0) return;
+    if (!this.meant.has(sequence)) this.sent++;
+    this.meant.set(sequence, tick);
+    this.try(() => this.predictor.addInput(sequence, tick, input));
+  }
+
+  result({ sequence, tick, code }: InputResult): void {
+    if (tick > (this.meant.get(sequence) ?? tick)) this.late++;
+    this.meant.delete(sequence);
+    this.try(() => this.predictor.onResult(sequence, tick, code === InputCode.APPLIED));
+  }
+
+  frame(frame: PoseFrame): void {
+    if (this.followed === 0) return;
+    this.try(() => this.predictor.onFrame(frame));
+    this.judge(this.predictor.stats);
+    const rests = frame.entities.find(({ id }) => id === this.followed)?.atRest ?? true;
+    if (++this.sinceInput > QUIET_FRAMES && !this.held && rests) this.follow(0);
+  }
+
+  /** The picture of now: at that place of the input clock, in ticks. */
+  draw(picture: Picture, position: number, nowUs: number): void {
+    this.try(() => this.predictor.draw(picture, position, nowUs));
+  }
+
+  get stats(): PredictorStats {
+    return this.predictor.stats;
+  }
+
+  private follow(entity: number): void {
+    if (entity === this.followed || this.left.has(entity)) return;
+    this.followed = entity;
+    this.wrong = 0;
+    this.try(() => {
+      this.predictor.follow(entity);
+      if (entity === 0) return;
+      this.frames = this.predictor.stats.frames;
+      // Two, for velocities.
+      for (const frame of this.buffer.newestTwo) this.predictor.onFrame(frame);
+    });
+  }
+
+  private judge({ frames, lastErrorM }: PredictorStats): void {
+    if (frames === this.frames) return;
+    this.frames = frames;
+    this.wrong += FORGET_SHARE * ((lastErrorM > WRONG_M ? 1 : 0) - this.wrong);
+    if (this.wrong < TOO_OFTEN) return;
+    const entity = this.followed;
+    this.follow(0);
+    this.left.add(entity);
+  }
+
+  private broken = false;
+  private try(what: () => void): void {
+    if (this.broken) return;
+    try {
+      what();
+    } catch (error) {
+      this.broken = true;
+      this.followed = 0;
+      this.failed(error);
+    }
+  }
+}

@@ -1,0 +1,222 @@
+// Foresees what the inputs of this client do, with the server's own solver as WebAssembly (predictor.wasm, built by
+// scripts/build-predictor of clients/predict). It is the C++ client's Predictor: what it does, and how it is put right, is in
+// clients/predict/include/jostle/client/predictor.h, its calls in clients/predict/wasm/predictor_calls.h.
+
+import type { PoseFrame } from '../frame_buffer';
+import { POSE_FLOATS } from '../frame_buffer';
+import type { Input } from '../connection';
+import type { Entity } from '../gen/jostle/v1/play_pb';
+import { BodyType } from '../gen/jostle/v1/scene_pb';
+import { shapeNumbers } from './shape_numbers';
+
+/** The module cannot be loaded, or has failed and is of no use any more. */
+export class PredictorError extends Error {}
+
+type Pointer = number;
+
+/** What predictor.wasm exports. */
+export interface Calls {
+  readonly memory: WebAssembly.Memory;
+  _initialize?(): void;
+  create(): Pointer;
+  destroy(p: Pointer): void;
+  numbers(p: Pointer, count: number): Pointer;
+  begin(p: Pointer, tickHz: number, x: number, y: number, z: number): void;
+  add_body(p: Pointer, entity: number, type: number, mass: number): void;
+  remove_body(p: Pointer, entity: number): void;
+  set_shapes(p: Pointer, entity: number, count: number): number;
+  follow(p: Pointer, entity: number): void;
+  push(p: Pointer, sequence: number, tick: number, entity: number, x: number, y: number, z: number): void;
+  push_at(p: Pointer, sequence: number, tick: number, entity: number, x: number, y: number, z: number, px: number, py: number, pz: number): void;
+  grab(p: Pointer, sequence: number, tick: number, entity: number, x: number, y: number, z: number): void;
+  drag(p: Pointer, sequence: number, tick: number, x: number, y: number, z: number): void;
+  release(p: Pointer, sequence: number, tick: number): void;
+  result(p: Pointer, sequence: number, tick: number, applied: number): void;
+  frame(p: Pointer, number: number, bodies: number): number;
+  drawn(p: Pointer): number;
+  sample(p: Pointer, position: number, nowUs: number, bodies: number): number;
+  figure(p: Pointer, which: number): number;
+}
+
+const WASI = 'wasi_snapshot_preview1';
+const NOT_SUPPORTED = 58; // of WASI's errors
+const FRAME_NUMBERS = 9;
+const DRAWN_NUMBERS = 8;
+
+/** What the C++ library asks of a system: the time, and nothing else that it would get. */
+function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  const calls: WebAssembly.ModuleImports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) if (from === WASI) calls[name] = () => NOT_SUPPORTED;
+  calls['clock_time_get'] = (_clock: number, _precision: bigint, at: number) => {
+    new DataView(memory().buffer).setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+    return 0;
+  };
+  calls['proc_exit'] = (code: number) => {
+    throw new PredictorError(`the predictor ended itself with ${code}`);
+  };
+  return calls;
+}
+
+/** Instantiates a compiled module; `asked` is told whose shapes are wanted. */
+export async function instantiate(module: WebAssembly.Module, asked: (entity: number) => void): Promise<Calls> {
+  let calls: Calls | undefined;
+  const imports = {
+    [WASI]: system(module, () => calls!.memory),
+    jostle: { ask_shapes: (_predictor: Pointer, entity: number) => asked(entity) },
+  };
+  calls = (await WebAssembly.instantiate(module, imports)).exports as unknown as Calls;
+  calls._initialize?.();
+  return calls;
+}
+
+/** From the bytes of predictor.wasm, or from the answer that brings them. */
+export async function compile(source: BufferSource | Promise<Response>): Promise<WebAssembly.Module> {
+  try {
+    if (!(source instanceof Promise)) return await WebAssembly.compile(source);
+    const answer = await source;
+    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+    return await WebAssembly.compile(await answer.arrayBuffer());
+  } catch (error) {
+    throw new PredictorError(`predictor.wasm cannot be loaded: ${error instanceof Error ? error.message : error}`);
+  }
+}
+
+export interface PredictorStats {
+  readonly frames: number; // that were compared
+  readonly corrections: number; // of them: that were not what was foreseen
+  readonly steps: number; // that were taken, again or not
+  readonly lastErrorM: number; // greatest of the last frame, before it was corrected
+  readonly bodies: number; // that are foreseen
+  readonly unusable: number; // bodies whose shapes the solver cannot have
+}
+
+/** Poses of a picture, which are replaced where they are foreseen (DrawnPoses). */
+export interface Picture {
+  readonly poses: Float64Array;
+  /** -1: it is not in the picture. */
+  indexOf(entity: number): number;
+}
+
+const TYPES: Partial<Record<BodyType, number>> = { [BodyType.KINEMATIC]: 1, [BodyType.DYNAMIC]: 2 };
+
+export class Predictor {
+  private readonly entities = new Map<number, Entity>();
+  private calls!: Calls;
+  private self: Pointer = 0;
+
+  private constructor() {}
+
+  static async create(module: WebAssembly.Module): Promise<Predictor> {
+    const made = new Predictor();
+    try {
+      made.calls = await instantiate(module, (entity) => made.tellShapes(entity));
+      made.self = made.calls.create();
+    } catch (error) {
+      throw new PredictorError(`predictor.wasm cannot be started: ${error instanceof Error ? error.message : error}`);
+    }
+    return made;
+  }
+
+  /** A stream begins: everything is forgotten. */
+  begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }): void {
+    this.entities.clear();
+    this.calls.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z);
+  }
+
+  addBody(entity: Entity): void {
+    this.entities.set(entity.id, entity);
+    this.calls.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
+  }
+
+  removeBody(entity: number): void {
+    this.entities.delete(entity);
+    this.calls.remove_body(this.self, entity);
+  }
+
+  /** Whose motion is foreseen; 0: nobody's. */
+  follow(entity: number): void {
+    this.calls.follow(this.self, entity);
+  }
+
+  /** An input of that number that is meant for that tick; what is none of a hand or a push does nothing. */
+  addInput(sequence: number, tick: number, { kind }: Input): void {
+    const { calls, self } = this;
+    switch (kind?.case) {
+      case 'impulse': {
+        const { entity = 0, impulse: i, point: p } = kind.value;
+        const [x, y, z] = [i?.x ?? 0, i?.y ?? 0, i?.z ?? 0];
+        if (p) return calls.push_at(self, sequence, tick, entity, x, y, z, p.x ?? 0, p.y ?? 0, p.z ?? 0);
+        return calls.push(self, sequence, tick, entity, x, y, z);
+      }
+      case 'grab': {
+        const { entity = 0, point: p } = kind.value;
+        return calls.grab(self, sequence, tick, entity, p?.x ?? 0, p?.y ?? 0, p?.z ?? 0);
+      }
+      case 'drag': {
+        const { target: t } = kind.value;
+        return calls.drag(self, sequence, tick, t?.x ?? 0, t?.y ?? 0, t?.z ?? 0);
+      }
+      case 'release':
+        return calls.release(self, sequence, tick);
+    }
+  }
+
+  /** What became of one. */
+  onResult(sequence: number, tick: number, applied: boolean): void {
+    this.calls.result(this.self, sequence, tick, applied ? 1 : 0);
+  }
+
+  onFrame({ frame, entities, poses }: PoseFrame): void {
+    const numbers = this.room(entities.length * FRAME_NUMBERS);
+    for (let i = 0; i < entities.length; i++) {
+      const { id, atRest } = entities[i]!;
+      const to = i * FRAME_NUMBERS;
+      numbers[to] = id;
+      for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = poses[i * POSE_FLOATS + k]!;
+      numbers[to + 8] = atRest ? 1 : 0;
+    }
+    this.calls.frame(this.self, frame, entities.length);
+  }
+
+  /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
+  draw(picture: Picture, position: number, nowUs: number): number {
+    const { calls, self } = this;
+    const wanted = this.room(calls.drawn(self)).slice();
+    const numbers = this.room(wanted.length * DRAWN_NUMBERS);
+    let count = 0;
+    for (const id of wanted) {
+      const i = picture.indexOf(id);
+      if (i < 0) continue;
+      const to = count++ * DRAWN_NUMBERS;
+      numbers[to] = id;
+      for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = picture.poses[i * POSE_FLOATS + k]!;
+    }
+    if (calls.sample(self, position, nowUs, count) !== count) return 0;
+    const answer = this.room(wanted.length * DRAWN_NUMBERS);
+    for (let n = 0; n < count; n++) {
+      const from = n * DRAWN_NUMBERS;
+      const i = picture.indexOf(answer[from]!);
+      for (let k = 0; k < POSE_FLOATS; k++) picture.poses[i * POSE_FLOATS + k] = answer[from + 1 + k]!;
+    }
+    return count;
+  }
+
+  get stats(): PredictorStats {
+    const figure = (which: number) => this.calls.figure(this.self, which);
+    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5) };
+  }
+
+  /** The predictor's list of numbers. Good until the next call: its memory may move. */
+  private room(count: number): Float64Array {
+    const at = this.calls.numbers(this.self, count);
+    if (at === 0 && count > 0) throw new PredictorError(`the predictor has no room for ${count} numbers`);
+    return new Float64Array(this.calls.memory.buffer, at, count);
+  }
+
+  private tellShapes(id: number): void {
+    const numbers = shapeNumbers(this.entities.get(id)?.shapes ?? []);
+    if (!numbers) return;
+    this.room(numbers.length).set(numbers);
+    this.calls.set_shapes(this.self, id, numbers.length);
+  }
+}

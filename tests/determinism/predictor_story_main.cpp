@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// A story told to the predictor by its calls: bodies of every kind of shape, pushes, a hand, a
+// frame that disagrees. Writes each call and what it answered as JSON, so that a predictor in
+// another program (clients/web/src/predictor_story.test.ts) can be told the same and be held to the
+// same bits.
+//     predictor_story > tests/determinism/predictor_story.json
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "predictor_calls.h"
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+JostlePredictor* predictor = nullptr;
+bool first_line = true;
+
+void write_line(const char* call, const Numbers& values) {
+    std::printf("%s\n[\"%s\"", first_line ? "" : ",", call);
+    for (const double value : values) std::printf(",%.17g", value);
+    std::printf("]");
+    first_line = false;
+}
+
+void put(const Numbers& values) {
+    double* numbers = jostle_predictor_numbers(predictor, static_cast<uint32_t>(values.size()));
+    for (const double value : values) *numbers++ = value;
+    write_line("put", values);
+}
+
+Numbers joined(std::initializer_list<Numbers> parts) {
+    Numbers all;
+    for (const Numbers& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+// --- bodies ---
+struct Body {
+    uint32_t entity, type;
+    double mass;
+    Numbers geometry;  // kind, place and sizes
+    double x, y, z;
+};
+
+const Numbers no_place{0, 0, 0, 0, 0, 0, 1};
+const Numbers usual_touch{0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1, 4294967295, 0, 0};
+
+const std::vector<Body>& bodies() {
+    static const std::vector<Body> all{
+        {1, 0, 0, joined({{3}, no_place, {50, 0.5, 50}}), 0, -0.5, 0},
+        {2, 2, 125, joined({{3}, no_place, {0.25, 0.25, 0.25}}), 0, 0.25, 0},
+        {3, 2, 125, joined({{3}, no_place, {0.25, 0.25, 0.25}}), 1.5, 0.25, 0},
+        {4, 2, 30, joined({{1}, no_place, {0.2}}), 0.9, 0.2, 0.9},
+        {5, 2, 40, joined({{2}, no_place, {0.15, 0.3}}), -0.9, 0.45, 0.4},
+        {6, 2, 40, joined({{5}, no_place, {0.2, 0.25}}), -0.8, 0.25, -0.9},
+        {7, 2, 20, joined({{6}, no_place, {0.25, 0.3}}), 0.7, 0.3, -1.2},
+        {8, 2, 35,
+         joined({{7},
+                 no_place,
+                 {5, -0.3, -0.2, -0.3, 0.3, -0.2, -0.3, 0, -0.2, 0.4, 0, 0.4, 0, 0.1, -0.1, 0.1}}),
+         1.6, 0.2, 1.4},
+        {9, 2, 50,
+         joined(
+             {{10}, no_place, {2, 3}, no_place, {0.3, 0.1, 0.1}, {1, 0.4, 0, 0, 0, 0, 0, 1, 0.15}}),
+         -1.8, 0.2, -0.4},
+        {10, 0, 0, joined({{8}, no_place, {4,  -1,  0, -1, 1, 0, -1, 1, 0.6, 1,
+                                           -1, 0.6, 1, 2,  0, 2, 1,  0, 3,   2}}),
+         0, 0, 3},
+        {11, 0, 0, joined({{9}, no_place, {2, 2, 2, 2, 0, 0.2, 0.1, 0.3, 0}}), -3, 0, 0},
+        {12, 0, 0, joined({{4}, no_place, {0, 1, 0}}), 0, -2, 0},
+    };
+    return all;
+}
+
+void add_bodies() {
+    for (const Body& body : bodies()) {
+        jostle_predictor_add_body(predictor, body.entity, body.type, body.mass);
+        write_line("add_body", {double(body.entity), double(body.type), body.mass});
+        const Numbers shapes = joined({{1}, body.geometry, usual_touch});
+        put(shapes);
+        const auto count = static_cast<uint32_t>(shapes.size());
+        const uint32_t understood = jostle_predictor_set_shapes(predictor, body.entity, count);
+        write_line("set_shapes", {double(body.entity), double(count), double(understood)});
+    }
+}
+
+// --- what happens ---
+void tell_frame(uint32_t number, double shift) {
+    Numbers told;
+    for (const Body& body : bodies())
+        for (const double n : {double(body.entity), body.x + (body.entity == 2 ? shift : 0), body.y,
+                               body.z, 0.0, 0.0, 0.0, 1.0, 0.0})
+            told.push_back(n);
+    put(told);
+    const auto count = static_cast<uint32_t>(bodies().size());
+    write_line("frame", {double(number), double(count),
+                         double(jostle_predictor_frame(predictor, number, count))});
+}
+
+// The picture at a whole tick: what the solver says. Interpolated they are so far away that nothing
+// is walked.
+void expect(uint32_t tick) {
+    const uint32_t count = jostle_predictor_drawn(predictor);
+    const double* drawn = jostle_predictor_numbers(predictor, count);
+    Numbers asked;
+    for (uint32_t k = 0; k < count; k++)
+        for (const double n : {drawn[k], 1e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) asked.push_back(n);
+    put(asked);
+    const double now_us = 1e9 + tick * 1e7;
+    jostle_predictor_sample(predictor, tick, now_us, count);
+    const double* poses = jostle_predictor_numbers(predictor, 8 * count);
+    Numbers answer{double(tick), now_us, double(count)};
+    answer.insert(answer.end(), poses, poses + 8 * count);
+    write_line("sample", answer);
+}
+
+void push(uint32_t sequence, uint32_t tick, uint32_t entity, double x, double y, double z) {
+    jostle_predictor_push(predictor, sequence, tick, entity, x, y, z);
+    write_line("push", {double(sequence), double(tick), double(entity), x, y, z});
+}
+
+void push_at(uint32_t sequence, uint32_t tick, uint32_t entity) {
+    jostle_predictor_push_at(predictor, sequence, tick, entity, 10, 40, -30, -0.9, 0.7, 0.4);
+    write_line("push_at",
+               {double(sequence), double(tick), double(entity), 10, 40, -30, -0.9, 0.7, 0.4});
+}
+
+void drag(uint32_t sequence, uint32_t tick, double x, double y, double z) {
+    jostle_predictor_drag(predictor, sequence, tick, x, y, z);
+    write_line("drag", {double(sequence), double(tick), x, y, z});
+}
+
+void tell_story() {
+    jostle_predictor_begin(predictor, 60, 0, -9.81, 0);
+    write_line("begin", {60, 0, -9.81, 0});
+    add_bodies();
+    jostle_predictor_follow(predictor, 2);
+    write_line("follow", {2});
+    tell_frame(1, 0);
+    expect(2);
+    push(1, 3, 2, 625, 0, 0);  // 5 m/s, into the other box
+    push_at(2, 4, 5);          // the capsule spins
+    for (uint32_t tick = 10; tick <= 60; tick += 10) expect(tick);
+    jostle_predictor_grab(predictor, 3, 61, 2, 1, 0.3, 0);
+    write_line("grab", {3, 61, 2, 1, 0.3, 0});
+    for (uint32_t k = 0; k < 30; k++) drag(4 + k, 61 + k, 1 - 0.08 * k, 0.3 + 0.03 * k, 0.01 * k);
+    for (uint32_t tick = 70; tick <= 90; tick += 10) expect(tick);
+    jostle_predictor_release(predictor, 34, 91);
+    write_line("release", {34, 91});
+    expect(100);
+    jostle_predictor_result(predictor, 34, 0, 0);  // it was refused: the hand still holds
+    write_line("result", {34, 0, 0});
+    expect(110);
+    tell_frame(100, 0.5);  // the server has them where they began, ours elsewhere
+    expect(120);
+    expect(150);
+}
+
+}  // namespace
+
+void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t) {}
+
+int main() {
+    predictor = jostle_predictor_create();
+    std::printf("[");
+    tell_story();
+    std::printf("\n]\n");
+    jostle_predictor_destroy(predictor);
+}

@@ -66,9 +66,20 @@ Result<Action> action_of(const v1::SpawnInput& spawn) {
     return Action{command};
 }
 
+std::optional<Aim> to_aim(bool there, const v1::Aim& from) {
+    if (!there) return std::nullopt;
+    Aim aim{.origin = to_vector(from.origin()),
+            .motion = to_vector(from.motion()),
+            .ignore = from.ignore()};
+    if (from.has_seen()) aim.seen = {from.seen().tick(), from.seen().fraction()};
+    return aim;
+}
+
 Result<Action> action_of(const v1::ImpulseInput& impulse) {
-    ImpulseCommand command{
-        .entity = impulse.entity(), .impulse = to_vector(impulse.impulse()), .point = std::nullopt};
+    ImpulseCommand command{.entity = impulse.entity(),
+                           .impulse = to_vector(impulse.impulse()),
+                           .point = std::nullopt,
+                           .aim = to_aim(impulse.has_aim(), impulse.aim())};
     if (impulse.has_point()) command.point = to_vector(impulse.point());
     return Action{command};
 }
@@ -92,7 +103,8 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::kImpulse:
             return action_of(input.impulse());
         case v1::Input::kGrab:
-            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point())}};
+            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point()),
+                                      to_aim(input.grab().has_aim(), input.grab().aim())}};
         case v1::Input::kDrag:
             return Action{DragCommand{to_vector(input.drag().target())}};
         case v1::Input::kRelease:
@@ -101,7 +113,8 @@ Result<Action> action_of(const v1::Input& input) {
             return Action{DeleteCommand{input.delete_().entity()}};
         case v1::Input::kExplode:
             return Action{ExplodeCommand{to_vector(input.explode().center()),
-                                         input.explode().radius(), input.explode().speed()}};
+                                         input.explode().radius(), input.explode().speed(),
+                                         to_aim(input.explode().has_aim(), input.explode().aim())}};
         case v1::Input::kPossess:
             return Action{PossessCommand{input.possess().entity()}};
         case v1::Input::kControl:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "conversation.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace jostle::client {
@@ -23,6 +24,15 @@ void write(v1::Interest& to, const Sight& from) {
     to.set_radius(from.radius);
 }
 
+v1::Aim* aim_of(v1::Input& input) {
+    if (input.has_impulse() && input.impulse().has_aim())
+        return input.mutable_impulse()->mutable_aim();
+    if (input.has_grab() && input.grab().has_aim()) return input.mutable_grab()->mutable_aim();
+    if (input.has_explode() && input.explode().has_aim())
+        return input.mutable_explode()->mutable_aim();
+    return nullptr;
+}
+
 }  // namespace
 
 void Conversation::begin(Clock::time_point now) {
@@ -31,6 +41,7 @@ void Conversation::begin(Clock::time_point now) {
     pings_sent_ = 0;
     next_ping_ = now;
     buffer_.clear();
+    newest_ = {};
     clock_ = {};
     // The server counts each stream's inputs from 1 anew.
     next_unsent_ = 1;
@@ -51,8 +62,15 @@ void Conversation::look_at(const Sight& sight) {
     sight_due_ = true;
 }
 
+v1::SeenMoment Conversation::shown_moment() const {
+    return client::shown_moment(newest_, buffer_.clock().shown_us(), tick_us_);
+}
+
 std::uint32_t Conversation::send(v1::Input input) {
     if (inputs_.size() >= inputs_max) return 0;
+    if (v1::Aim* aim = aim_of(input);
+        aim && !aim->has_seen() && options_.aim_at_what_is_shown && newest_.frame != 0)
+        *aim->mutable_seen() = shown_moment();
     inputs_.push_back(std::move(input));
     return next_sequence_++;
 }
@@ -69,6 +87,7 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
         case v1::ServerMessage::kWelcome:
             view_.begin(message_.welcome());
             input_clock_.begin(message_.welcome().tick_hz());
+            tick_us_ = 1e6 / std::clamp(message_.welcome().tick_hz(), 1.0, 1e5);
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
             ack_period_ = std::chrono::milliseconds(
@@ -120,6 +139,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     ack_due_ = true;
     stats_.snapshots++;
     const WorldView::Times times = view_.times_of(snapshot);
+    newest_ = {snapshot.frame(), times.due_us};
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
     buffer_.add(view_.frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
                 times.still_until_us.has_value());

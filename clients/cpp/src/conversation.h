@@ -15,6 +15,7 @@
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/input_clock.h"
 #include "jostle/client/interpolation.h"
+#include "jostle/client/shown_moment.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
@@ -32,6 +33,9 @@ public:
     std::optional<std::string> take_message(Clock::time_point now);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
+    // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
+    // none.
+    v1::SeenMoment shown_moment() const;
     void look_at(const Sight& sight);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
@@ -78,6 +82,8 @@ private:
     bool need_keyframe_ = false;    // what comes cannot be decoded without one
     bool keyframe_wanted_ = false;  // it can, and somebody asked for one
     Clock::duration ack_period_{};
+    NewestFrame newest_;
+    double tick_us_ = 0;
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
     Clock::time_point last_batch_{}, last_ack_{}, next_ping_{}, decoded_at_{};

@@ -19,6 +19,7 @@ import { FrameBuffer } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
+import { shownMoment } from './shown_moment';
 import { decodeChannels } from './channels';
 import {
   AckSchema,
@@ -152,7 +153,22 @@ export class Connection {
     // Dragging makes many targets; only the newest that has not been sent matters.
     const last = this.inputs[this.inputs.length - 1];
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag') this.inputs.pop();
-    this.inputs.push(input);
+    this.inputs.push(this.aimedAtWhatIsShown(input));
+  }
+
+  /** What the last picture shows; absent before the first frame. */
+  shownMoment() {
+    return shownMoment(this.frames.newest, this.renderClock.shownUs, this.welcome?.tickHz ?? 0);
+  }
+
+  /** An aim that names no moment gets that of the picture, so that the server judges it by what was seen. */
+  private aimedAtWhatIsShown(input: Input): Input {
+    const { kind } = input;
+    if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;
+    const { aim } = kind.value;
+    if (!aim || aim.seen) return input;
+    const value = { ...kind.value, aim: { ...aim, seen: this.shownMoment() } };
+    return { ...input, kind: { case: kind.case, value } } as Input;
   }
 
   private setState(state: State, why: string): void {

@@ -118,6 +118,23 @@ describe('connection', () => {
     expect(connection.snapshots).toBe(1);
   });
 
+  it('sees a flipped bit by the CRC, asks for a keyframe once and is right again', () => {
+    welcome();
+    sockets[0]!.take();
+    const give = (frame: number, bases: number, bytes: number[], crc = 0) =>
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, bases, packed: new Uint8Array(bytes), crc } } });
+    give(50, 0, [0, 0]); // a world without bodies
+    give(51, 1, [0, 0x40]); // one bit of its zeros
+    give(52, 1, [0, 0]); // against the one that was not understood
+    expect(connection.decodeErrors).toBe(1);
+    expect(connection.frames.newest?.frame).toBe(50);
+    const asked = sockets[0]!.take().flatMap((m) => (m.case === 'ack' && m.value.needKeyframe ? [m.value.frame] : []));
+    expect(asked).toEqual([50, 50]);
+    give(53, 0, [0, 0]);
+    expect(connection.frames.newest?.frame).toBe(53);
+    expect(connection.decodeErrors).toBe(1);
+  });
+
   it('keeps what modules tell with each frame, and nothing stale after a loss', () => {
     welcome();
     const golden = goldenChannels();

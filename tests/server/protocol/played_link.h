@@ -5,7 +5,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +68,7 @@ struct PlayedLink {
         while (const auto out = link->take_message(server.now)) {
             std::string bytes = out->head + (out->shared ? *out->shared : "");
             for (const server::SharedBytes& cell : out->cells) bytes += *cell;
+            if (tamper) tamper(bytes);
             incoming.push(std::move(bytes), server.now);
         }
         while (const auto arrived = incoming.take(server.now))
@@ -80,6 +83,7 @@ struct PlayedLink {
     client::Conversation conversation;
     client::HeldMessages outgoing, incoming;
     std::optional<server::ClientLink> link;
+    std::function<void(std::string&)> tamper;  // with what the server says
 };
 
 // Ticks the world and lets the clients talk, four times a tick.

@@ -219,6 +219,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         log_error("{}", error.message);
         return 1;
     };
+    if (!config.development.link.empty())
+        log_warn("development.link makes the link to every client worse on purpose: {}",
+                 config.development.link);
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 

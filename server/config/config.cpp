@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 
+#include "jostle/base/link_conditioner.h"
+
 namespace jostle::server {
 
 namespace {
@@ -116,6 +118,8 @@ Status check(const Config& c) {
     if (c.scenes.empty()) return invalid_argument("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid_argument("scenes names more worlds than world.worlds_max");
+    if (const auto link = read_link_settings(c.development.link); !link.ok())
+        return invalid_argument("development.link: " + link.error().message);
     return check_access(c);
 }
 

@@ -70,6 +70,18 @@ ClientLink::~ClientLink() {
 // --- what the client sends ---
 
 void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
+    if (delay_)
+        delay_->hear(bytes, now);
+    else
+        take_in(bytes, now);
+}
+
+void ClientLink::take_in_delayed(Clock::time_point now, bool at_once) {
+    if (!delay_) return;
+    while (const auto bytes = delay_->take_heard(now, at_once)) take_in(*bytes, now);
+}
+
+void ClientLink::take_in(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
     last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
@@ -210,6 +222,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .codec = codec_,
          .cells = sight_.has_value()}));
     snapshot_due_ = true;  // the first one goes out at once
+    delay_ = link_delay_for(context_.config.development, world->name(), client_);
     watch_.entered({.id = client_,
                     .name = hello.name,
                     .world_id = world->id(),
@@ -285,6 +298,7 @@ void ClientLink::on_message(const Leave&, Clock::time_point now) {
 }
 
 void ClientLink::on_peer_closed(Clock::time_point now) {
+    take_in_delayed(now, true);
     drop_waiting();
     if (!end_) finish({}, now);
 }
@@ -387,7 +401,12 @@ void ClientLink::drop_waiting() {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    take_in_delayed(now);
     std::optional<OutMessage> message = next_message(now);
+    if (delay_) {
+        for (; message; message = next_message(now)) delay_->say(*std::move(message), now);
+        message = delay_->take_said(now, end_.has_value());
+    }
     if (message) watch_.sent(*message, now);
     return message;
 }
@@ -413,6 +432,7 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
     if (!writing_since_) writing_since_ = now;
+    take_in_delayed(now);
     check_timeouts(now);
     if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
         refuse(Error{ErrorCode::resource_exhausted,

@@ -21,6 +21,7 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_delay.h"
 #include "protocol/link_watch.h"
 #include "protocol/out_message.h"
 #include "protocol/peer.h"
@@ -63,6 +64,8 @@ public:
     bool said_hello() const { return feed_ != nullptr; }
 
 private:
+    void take_in(std::string_view bytes, Clock::time_point now);
+    void take_in_delayed(Clock::time_point now, bool at_once = false);
     void on_message(const Hello& hello, Clock::time_point now);
     void on_message(const InputBatch& batch, Clock::time_point now);
     void on_message(const Ack& ack, Clock::time_point now);
@@ -106,6 +109,7 @@ private:
 
     PlayContext& context_;
     LinkWatch watch_{context_};
+    std::optional<LinkDelay> delay_;  // nothing: the real link is enough
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;

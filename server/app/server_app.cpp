@@ -312,7 +312,8 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
     {
-        const Upkeep upkeep(gate, certificates.get(), [&] {
+        const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
+        const Upkeep upkeep(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_tick(now) && !grpc.trouble(now);
         });

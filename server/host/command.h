@@ -78,9 +78,13 @@ struct LeaveCommand {
     bool keep_bodies = false;
 };
 
-using Action =
-    std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
-                 DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand, LeaveCommand>;
+// The client's connection broke, and it may come back: its hand lets go, and what it drives is as
+// if it held nothing. Carries no sequence.
+struct LoseCommand {};
+
+using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                            DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
+                            LeaveCommand, LoseCommand>;
 
 // What became of one input.
 struct InputResult {

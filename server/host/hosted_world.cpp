@@ -56,7 +56,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    if (!is_leave) result.status = accept_sequence(command.client, command.sequence);
+    if (!is_leave && !std::holds_alternative<LoseCommand>(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = act(command, result);
     // The client is gone, and with it what its inputs are counted from.
     if (is_leave) last_sequences_.erase(command.client);

@@ -77,6 +77,11 @@ void WorldHost::leave(ClientId client, bool keep_bodies) {
     leavers_.push_back({.client = client, .action = LeaveCommand{keep_bodies}, .reply = nullptr});
 }
 
+void WorldHost::lose(ClientId client) {
+    const std::lock_guard lock(leave_mutex_);
+    leavers_.push_back({.client = client, .action = LoseCommand{}, .reply = nullptr});
+}
+
 void WorldHost::pause(std::string reason) {
     const std::lock_guard lock(pause_mutex_);
     paused_ = std::move(reason);

@@ -65,6 +65,8 @@ public:
     bool push(Command command) { return commands_.push(std::move(command)); }
     // Any thread; never waits and is never refused: the world takes it after what the client sent.
     void leave(ClientId client, bool keep_bodies);
+    // The same for a client whose connection broke and that may come back.
+    void lose(ClientId client);
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
@@ -152,7 +154,7 @@ private:
     BoundedQueue<Command> commands_;
     EarlyCommands early_;  // the tick thread's own
     std::mutex leave_mutex_;
-    std::vector<Command> leavers_;  // at most one of each client
+    std::vector<Command> leavers_;  // few of each client
     mutable std::mutex pause_mutex_;
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks

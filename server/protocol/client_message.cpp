@@ -160,6 +160,13 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         return invalid_argument(fmt::format("hello.channels names {} kinds; at most {} are allowed",
                                             hello.channels_size(), hello_channels_max));
     }
+    if (hello.resume().token().size() > resume_token_bytes_max) {
+        return invalid_argument(
+            fmt::format("hello.resume.token has {} bytes; at most {} are allowed",
+                        hello.resume().token().size(), resume_token_bytes_max));
+    }
+    std::optional<Hello::Resume> resume;
+    if (hello.has_resume()) resume = {hello.resume().token(), hello.resume().frame()};
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
                                .ticket = hello.ticket(),
@@ -171,7 +178,9 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .channels = {hello.channels().begin(), hello.channels().end()},
                                .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
-                               .interest = sees}};
+                               .interest = sees,
+                               .resumable = hello.resumable(),
+                               .resume = std::move(resume)}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

@@ -78,6 +78,11 @@ std::string encode_welcome(const Welcome& from) {
         to.set_form(to_message(kind.form));
         to.set_divisor(static_cast<std::uint32_t>(kind.divisor));
     }
+    welcome.set_resume_token(from.resume_token);
+    welcome.set_resumed(from.resumed);
+    welcome.set_continues(from.continues);
+    welcome.set_last_sequence(from.last_sequence);
+    welcome.set_resume_seconds(from.resume_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     return message.SerializeAsString();
 }

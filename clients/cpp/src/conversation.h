@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "input_queue.h"
 #include "jostle/base/result.h"
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
@@ -24,7 +25,8 @@ class Conversation {
 public:
     explicit Conversation(ClientOptions options) : options_(std::move(options)) {}
 
-    // A new stream: hello goes first. Inputs that were not sent yet stay queued.
+    // A new stream: hello goes first. Inputs that were not sent yet stay queued. After a stream
+    // that was lost it asks to be the client that it was.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
     // The stream ended, in order or not.
@@ -39,6 +41,8 @@ public:
     void look_at(const Sight& sight);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
+    // The same, and at once: what waits is not sent.
+    void abandon();
     bool leaving() const { return leaving_; }
     // Hello was answered and the Leave, if any, was handed out.
     bool leave_sent() const { return leave_sent_; }
@@ -55,6 +59,9 @@ public:
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
+    void begin_anew();
+    v1::Hello hello() const;
+    void on_welcome(const v1::Welcome& welcome);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::Private& own);
@@ -74,9 +81,8 @@ private:
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely
-    std::deque<v1::Input> inputs_;
-    std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
-    std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    InputQueue inputs_;
+    std::string resume_token_;  // empty: it has no place that it could come back to
     bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one

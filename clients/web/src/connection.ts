@@ -17,6 +17,7 @@ import { SeenCells } from './seen_cells';
 import type { Sight } from './sight';
 import { FrameBuffer } from './frame_buffer';
 import { InputClock } from './input_clock';
+import { InputQueue } from './input_queue';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
 import { shownMoment } from './shown_moment';
@@ -96,8 +97,9 @@ export class Connection {
   private codec = 1; // of snapshots
   private readonly cells = new SeenCells();
   private focus = { x: 0, z: 0 };
-  private inputs: Input[] = [];
-  private nextSequence = 1;
+  private readonly inputs = new InputQueue<Input>();
+  private resumeToken = new Uint8Array(0); // empty: it has no place that it could come back to
+  resumed = 0; // connections in which it was the client that it was before
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -136,6 +138,7 @@ export class Connection {
 
   stop(): void {
     if (this.state === 'playing') this.sendMessage({ case: 'leave', value: {} });
+    this.resumeToken = new Uint8Array(0);
     clearTimeout(this.retry);
     this.dropSocket();
     this.setState('stopped', '');
@@ -151,9 +154,8 @@ export class Connection {
   send(input: Input): void {
     if (this.state !== 'playing') return;
     // Dragging makes many targets; only the newest that has not been sent matters.
-    const last = this.inputs[this.inputs.length - 1];
-    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag') this.inputs.pop();
-    this.inputs.push(this.aimedAtWhatIsShown(input));
+    if (input.kind?.case === 'drag' && this.inputs.last?.kind?.case === 'drag') this.inputs.replaceLast(input);
+    else this.inputs.push(this.aimedAtWhatIsShown(input));
   }
 
   /** What the last picture shows; absent before the first frame. */
@@ -198,6 +200,8 @@ export class Connection {
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.sight?.maxKbps ?? 0,
         ...(this.sight ? { interest: this.interest(this.sight) } : {}),
+        resumable: true,
+        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
       };
       this.sendMessage({ case: 'hello', value: hello });
     };
@@ -223,6 +227,12 @@ export class Connection {
     }
   }
 
+  /** Something is wrong with what it knows. */
+  private beginAnew(why: string): void {
+    this.resumeToken = new Uint8Array(0);
+    this.comeBack(why);
+  }
+
   private comeBack(why: string): void {
     this.dropSocket();
     if (this.playingSince > 0 && nowUs() - this.playingSince > SETTLED_MS * 1000) this.attempt = 0;
@@ -242,13 +252,13 @@ export class Connection {
     try {
       message = fromBinary(ServerMessageSchema, bytes).message;
     } catch {
-      return this.comeBack('the server sent what this viewer cannot read');
+      return this.beginAnew('the server sent what this viewer cannot read');
     }
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'geometry':
-        if (!this.largeShapes.add(message.value)) this.comeBack('the server sent a shape that this viewer cannot read');
+        if (!this.largeShapes.add(message.value)) this.beginAnew('the server sent a shape that this viewer cannot read');
         return;
       case 'roster':
         return this.onEntityList(message.value);
@@ -277,6 +287,20 @@ export class Connection {
       this.dropSocket();
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
+    this.resumeToken = new Uint8Array(welcome.resumeToken);
+    if (welcome.resumed) this.inputs.goOnAfter(welcome.lastSequence);
+    else this.inputs.beginAnew();
+    this.resumed += welcome.resumed ? 1 : 0;
+    if (!welcome.continues) this.forgetTheWorld(welcome);
+    this.needKeyframe = this.ackDue = false;
+    this.lastAck = this.decodedAt = 0;
+    this.lastPing = 0;
+    this.playingSince = nowUs();
+    this.setState('playing', '');
+    this.pump();
+  }
+
+  private forgetTheWorld(welcome: Welcome): void {
     this.frames.clear();
     this.cells.clear();
     this.renderClock.reset();
@@ -284,14 +308,6 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
-    this.inputs = [];
-    this.nextSequence = 1;
-    this.needKeyframe = this.ackDue = false;
-    this.lastAck = this.decodedAt = 0;
-    this.lastPing = 0;
-    this.playingSince = nowUs();
-    this.setState('playing', '');
-    this.pump();
   }
 
   private onEntityList(change: Roster): void {
@@ -308,7 +324,7 @@ export class Connection {
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
     for (const result of s.own?.results ?? [])
-      if (result.code !== InputCode.APPLIED) this.events.refused(result);
+      if (this.inputs.answered(result.sequence) && result.code !== InputCode.APPLIED) this.events.refused(result);
     if (s.stats) this.events.stats(s.stats);
     for (const tick of s.events) this.events.happened(tick);
     // An ack that waited long for the next batch would make the way look long.
@@ -402,10 +418,8 @@ export class Connection {
       this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });
     }
     if (this.inputs.length > 0) {
-      const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
-      const firstSequence = this.nextSequence;
-      this.nextSequence += inputs.length;
-      this.inputClock.sent(this.nextSequence - 1);
+      const { firstSequence, inputs } = this.inputs.take(INPUTS_PER_BATCH);
+      this.inputClock.sent(this.inputs.lastSent);
       const clientTimeUs = Math.floor(now) % 2 ** 32;
       this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
     } else {

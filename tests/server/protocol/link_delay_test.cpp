@@ -92,6 +92,7 @@ TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
     player.exchange();
     player.link->on_peer_closed(server.now);
     EXPECT_EQ(server.sessions.clients(), 0);
+    EXPECT_EQ(server.context.resumes.lost(), 0u);
 }
 
 }  // namespace

@@ -31,11 +31,10 @@ struct QuietServer {
     server::Config config;
     const std::unique_ptr<server::Gate> gate = *server::Gate::open(config);
     server::SessionDirectory sessions{20};
-    server::WorldDirectory worlds{
-        {.limits = {.scene = {.first_step_seconds_max = 100},
-                    .past_ms_max = config.tick.rewind_ms_max},
-         .own_thread = false},
-        2};
+    server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
+                                              .past_ms_max = config.tick.rewind_ms_max},
+                                   .own_thread = false},
+                                  2};
     server::PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     server::Clock::time_point now = server::Clock::now();
@@ -46,11 +45,16 @@ struct PlayedLink {
                const client::LinkSettings& each_way = {})
         : server(at),
           conversation(std::move(options)),
+          settings(each_way),
           outgoing(each_way),
           incoming(each_way) {
         connect();
     }
-    // A new connection; what was on the way is lost with the old one.
+    void lose_what_is_on_the_way() {
+        outgoing = client::HeldMessages(settings);
+        incoming = client::HeldMessages(settings);
+    }
+    // A new connection.
     void connect() {
         link.emplace(server.context,
                      server::Peer{.name = "test",
@@ -75,12 +79,13 @@ struct PlayedLink {
             conversation.receive(*arrived, server.now);
     }
     std::vector<client::SmoothPose> draw() {
-        return conversation.buffer().sample(
-            static_cast<std::int64_t>(client::to_us(server.now)), conversation.view().spec());
+        return conversation.buffer().sample(static_cast<std::int64_t>(client::to_us(server.now)),
+                                            conversation.view().spec());
     }
 
     QuietServer& server;
     client::Conversation conversation;
+    client::LinkSettings settings;
     client::HeldMessages outgoing, incoming;
     std::optional<server::ClientLink> link;
     std::function<void(std::string&)> tamper;  // with what the server says

@@ -76,7 +76,8 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
                                  .body_outline_bytes_max = scene.body_outline_bytes_max,
                                  .work_per_second_max = scene.work_per_second_max,
                                  .first_step_seconds_max = scene.first_step_seconds_max},
-                       .bodies_owned_max = config.client.bodies_owned_max},
+                       .bodies_owned_max = config.client.bodies_owned_max,
+                       .past_ms_max = config.tick.rewind_ms_max},
             .totals = {.bodies_max = config.world.bodies_total_max,
                        .work_per_second_max = scene.work_total_per_second_max},
             .command_queue_max = config.world.command_queue_max,
@@ -218,6 +219,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         log_error("{}", error.message);
         return 1;
     };
+    if (!config.development.link.empty())
+        log_warn("development.link makes the link to every client worse on purpose: {}",
+                 config.development.link);
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
@@ -308,7 +312,8 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
     {
-        const Upkeep upkeep(gate, certificates.get(), [&] {
+        const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
+        const Upkeep upkeep(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_tick(now) && !grpc.trouble(now);
         });

@@ -8,8 +8,12 @@
 
 namespace jostle::server {
 
-Upkeep::Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well)
-    : gate_(gate), certificates_(certificates), is_well_(std::move(is_well)) {
+Upkeep::Upkeep(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+               std::function<bool()> is_well)
+    : gate_(gate),
+      certificates_(certificates),
+      every_second_(std::move(every_second)),
+      is_well_(std::move(is_well)) {
     thread_ = std::thread([this] {
         wait_for_signal();
         look_again();
@@ -38,6 +42,7 @@ void Upkeep::look_again() {
     timer_.async_wait([this](const boost::system::error_code& error) {
         if (error) return;
         gate_.poll();
+        every_second_();
         if (certificates_) certificates_->poll(std::chrono::system_clock::now());
         look_again();
     });

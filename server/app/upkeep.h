@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What is to be done now and then: looks every second whether keys and certificates have changed,
-// reads them at once on SIGHUP, and tells systemd that the server is well while it is. Has a thread
-// of its own for as long as it lives.
+// What is to be done now and then: looks every second whether keys and certificates have changed
+// and which clients will not come back any more, reads them at once on SIGHUP, and tells systemd
+// that the server is well while it is. Has a thread of its own for as long as it lives.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -19,8 +19,10 @@ namespace jostle::server {
 
 class Upkeep {
 public:
-    // Gate and certificates outlive it; null certificates: there are none. `is_well`: any thread.
-    Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well);
+    // Gate and certificates outlive it; null certificates: there are none. `every_second`,
+    // `is_well`: any thread.
+    Upkeep(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+           std::function<bool()> is_well);
     ~Upkeep();
 
 private:
@@ -30,6 +32,7 @@ private:
 
     Gate& gate_;
     CertificateStore* const certificates_;
+    const std::function<void()> every_second_;
     const std::function<bool()> is_well_;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_{io_, SIGHUP};

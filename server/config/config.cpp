@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 
+#include "jostle/base/link_conditioner.h"
+
 namespace jostle::server {
 
 namespace {
@@ -57,6 +59,7 @@ Status check(const Config& c) {
         {"client.message_bytes_max", c.client.message_bytes_max, 1024, 1 << 24},
         {"client.inputs_per_batch_max", c.client.inputs_per_batch_max, 1, 4096},
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
+        {"client.resume_seconds", c.client.resume_seconds, 0, 600},
         {"world.worlds_max", c.world.worlds_max, 1, 10000},
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
         {"world.bodies_total_max", c.world.bodies_total_max, 1, 100000000},
@@ -78,6 +81,7 @@ Status check(const Config& c) {
         {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
+        {"tick.rewind_ms_max", c.tick.rewind_ms_max, 0, 2000},
         {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
         {"stream.ack_ms", c.stream.ack_ms, 1, 1000},
         {"stream.cell_m", c.stream.cell_m, 1, 100000},
@@ -114,6 +118,8 @@ Status check(const Config& c) {
     if (c.scenes.empty()) return invalid_argument("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid_argument("scenes names more worlds than world.worlds_max");
+    if (const auto link = read_link_settings(c.development.link); !link.ok())
+        return invalid_argument("development.link: " + link.error().message);
     return check_access(c);
 }
 

@@ -21,6 +21,9 @@ struct ClientLimits {
     int inputs_per_batch_max = 64;
     int bodies_owned_max = 50;
     bool keep_bodies_after_leave = false;  // else what a client spawned goes with it
+    // How long the place of a client is kept whose connection broke, if it said that it would come
+    // back; 0: not at all.
+    double resume_seconds = 30;
 };
 
 struct WorldLimits {
@@ -51,6 +54,9 @@ struct TickSettings {
     // A step that takes longer is interrupted and its world paused, so that it holds up nobody
     // else.
     double step_seconds_max = 1;
+    // How long ago a client may have seen what it asks about or aims at: its delay both ways and
+    // that of its pictures. So long frames are kept.
+    double rewind_ms_max = 400;
 };
 
 struct StreamSettings {
@@ -110,6 +116,14 @@ struct ConnectionLimits {
     double idle_seconds = 300;  // without a call
 };
 
+// Never where people play.
+struct DevelopmentSettings {
+    // A link that is worse than the real one, to every client and back, as in
+    // "delay=80,jitter=20,stalls=250" (jostle/base/link_conditioner.h); empty: the real one.
+    std::string link;
+    std::vector<std::string> link_worlds;  // names of the worlds that have it; empty: all
+};
+
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
@@ -134,6 +148,7 @@ struct Config {
     TlsSettings tls;
     AuthSettings auth;
     QuotaSettings quota;
+    DevelopmentSettings development;
     bool insecure = false;  // reachable by strangers without TLS or tokens, on purpose
 };
 

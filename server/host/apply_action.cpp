@@ -154,6 +154,12 @@ struct Apply {
         return {};
     }
 
+    Status operator()(const LoseCommand&) const {
+        state.grabs.release(state.world, client);
+        static_cast<void>(state.drivers.control(state.world, client, {}));
+        return {};
+    }
+
 private:
     bool is_crowded(const SpawnCommand& c) const {
         const auto shapes =

@@ -22,6 +22,20 @@ namespace jostle::server {
 using EntityId = std::uint32_t;  // never reused in a world; 0 is none
 using ClientId = std::uint32_t;  // 0 is the scene
 
+// The world as a client saw it when it acted: so far on the way from a tick to the next.
+struct SeenMoment {
+    std::uint32_t tick = 0;
+    double fraction = 0;  // 0 to 1
+
+    bool operator==(const SeenMoment&) const = default;
+};
+// What a client points at: the first thing that the ray meets.
+struct Aim {
+    physics::Vec3 origin, motion;         // world; m
+    EntityId ignore = 0;                  // an entity that the ray goes through; 0: none
+    std::optional<SeenMoment> seen = {};  // nothing: as the world is when the input is applied
+};
+
 struct SpawnCommand {
     physics::ShapeDef shape;
     physics::Transform pose;
@@ -32,10 +46,12 @@ struct ImpulseCommand {
     EntityId entity = 0;
     physics::Vec3 impulse;               // N s
     std::optional<physics::Vec3> point;  // world; nothing: the centre of mass
+    std::optional<Aim> aim = {};         // in place of entity and point
 };
 struct GrabCommand {
     EntityId entity = 0;
-    physics::Vec3 point;  // world
+    physics::Vec3 point;          // world
+    std::optional<Aim> aim = {};  // in place of entity and point
 };
 struct DragCommand {
     physics::Vec3 target;  // world
@@ -46,8 +62,9 @@ struct DeleteCommand {
 };
 struct ExplodeCommand {
     physics::Vec3 center;
-    double radius = 0;  // m
-    double speed = 0;   // m/s at the centre
+    double radius = 0;            // m
+    double speed = 0;             // m/s at the centre
+    std::optional<Aim> aim = {};  // in place of the centre
 };
 struct PossessCommand {
     EntityId entity = 0;  // 0: lets go
@@ -61,9 +78,13 @@ struct LeaveCommand {
     bool keep_bodies = false;
 };
 
-using Action =
-    std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
-                 DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand, LeaveCommand>;
+// The client's connection broke, and it may come back: its hand lets go, and what it drives is as
+// if it held nothing. Carries no sequence.
+struct LoseCommand {};
+
+using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                            DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
+                            LeaveCommand, LoseCommand>;
 
 // What became of one input.
 struct InputResult {
@@ -75,6 +96,8 @@ struct InputResult {
     // us that it came before the tick it was meant for was due; negative: after. Nothing: no world
     // saw it.
     std::optional<std::int64_t> margin_us = {};
+    // It named a moment of which no frame was left, and was judged by the oldest one.
+    bool moment_clamped = false;
 };
 
 class ResultQueue;

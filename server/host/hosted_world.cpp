@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/follow_modules.h"
+#include "host/resolve_aim.h"
 
 namespace jostle::server {
 
@@ -29,7 +30,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
-    HostedWorld hosted({.world = std::move(built->world), .limits = limits});
+    HostedWorld hosted({.world = std::move(built->world), .limits = limits}, scene.hz);
     hosted.work_per_second_ = *work;
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
@@ -43,8 +44,9 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
 }
 
 Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
-                                         const HostLimits& limits, double work_per_second) {
-    HostedWorld hosted({.world = std::move(world), .limits = limits});
+                                         const HostLimits& limits, double hz,
+                                         double work_per_second) {
+    HostedWorld hosted({.world = std::move(world), .limits = limits}, hz);
     hosted.work_per_second_ = work_per_second;
     HostedState& state = hosted.state_;
     if (Status s = state.entities.restore(state.world, image); !s.ok()) return s.error();
@@ -88,12 +90,21 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    if (!is_leave) result.status = accept_sequence(command.client, command.sequence);
-    if (result.status.ok())
-        result.status = apply_action(state_, command.client, command.action, result.entity);
+    if (!is_leave && !std::holds_alternative<LoseCommand>(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
+    if (result.status.ok()) result.status = act(command, result);
     // The client is gone, and with it what its inputs are counted from.
     if (is_leave) last_sequences_.erase(command.client);
     return result;
+}
+
+Status HostedWorld::act(const Command& command, InputResult& result) {
+    if (!has_aim(command.action))
+        return apply_action(state_, command.client, command.action, result.entity);
+    Action aimed = command.action;
+    if (Status s = resolve_aim(state_, *past_, *state_.entities.list(), aimed, result); !s.ok())
+        return s;
+    return apply_action(state_, command.client, aimed, result.entity);
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {

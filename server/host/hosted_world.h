@@ -14,6 +14,7 @@
 #include "host/command.h"
 #include "host/export_scene.h"
 #include "host/frame.h"
+#include "host/frame_ring.h"
 #include "host/host_image.h"
 #include "host/module_channels.h"
 #include "host/query_frame.h"
@@ -31,7 +32,7 @@ public:
     // One that goes on as the kept one would have: `world` is its world, to the bit. corrupt_data:
     // the two do not belong together.
     static Result<HostedWorld> restore(physics::World world, const HostImage& image,
-                                       const HostLimits& limits, double work_per_second);
+                                       const HostLimits& limits, double hz, double work_per_second);
     // All but the bodies; `tick` is the last one that was stepped.
     HostImage image(std::uint32_t tick) const;
 
@@ -62,15 +63,21 @@ public:
     }
 
     const physics::World& world() const { return state_.world; }
+    // Where its frames go, for what clients saw. Any thread.
+    FrameRing& past() const { return *past_; }
     // As estimated when it was created (scene_budget.h).
     double work_per_second() const { return work_per_second_; }
 
 private:
-    explicit HostedWorld(HostedState state) : state_(std::move(state)) {}
+    HostedWorld(HostedState state, double hz)
+        : state_(std::move(state)),
+          past_(std::make_shared<FrameRing>(state_.limits.past_ms_max, hz)) {}
+    Status act(const Command& command, InputResult& result);
 
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    std::shared_ptr<FrameRing> past_;  // never null
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;

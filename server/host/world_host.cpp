@@ -50,6 +50,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
+    world_.past().put(frame_);
     if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
 
@@ -74,6 +75,11 @@ void WorldHost::stop() {
 void WorldHost::leave(ClientId client, bool keep_bodies) {
     const std::lock_guard lock(leave_mutex_);
     leavers_.push_back({.client = client, .action = LeaveCommand{keep_bodies}, .reply = nullptr});
+}
+
+void WorldHost::lose(ClientId client) {
+    const std::lock_guard lock(leave_mutex_);
+    leavers_.push_back({.client = client, .action = LoseCommand{}, .reply = nullptr});
 }
 
 void WorldHost::pause(std::string reason) {
@@ -285,6 +291,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
     bool news = frame->changed_at == frame->tick || !batch_.empty();
+    world_.past().put(frame);
     {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));

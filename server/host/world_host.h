@@ -65,11 +65,15 @@ public:
     bool push(Command command) { return commands_.push(std::move(command)); }
     // Any thread; never waits and is never refused: the world takes it after what the client sent.
     void leave(ClientId client, bool keep_bodies);
+    // The same for a client whose connection broke and that may come back.
+    void lose(ClientId client);
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
     // one; null when none came. Without a thread of its own: a copy of this moment.
     QueryFramePtr query_frame(CopyParts parts);
+    // Any thread: its newest frames, for what clients saw a moment ago.
+    const FrameRing& past() const { return world_.past(); }
     // Any thread: frames carry events while there are listeners.
     void add_event_listener() { event_listeners_++; }
     void remove_event_listener() { event_listeners_--; }
@@ -150,7 +154,7 @@ private:
     BoundedQueue<Command> commands_;
     EarlyCommands early_;  // the tick thread's own
     std::mutex leave_mutex_;
-    std::vector<Command> leavers_;  // at most one of each client
+    std::vector<Command> leavers_;  // few of each client
     mutable std::mutex pause_mutex_;
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks

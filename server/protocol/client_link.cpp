@@ -70,6 +70,18 @@ ClientLink::~ClientLink() {
 // --- what the client sends ---
 
 void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
+    if (delay_)
+        delay_->hear(bytes, now);
+    else
+        take_in(bytes, now);
+}
+
+void ClientLink::take_in_delayed(Clock::time_point now, bool at_once) {
+    if (!delay_) return;
+    while (const auto bytes = delay_->take_heard(now, at_once)) take_in(*bytes, now);
+}
+
+void ClientLink::take_in(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
     last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
@@ -118,6 +130,7 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
                                         hello.protocol, protocol_version)},
                       now);
     }
+    if (hello.resume && resume(hello, now)) return;
     const Result<std::shared_ptr<WorldHost>> world =
         hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
@@ -170,12 +183,14 @@ Status ClientLink::may_play(const Hello& hello, const Identity& who, const World
 }
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
-                       Clock::time_point now) {
-    const Result<ClientId> client = context_.sessions.enter(world->id(), network_of(peer_.address));
+                       Clock::time_point now, LostClient* lost) {
+    const Result<ClientId> client = lost ? lost->client : take_place(*world);
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
-    feed_ = context_.feeds.feed_of(world, context_.config.stream.cell_m);
-    result_queue_ = std::make_shared<ResultQueue>();
+    feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
+    result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
+    if (!lost && hello.resumable && context_.config.client.resume_seconds > 0)
+        seat_ = context_.resumes.open(client_);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
@@ -194,6 +209,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     codec_ = codec_for(hello, context_.config.stream);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
+    const auto gone =
+        lost ? take_over(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
     send(encode_welcome(
         {.client = client_,
          .world_id = world->id(),
@@ -208,8 +225,16 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .gravity = world->gravity(),
          .channels = world->channel_kinds(),
          .codec = codec_,
-         .cells = sight_.has_value()}));
+         .cells = sight_.has_value(),
+         .resume_token = seat_ ? seat_->token : std::string(),
+         .resumed = lost != nullptr,
+         .continues = gone.has_value(),
+         .last_sequence = last_sequence_,
+         .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0}));
+    if (gone && !gone->empty())
+        waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
     snapshot_due_ = true;  // the first one goes out at once
+    delay_ = link_delay_for(context_.config.development, world->name(), client_);
     watch_.entered({.id = client_,
                     .name = hello.name,
                     .world_id = world->id(),
@@ -218,8 +243,9 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .spectator = hello.spectator,
                     .since = now},
                    *world);
-    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_.name,
-             world->id(), hello.spectator ? " as a spectator" : "");
+    log_info("client {} {} of {} {} world {}{}", client_, quoted(hello.name), peer_.name,
+             lost ? "came back to" : "joined", world->id(),
+             hello.spectator ? " as a spectator" : "");
 }
 
 void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
@@ -262,6 +288,7 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
 
 void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.held_ms), now);
+    sent_.on_ack(ack.frame);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
@@ -285,8 +312,9 @@ void ClientLink::on_message(const Leave&, Clock::time_point now) {
 }
 
 void ClientLink::on_peer_closed(Clock::time_point now) {
+    take_in_delayed(now, true);
     drop_waiting();
-    if (!end_) finish({}, now);
+    if (!end_) finish({}, now, true);
 }
 
 void ClientLink::on_fault(Clock::time_point now) {
@@ -297,30 +325,37 @@ void ClientLink::on_fault(Clock::time_point now) {
 
 // --- how it ends ---
 
-void ClientLink::refuse(Error error, Clock::time_point now) {
+void ClientLink::refuse(Error error, Clock::time_point now, bool lost) {
     if (end_) return;
     log_warn("{} was refused: {}",
              client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
     watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
-    finish(std::move(error), now);
+    finish(std::move(error), now, lost);
 }
 
-void ClientLink::finish(Status status, Clock::time_point now) {
+void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
     if (end_) return;
     end_ = std::move(status);
     end_time_ = now;
-    if (client_ != 0) log_info("client {} left world {}", client_, feed_->host().id());
-    leave_world();
+    lost = lost && seat_ && !context_.draining;
+    if (client_ != 0)
+        log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
+    leave_world(lost ? std::optional(now) : std::nullopt);
 }
 
-void ClientLink::leave_world() {
+void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
     watch_.left();
-    context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
-    feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
+    if (lost) {
+        keep_place(*lost);
+    } else {
+        if (seat_) context_.resumes.close(*seat_);
+        context_.sessions.leave(client_);
+        feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
+    }
     client_ = 0;
 }
 
@@ -343,6 +378,7 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
                                                              context_.config.drain_seconds)));
     }
+    if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, std::nullopt), now);
     if (!feed_) {
         if (now - begun_ > from_seconds(limits.hello_seconds)) {
             refuse(Error{ErrorCode::deadline_exceeded,
@@ -353,11 +389,13 @@ void ClientLink::check_timeouts(Clock::time_point now) {
     }
     if (const auto why = watch_.kicked())
         return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
+    if (seat_ && seat_->is_wanted)
+        return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
     if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
                                         limits.silence_seconds)},
-                      now);
+                      now, true);
     }
     if (feed_->host().failed()) {
         const char* why = "a fault of the server ended the world; it starts anew from its scene";
@@ -387,7 +425,12 @@ void ClientLink::drop_waiting() {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    take_in_delayed(now);
     std::optional<OutMessage> message = next_message(now);
+    if (delay_) {
+        for (; message; message = next_message(now)) delay_->say(*std::move(message), now);
+        message = delay_->take_said(now, end_.has_value());
+    }
     if (message) watch_.sent(*message, now);
     return message;
 }
@@ -413,12 +456,13 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
     if (!writing_since_) writing_since_ = now;
+    take_in_delayed(now);
     check_timeouts(now);
     if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
         refuse(Error{ErrorCode::resource_exhausted,
                      fmt::format("nothing was read for {:g} s",
                                  context_.config.stream.silence_seconds)},
-               now);
+               now, true);
     if (feed_ && !end_) collect_results();
 }
 
@@ -506,11 +550,13 @@ void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities
     const auto messages = feed_->entity_list_change(entity_list_, entities);
     push(*messages);
     entity_list_ = entities;
+    if (seat_) sent_.on_list(entities, baselines_.last());
 }
 
 void ClientLink::push(const RosterMessages& messages) {
     for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
+        if (seat_) sent_.on_geometry(geometry->id, baselines_.last());
         for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
     }
     for (const SharedBytes& roster : messages.rosters) waiting_.push_back({{}, roster});
@@ -607,6 +653,7 @@ OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now,
     OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
     watch_.answered(results_);
+    if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
     results_.clear();
     snapshot_due_ = false;
     last_snapshot_ = now;

@@ -21,6 +21,7 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_delay.h"
 #include "protocol/link_watch.h"
 #include "protocol/out_message.h"
 #include "protocol/peer.h"
@@ -45,7 +46,7 @@ public:
     // The client closed its side, or the connection broke: there is nobody left to talk to.
     void on_peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
-    void refuse(Error error, Clock::time_point now);
+    void refuse(Error error, Clock::time_point now, bool lost = false);
     // A message could not be read or made by a fault of ours: nothing is sent any more.
     void on_fault(Clock::time_point now);
     // The next message to write. Nothing: call again when a message arrived, a world has a new
@@ -63,6 +64,8 @@ public:
     bool said_hello() const { return feed_ != nullptr; }
 
 private:
+    void take_in(std::string_view bytes, Clock::time_point now);
+    void take_in_delayed(Clock::time_point now, bool at_once = false);
     void on_message(const Hello& hello, Clock::time_point now);
     void on_message(const InputBatch& batch, Clock::time_point now);
     void on_message(const Ack& ack, Clock::time_point now);
@@ -70,11 +73,20 @@ private:
     void on_message(const Leave& leave, Clock::time_point now);
     void on_message(const Interest& interest, Clock::time_point now);
 
+    // link_resume.cpp: how a conversation goes on after its connection broke.
+    bool resume(const Hello& hello, Clock::time_point now);
+    Status may_resume(const Hello& hello, const LostClient& lost);
+    std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
+                                                   const EntityList& now);
+    Result<ClientId> take_place(const WorldHost& world);
+    void keep_place(Clock::time_point now);
+
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
     Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
     Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
     Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
-    void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
+    void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now,
+               LostClient* lost = nullptr);
     void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                     Clock::time_point now);
     Status try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
@@ -85,8 +97,9 @@ private:
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
     void drop_waiting();
-    void finish(Status status, Clock::time_point now);
-    void leave_world();
+    // `lost`: it may come back.
+    void finish(Status status, Clock::time_point now, bool lost = false);
+    void leave_world(std::optional<Clock::time_point> lost = {});
     void collect_results();
 
     std::optional<OutMessage> next_message(Clock::time_point now);
@@ -106,6 +119,7 @@ private:
 
     PlayContext& context_;
     LinkWatch watch_{context_};
+    std::optional<LinkDelay> delay_;  // nothing: the real link is enough
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
@@ -115,11 +129,14 @@ private:
     std::deque<OutMessage> waiting_;   // to send, not yet taken
     std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
+    std::optional<Hello> waiting_hello_;  // of one whose old link is to give way first
 
     // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
+    std::shared_ptr<ResumeSeat> seat_;  // null: its place is not kept
+    SentLog sent_;                      // of one with a seat
     std::optional<Admission> admission_;
     std::optional<FlowControl> flow_;
     std::shared_ptr<ResultQueue> result_queue_;

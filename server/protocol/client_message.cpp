@@ -66,9 +66,20 @@ Result<Action> action_of(const v1::SpawnInput& spawn) {
     return Action{command};
 }
 
+std::optional<Aim> to_aim(bool there, const v1::Aim& from) {
+    if (!there) return std::nullopt;
+    Aim aim{.origin = to_vector(from.origin()),
+            .motion = to_vector(from.motion()),
+            .ignore = from.ignore()};
+    if (from.has_seen()) aim.seen = {from.seen().tick(), from.seen().fraction()};
+    return aim;
+}
+
 Result<Action> action_of(const v1::ImpulseInput& impulse) {
-    ImpulseCommand command{
-        .entity = impulse.entity(), .impulse = to_vector(impulse.impulse()), .point = std::nullopt};
+    ImpulseCommand command{.entity = impulse.entity(),
+                           .impulse = to_vector(impulse.impulse()),
+                           .point = std::nullopt,
+                           .aim = to_aim(impulse.has_aim(), impulse.aim())};
     if (impulse.has_point()) command.point = to_vector(impulse.point());
     return Action{command};
 }
@@ -92,7 +103,8 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::kImpulse:
             return action_of(input.impulse());
         case v1::Input::kGrab:
-            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point())}};
+            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point()),
+                                      to_aim(input.grab().has_aim(), input.grab().aim())}};
         case v1::Input::kDrag:
             return Action{DragCommand{to_vector(input.drag().target())}};
         case v1::Input::kRelease:
@@ -101,7 +113,8 @@ Result<Action> action_of(const v1::Input& input) {
             return Action{DeleteCommand{input.delete_().entity()}};
         case v1::Input::kExplode:
             return Action{ExplodeCommand{to_vector(input.explode().center()),
-                                         input.explode().radius(), input.explode().speed()}};
+                                         input.explode().radius(), input.explode().speed(),
+                                         to_aim(input.explode().has_aim(), input.explode().aim())}};
         case v1::Input::kPossess:
             return Action{PossessCommand{input.possess().entity()}};
         case v1::Input::kControl:
@@ -147,6 +160,13 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         return invalid_argument(fmt::format("hello.channels names {} kinds; at most {} are allowed",
                                             hello.channels_size(), hello_channels_max));
     }
+    if (hello.resume().token().size() > resume_token_bytes_max) {
+        return invalid_argument(
+            fmt::format("hello.resume.token has {} bytes; at most {} are allowed",
+                        hello.resume().token().size(), resume_token_bytes_max));
+    }
+    std::optional<Hello::Resume> resume;
+    if (hello.has_resume()) resume = {hello.resume().token(), hello.resume().frame()};
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
                                .ticket = hello.ticket(),
@@ -158,7 +178,9 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .channels = {hello.channels().begin(), hello.channels().end()},
                                .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
-                               .interest = sees}};
+                               .interest = sees,
+                               .resumable = hello.resumable(),
+                               .resume = std::move(resume)}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

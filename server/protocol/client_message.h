@@ -20,6 +20,7 @@ namespace jostle::server {
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
 inline constexpr int hello_channels_max = 64;
+inline constexpr std::size_t resume_token_bytes_max = 256;
 inline constexpr std::uint32_t hello_kbps_min = 16;
 inline constexpr std::uint32_t ack_held_ms_max = 60'000;
 
@@ -34,6 +35,12 @@ struct Hello {
     std::uint32_t codec = 0;            // the highest that it understands; 0: 1
     std::uint32_t max_kbps = 0;         // 0: no bound
     std::optional<Interest> interest;
+    bool resumable = false;
+    struct Resume {
+        std::string token;
+        std::uint32_t frame = 0;  // 0: none
+    };
+    std::optional<Resume> resume = {};
 };
 struct Ack {
     std::uint32_t frame = 0;

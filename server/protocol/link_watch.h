@@ -26,6 +26,7 @@ public:
 
     // Who was let in: the subject of its token; empty: nobody in particular.
     void known_as(const std::string& subject) { subject_ = subject; }
+    const std::string& subject() const { return subject_; }
     // The client is in a world; `world` is held by the link until left().
     void entered(ClientIdentity who, WorldHost& world);
     void left();

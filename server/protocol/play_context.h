@@ -9,6 +9,7 @@
 #include "config/config.h"
 #include "host/world_directory.h"
 #include "identity/gate.h"
+#include "protocol/resume_desk.h"
 #include "protocol/world_feed.h"
 #include "session/client_records.h"
 #include "session/session_directory.h"
@@ -25,9 +26,13 @@ struct PlayContext {
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     WorldFeeds feeds{};
     ClientRecords records{};
+    ResumeDesk resumes{};
     std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal
     std::atomic<bool> draining{false};     // no new clients; those who play are told
     std::atomic<bool> closing{false};      // the drain is over: every conversation ends
 };
+
+// Clients whose connection broke too long ago have left. Now and then; any thread.
+void end_lost_clients(PlayContext& context, Clock::time_point now);
 
 }  // namespace jostle::server

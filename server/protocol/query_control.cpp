@@ -8,6 +8,7 @@
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
+#include "protocol/query_subject.h"
 #include "protocol/vector_message.h"
 
 namespace jostle::server {
@@ -130,17 +131,30 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 
 // --- asking ---
 
-Result<QueryFramePtr> ask(const WorldDirectory& worlds, const std::string& name, CopyParts parts) {
-    const std::shared_ptr<WorldHost> world = worlds.find(name);
-    if (!world)
-        return Error{ErrorCode::not_found, name.empty()
-                                               ? "the server has no world"
-                                               : fmt::format("there is no world \"{}\"", name)};
-    if (QueryFramePtr frame = world->query_frame(parts)) return frame;
-    if (world->stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
-    return Error{ErrorCode::unavailable,
-                 fmt::format("the world took more than {} ms for a step; ask again",
-                             QueryBroker::patience.count())};
+template <class Request>
+Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
+                         const PastView::MayMeet& may_meet = anything) {
+    return query_subject(worlds, request.world(), request.has_seen() ? &request.seen() : nullptr,
+                         may_meet);
+}
+
+template <class Response>
+void write_moment(Response& to, const QuerySubject& asked) {
+    to.set_tick(asked.tick);
+    to.set_moment_clamped(asked.clamped);
+}
+
+// What rays may meet of the past.
+PastView::MayMeet along_rays(const v1::CastRaysRequest& request) {
+    if (request.rays_size() == 1)
+        return along(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
+    std::optional<physics::Aabb> box;
+    for (const v1::Ray& ray : request.rays()) {
+        const physics::Vec3 from = to_vector(ray.origin()), to = from + to_vector(ray.motion());
+        const physics::Aabb of_ray{min(from, to), max(from, to)};
+        box = box ? unite(*box, of_ray) : of_ray;
+    }
+    return within(box.value_or(physics::Aabb{}));
 }
 
 Status check_ray(const v1::Ray& ray, int number) {
@@ -153,10 +167,11 @@ Status check_ray(const v1::Ray& ray, int number) {
 }
 
 Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
-                const QueryFrame& frame, v1::Hits& hits, std::size_t& total) {
+                const QuerySubject& asked, v1::Hits& hits, std::size_t& total) {
+    const QueryFrame& frame = *asked.frame;
     if (mode == v1::HIT_MODE_ALL)
-        return write_hits(hits, frame.queries->cast_ray_all(ray, filter), frame, total);
-    if (Status s = write_hits(hits, frame.queries->cast_ray(ray, filter), frame); !s.ok()) return s;
+        return write_hits(hits, asked.queries.cast_ray_all(ray, filter), frame, total);
+    if (Status s = write_hits(hits, asked.queries.cast_ray(ray, filter), frame); !s.ok()) return s;
     if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
         // Of ANY only the entity counts. The solver's own test for any hit names no shape, so the
         // closest is as good as another; what is saved is the answer's bytes.
@@ -184,16 +199,16 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
                                             static_cast<int>(v1::HitMode_MAX)));
     for (int i = 0; i < request.rays_size(); i++)
         if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
-    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    const Result<QuerySubject> asked = ask(context_.worlds, request, along_rays(request));
     if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = *asked;
-    response.set_tick(frame->tick);
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
         if (!wanted()) return no_longer_wanted();
         const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
-        if (Status s = cast_one(cast, request.mode(), filter, *frame, *response.add_rays(), total);
+        if (Status s = cast_one(cast, request.mode(), filter, *asked, *response.add_rays(), total);
             !s.ok())
             return s;
     }
@@ -218,10 +233,10 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
         if (Status s = check_vector(field + ".motion", moving.motion()); !s.ok()) return s;
         casts.push_back({shape->geometry, shape->pose, to_vector(moving.motion())});
     }
-    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = *asked;
-    response.set_tick(frame->tick);
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
@@ -229,8 +244,8 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
         v1::Hits& hits = *response.add_shapes();
         Status s =
             request.mode() == v1::HIT_MODE_ALL
-                ? write_hits(hits, frame->queries->cast_shape_all(cast, filter), *frame, total)
-                : write_hits(hits, frame->queries->cast_shape(cast, filter), *frame);
+                ? write_hits(hits, asked->queries.cast_shape_all(cast, filter), *frame, total)
+                : write_hits(hits, asked->queries.cast_shape(cast, filter), *frame);
         if (!s.ok()) return s;
     }
     return {};
@@ -252,14 +267,14 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
         case v1::OverlapRequest::WHAT_NOT_SET:
             return invalid_argument("give shape or point");
     }
-    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = *asked;
-    response.set_tick(frame->tick);
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     const auto found = request.has_shape()
-                           ? frame->queries->overlap_shape(shape.geometry, shape.pose, filter)
-                           : frame->queries->shapes_at(to_vector(request.point()), filter);
+                           ? asked->queries.overlap_shape(shape.geometry, shape.pose, filter)
+                           : asked->queries.shapes_at(to_vector(request.point()), filter);
     if (!found.ok()) return from_solver(found.error());
     std::vector<EntityId> entities;
     for (const physics::ShapeId id : *found) entities.push_back(frame->place_of(id).entity);
@@ -281,12 +296,12 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
             return s;
         points.push_back(to_vector(request.points(i)));
     }
-    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = *asked;
-    response.set_tick(frame->tick);
-    const auto found = frame->queries->closest_points(points, request.max_distance(),
-                                                      read_filter(request.filter(), *frame));
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
+    const auto found = asked->queries.closest_points(points, request.max_distance(),
+                                                     read_filter(request.filter(), *frame));
     if (!found.ok()) return from_solver(found.error());
     for (const std::optional<physics::ClosestPoint>& closest : *found) {
         v1::ClosestPoint& to = *response.add_points();
@@ -312,7 +327,7 @@ Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request)
     if (parts == 0)
         return invalid_argument(
             "ask for at least one of contacts, islands, bounds, joints, broad_phase");
-    return ask(context_.worlds, request.world(), parts);
+    return query_frame_of(context_.worlds, request.world(), parts);
 }
 
 void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame& frame,

@@ -78,6 +78,11 @@ std::string encode_welcome(const Welcome& from) {
         to.set_form(to_message(kind.form));
         to.set_divisor(static_cast<std::uint32_t>(kind.divisor));
     }
+    welcome.set_resume_token(from.resume_token);
+    welcome.set_resumed(from.resumed);
+    welcome.set_continues(from.continues);
+    welcome.set_last_sequence(from.last_sequence);
+    welcome.set_resume_seconds(from.resume_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     return message.SerializeAsString();
 }
@@ -162,6 +167,7 @@ void write_results(v1::Private& to, std::span<const InputResult> results) {
         result.set_code(input_code_of(from.status));
         result.set_tick(from.tick);
         result.set_entity(from.entity);
+        result.set_moment_clamped(from.moment_clamped);
         if (!from.status.ok()) result.set_message(from.status.error().message);
     }
 }

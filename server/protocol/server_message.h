@@ -29,6 +29,10 @@ struct Welcome {
     std::vector<physics::ChannelKind> channels;
     wire::Codec codec = wire::Codec::bits;
     bool cells = false;
+    std::string resume_token;  // empty: its place is not kept
+    bool resumed = false, continues = false;
+    std::uint32_t last_sequence = 0;
+    double resume_seconds = 0;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 

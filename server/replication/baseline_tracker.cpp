@@ -25,6 +25,13 @@ wire::BaseFrames BaselineTracker::bases_for(std::uint32_t frame) const {
     return bases;
 }
 
+bool BaselineTracker::go_back_to(std::uint32_t frame) {
+    while (!sent_.empty() && sent_.back() > frame) sent_.pop_back();
+    if (!sent_.empty() && sent_.back() == frame) return true;
+    reset();
+    return false;
+}
+
 void BaselineTracker::on_sent(std::uint32_t frame) {
     sent_.push_back(frame);
     if (sent_.size() > client_ring) sent_.pop_front();

@@ -16,6 +16,7 @@ constexpr double size_min = 0.05, size_max = 2;    // m
 constexpr double mass_min = 1e-3, mass_max = 1e6;  // kg: about what sizes and densities allow
 constexpr double spawn_speed_max = 50;             // m/s and rad/s
 constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
+constexpr double aim_length_max = 2000;            // m
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
 // Written so that NaN fails.
@@ -49,6 +50,13 @@ Status check_size(const char* what, double size) {
     return check_number(what, size, size_min, size_max);
 }
 
+Status check_aim(const Aim& aim) {
+    if (Status s = check_point("aim.origin", aim.origin); !s.ok()) return s;
+    if (Status s = check_length("aim.motion", aim.motion, aim_length_max); !s.ok()) return s;
+    if (aim.motion == Vec3{}) return invalid_argument("aim.motion is zero; it must have a length");
+    return aim.seen ? check_number("aim.seen.fraction", aim.seen->fraction, 0, 1) : Status();
+}
+
 struct Check {
     Status operator()(const SpawnCommand& c) const {
         if (Status s = check_shape(c.shape.geometry); !s.ok()) return s;
@@ -60,14 +68,18 @@ struct Check {
     }
     Status operator()(const ImpulseCommand& c) const {
         if (Status s = check_length("impulse", c.impulse, impulse_max); !s.ok()) return s;
+        if (c.aim) return check_aim(*c.aim);
         return c.point ? check_point("point", *c.point) : Status();
     }
-    Status operator()(const GrabCommand& c) const { return check_point("point", c.point); }
+    Status operator()(const GrabCommand& c) const {
+        return c.aim ? check_aim(*c.aim) : check_point("point", c.point);
+    }
     Status operator()(const DragCommand& c) const { return check_point("target", c.target); }
     Status operator()(const ReleaseCommand&) const { return {}; }
     Status operator()(const DeleteCommand&) const { return {}; }
     Status operator()(const ExplodeCommand& c) const {
-        if (Status s = check_point("center", c.center); !s.ok()) return s;
+        if (Status s = c.aim ? check_aim(*c.aim) : check_point("center", c.center); !s.ok())
+            return s;
         if (Status s = check_number("radius", c.radius, 0.1, explosion_radius_max); !s.ok())
             return s;
         return check_number("speed", c.speed, 0, explosion_speed_max);
@@ -79,6 +91,7 @@ struct Check {
         return {};
     }
     Status operator()(const LeaveCommand&) const { return {}; }
+    Status operator()(const LoseCommand&) const { return {}; }
 
 private:
     static Status check_shape(const physics::Geometry& geometry) {

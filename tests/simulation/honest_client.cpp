@@ -46,6 +46,19 @@ void HonestClient::connect(std::shared_ptr<Line> line, Clock::time_point now) {
     tally_.connections++;
     line_ = std::move(line);
     connected_at_ = now;
+    is_new_line_ = true;
+    conversation_.begin(now);
+}
+
+// The server knows which client it is: the one that it was, or a new one.
+void HonestClient::on_welcome() {
+    is_new_line_ = false;
+    const std::uint64_t resumed = conversation_.stats().resumed;
+    if (resumed != resumed_) {
+        tally_.resumed++;
+        resumed_ = resumed;
+        return;
+    }
     // Inputs that wait since before go first, under new numbers.
     carried_over_ = static_cast<std::uint32_t>(sends_ - conversation_.stats().inputs_sent);
     last_sequence_ = carried_over_;
@@ -53,7 +66,6 @@ void HonestClient::connect(std::shared_ptr<Line> line, Clock::time_point now) {
     spawns_asked_.clear();
     spawned_.clear();
     unexplained_.clear();
-    conversation_.begin(now);
 }
 
 void HonestClient::act(Clock::time_point now, const FrameOf& frame_of) {
@@ -80,6 +92,7 @@ void HonestClient::act(Clock::time_point now, const FrameOf& frame_of) {
 void HonestClient::hear(Clock::time_point now, const FrameOf& frame_of) {
     while (const std::optional<std::string> message = line_->receive(now))
         conversation_.receive(*message, now);
+    if (is_new_line_ && conversation_.stats().connected) on_welcome();
     check_results(frame_of);
     for (const auto& [entity, since] : unexplained_)
         if (acts_ - since > answer_comes_within)

@@ -24,6 +24,7 @@ using Complaint = std::function<void(const std::string&)>;
 // Counted over a run.
 struct Tally {
     std::uint64_t connections = 0, snapshots = 0, inputs = 0, applied = 0, refused = 0;
+    std::uint64_t resumed = 0;  // connections in which a client was the one that it was
     std::uint64_t spawned = 0, frames_compared = 0, hostile_messages = 0, faults = 0;
 };
 
@@ -42,6 +43,7 @@ public:
     bool has_left() const { return conversation_.leaving(); }
 
 private:
+    void on_welcome();
     void hear(Clock::time_point now, const FrameOf& frame_of);
     void speak(Clock::time_point now);
     void check_results(const FrameOf& frame_of);
@@ -57,7 +59,9 @@ private:
     bots::Behaviour behaviour_;
     std::shared_ptr<Line> line_;
     Clock::time_point connected_at_{};
-    // Of this connection: sequences of inputs, and entities.
+    bool is_new_line_ = false;  // on which no Welcome has come
+    std::uint64_t resumed_ = 0;
+    // Of this client of the server: sequences of inputs, and entities.
     std::uint32_t last_sequence_ = 0, answered_ = 0, carried_over_ = 0;
     std::uint64_t sends_ = 0;  // of all connections
     std::set<std::uint32_t> spawns_asked_, spawned_;

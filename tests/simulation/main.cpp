@@ -67,10 +67,11 @@ int run(const Flags& flags) {
                 60 * static_cast<double>(simulation.ticks()) / seconds,
                 n(simulation.fingerprint()));
     std::printf(
-        "  %llu connections, %llu snapshots decoded, %llu of them compared; %llu inputs, %llu "
+        "  %llu connections (%llu resumed), %llu snapshots decoded, %llu of them compared; %llu "
+        "inputs, %llu "
         "applied, %llu refused, %llu bodies spawned\n",
-        n(t.connections), n(t.snapshots), n(t.frames_compared), n(t.inputs), n(t.applied),
-        n(t.refused), n(t.spawned));
+        n(t.connections), n(t.resumed), n(t.snapshots), n(t.frames_compared), n(t.inputs),
+        n(t.applied), n(t.refused), n(t.spawned));
     std::printf("  %llu hostile messages, %llu faults; %.0f MB at half of it, %.0f MB at the end\n",
                 n(t.hostile_messages), n(t.faults), half_mb, resident_mb());
     if (!simulation.complaint().empty()) {

@@ -94,6 +94,7 @@ void Simulation::tick() {
     now_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / hz));
     faults();
     server_->world->tick(now_);
+    server::end_lost_clients(server_->context, now_);
     frames_.push_back(server_->world->frame());
     if (frames_.size() > frames_kept) frames_.pop_front();
     serve_lines();
@@ -205,7 +206,7 @@ void Simulation::act_hostile() {
 // ---- what must be so when nobody is there ----
 
 bool Simulation::everybody_left() const {
-    return (!hostile_ || !hostile_->is_connected()) &&
+    return server_->context.resumes.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
            std::ranges::all_of(seats_, [](const Seat& seat) { return !seat.client; });
 }
 
@@ -244,8 +245,9 @@ std::uint64_t Simulation::fingerprint() const {
             add(std::bit_cast<std::uint64_t>(x));
     }
     for (const std::uint64_t count :
-         {tally_.connections, tally_.snapshots, tally_.inputs, tally_.applied, tally_.refused,
-          tally_.spawned, tally_.frames_compared, tally_.hostile_messages, tally_.faults})
+         {tally_.connections, tally_.resumed, tally_.snapshots, tally_.inputs, tally_.applied,
+          tally_.refused, tally_.spawned, tally_.frames_compared, tally_.hostile_messages,
+          tally_.faults})
         add(count);
     return hash;
 }

@@ -215,8 +215,6 @@ COVERED_BY = {
         (["physics/world/body_motion_test.cpp", "physics/world/body_settings_test.cpp"], "every call that pushes or changes a body"),
     "world/contact_view.cpp":
         (["physics/world/inspect_test.cpp"], "contacts awake and asleep, with their points"),
-    "world/query_source.cpp":
-        (["physics/world/query_test.cpp"], "the world and a copy of it give the same answers"),
 }
 
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"', re.S)

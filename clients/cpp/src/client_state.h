@@ -28,6 +28,7 @@ struct ClientState {
     std::optional<HeldMessages> incoming, outgoing;
     Clock::time_point connect_at{};
     Clock::duration pause = std::chrono::milliseconds(250);
+    std::optional<Clock::time_point> give_up_at;  // of a client that is gone
     bool over = false;
 };
 

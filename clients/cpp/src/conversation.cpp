@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "conversation.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace jostle::client {
@@ -12,7 +13,6 @@ constexpr std::size_t inputs_per_batch = 32;
 constexpr int quick_pings = 3;  // to have a clock soon
 constexpr auto quick_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
-constexpr std::size_t inputs_max = 4096;  // waiting; two seconds' worth of full batches is 1920
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
 constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
@@ -23,6 +23,15 @@ void write(v1::Interest& to, const Sight& from) {
     to.set_radius(from.radius);
 }
 
+v1::Aim* aim_of(v1::Input& input) {
+    if (input.has_impulse() && input.impulse().has_aim())
+        return input.mutable_impulse()->mutable_aim();
+    if (input.has_grab() && input.grab().has_aim()) return input.mutable_grab()->mutable_aim();
+    if (input.has_explode() && input.explode().has_aim())
+        return input.mutable_explode()->mutable_aim();
+    return nullptr;
+}
+
 }  // namespace
 
 void Conversation::begin(Clock::time_point now) {
@@ -30,11 +39,41 @@ void Conversation::begin(Clock::time_point now) {
     ack_due_ = need_keyframe_ = leave_sent_ = false;
     pings_sent_ = 0;
     next_ping_ = now;
+    if (resume_token_.empty()) begin_anew();
+}
+
+// The server counts each new client's inputs from 1.
+void Conversation::begin_anew() {
     buffer_.clear();
+    newest_ = {};
     clock_ = {};
-    // The server counts each stream's inputs from 1 anew.
-    next_unsent_ = 1;
-    next_sequence_ = 1 + static_cast<std::uint32_t>(inputs_.size());
+    inputs_.begin_anew();
+}
+
+void Conversation::abandon() {
+    inputs_.forget_waiting();
+    leaving_ = true;
+}
+
+void Conversation::on_welcome(const v1::Welcome& welcome) {
+    if (welcome.resumed())
+        stats_.inputs_sent -= inputs_.go_on_after(welcome.last_sequence());
+    else if (!resume_token_.empty())
+        begin_anew();
+    stats_.resumed += welcome.resumed() ? 1 : 0;
+    resume_token_ = welcome.resume_token();
+    if (welcome.continues()) {
+        view_.go_on(welcome);
+    } else {
+        view_.begin(welcome);
+        buffer_.clear();
+        newest_ = {};
+        input_clock_.begin(welcome.tick_hz());
+    }
+    tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
+    stats_.connected = true;
+    stats_.client_id = welcome.client_id();
+    ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_ms(), ack_ms_max));
 }
 
 void Conversation::ended(const Status& end) {
@@ -51,10 +90,15 @@ void Conversation::look_at(const Sight& sight) {
     sight_due_ = true;
 }
 
+v1::SeenMoment Conversation::shown_moment() const {
+    return client::shown_moment(newest_, buffer_.clock().shown_us(), tick_us_);
+}
+
 std::uint32_t Conversation::send(v1::Input input) {
-    if (inputs_.size() >= inputs_max) return 0;
-    inputs_.push_back(std::move(input));
-    return next_sequence_++;
+    if (v1::Aim* aim = aim_of(input);
+        aim && !aim->has_seen() && options_.aim_at_what_is_shown && newest_.frame != 0)
+        *aim->mutable_seen() = shown_moment();
+    return inputs_.push(std::move(input));
 }
 
 void Conversation::receive(const std::string& bytes, Clock::time_point now) {
@@ -67,12 +111,7 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     }
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
-            view_.begin(message_.welcome());
-            input_clock_.begin(message_.welcome().tick_hz());
-            stats_.connected = true;
-            stats_.client_id = message_.welcome().client_id();
-            ack_period_ = std::chrono::milliseconds(
-                std::min<std::uint32_t>(message_.welcome().ack_ms(), ack_ms_max));
+            on_welcome(message_.welcome());
             break;
         case v1::ServerMessage::kGeometry:
             if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
@@ -120,6 +159,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     ack_due_ = true;
     stats_.snapshots++;
     const WorldView::Times times = view_.times_of(snapshot);
+    newest_ = {snapshot.frame(), times.due_us};
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
     buffer_.add(view_.frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
                 times.still_until_us.has_value());
@@ -139,6 +179,7 @@ void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
 
 void Conversation::on_results(const v1::Private& own) {
     for (const v1::InputResult& result : own.results()) {
+        if (!inputs_.answered(result.sequence())) continue;
         if (result.code() == v1::INPUT_CODE_APPLIED)
             stats_.inputs_applied++;
         else
@@ -183,41 +224,44 @@ void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
 std::string Conversation::take_inputs(Clock::time_point now) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
-    batch.set_first_sequence(next_unsent_);
-    for (std::size_t k = 0; k < inputs_per_batch && !inputs_.empty(); k++) {
-        *batch.add_inputs() = std::move(inputs_.front());
-        inputs_.pop_front();
-        next_unsent_++;
-        stats_.inputs_sent++;
-    }
-    input_clock_.sent(next_unsent_ - 1);
+    stats_.inputs_sent += inputs_.take(batch, inputs_per_batch);
+    input_clock_.sent(inputs_.last_sent());
     put_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;
     return message.SerializeAsString();
 }
 
+v1::Hello Conversation::hello() const {
+    v1::Hello hello;
+    hello.set_protocol(protocol_version);
+    hello.set_world(options_.world);
+    hello.set_ticket(options_.ticket);
+    hello.set_name(options_.name);
+    hello.set_snapshot_hz(options_.snapshot_hz);
+    hello.set_spectator(options_.spectator);
+    hello.set_events(options_.events);
+    hello.set_codec(options_.codec);
+    for (const std::string& kind : options_.channels) hello.add_channels(kind);
+    hello.set_max_kbps(options_.max_kbps);
+    if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
+    hello.set_resumable(options_.resume && options_.reconnect);
+    if (!resume_token_.empty()) {
+        hello.mutable_resume()->set_token(resume_token_);
+        hello.mutable_resume()->set_frame(view_.frame().frame);
+    }
+    return hello;
+}
+
 std::optional<std::string> Conversation::take_message(Clock::time_point now) {
     v1::ClientMessage message;
     if (hello_due_) {
-        hello_due_ = false;
-        v1::Hello& hello = *message.mutable_hello();
-        hello.set_protocol(protocol_version);
-        hello.set_world(options_.world);
-        hello.set_ticket(options_.ticket);
-        hello.set_name(options_.name);
-        hello.set_snapshot_hz(options_.snapshot_hz);
-        hello.set_spectator(options_.spectator);
-        hello.set_events(options_.events);
-        hello.set_codec(options_.codec);
-        for (const std::string& kind : options_.channels) hello.add_channels(kind);
-        hello.set_max_kbps(options_.max_kbps);
-        if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
-        sight_due_ = false;
+        hello_due_ = sight_due_ = false;
+        *message.mutable_hello() = hello();
         return message.SerializeAsString();
     }
     if (!stats_.connected || leave_sent_) return std::nullopt;
-    if (!inputs_.empty() && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (!inputs_.none_waits() && now - last_batch_ >= batch_period) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
                                                         : Clock::duration(ping_period));
@@ -234,8 +278,9 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         return message.SerializeAsString();
     }
     // Goodbye comes last, after every input.
-    if (leaving_ && inputs_.empty()) {
+    if (leaving_ && inputs_.none_waits()) {
         leave_sent_ = true;
+        resume_token_.clear();
         message.mutable_leave();
         return message.SerializeAsString();
     }

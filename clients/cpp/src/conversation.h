@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "input_queue.h"
 #include "jostle/base/result.h"
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/input_clock.h"
 #include "jostle/client/interpolation.h"
+#include "jostle/client/shown_moment.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
@@ -23,7 +25,8 @@ class Conversation {
 public:
     explicit Conversation(ClientOptions options) : options_(std::move(options)) {}
 
-    // A new stream: hello goes first. Inputs that were not sent yet stay queued.
+    // A new stream: hello goes first. Inputs that were not sent yet stay queued. After a stream
+    // that was lost it asks to be the client that it was.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
     // The stream ended, in order or not.
@@ -32,9 +35,14 @@ public:
     std::optional<std::string> take_message(Clock::time_point now);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
+    // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
+    // none.
+    v1::SeenMoment shown_moment() const;
     void look_at(const Sight& sight);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
+    // The same, and at once: what waits is not sent.
+    void abandon();
     bool leaving() const { return leaving_; }
     // Hello was answered and the Leave, if any, was handed out.
     bool leave_sent() const { return leave_sent_; }
@@ -51,6 +59,9 @@ public:
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
+    void begin_anew();
+    v1::Hello hello() const;
+    void on_welcome(const v1::Welcome& welcome);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::Private& own);
@@ -70,14 +81,15 @@ private:
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely
-    std::deque<v1::Input> inputs_;
-    std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
-    std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    InputQueue inputs_;
+    std::string resume_token_;  // empty: it has no place that it could come back to
     bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one
     bool keyframe_wanted_ = false;  // it can, and somebody asked for one
     Clock::duration ack_period_{};
+    NewestFrame newest_;
+    double tick_us_ = 0;
     bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
     Clock::time_point last_batch_{}, last_ack_{}, next_ping_{}, decoded_at_{};

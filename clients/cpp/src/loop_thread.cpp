@@ -13,6 +13,7 @@ constexpr auto usual_period = std::chrono::milliseconds(5);
 // Messages of a bad link arrive when it says so, not when something else happens.
 constexpr auto bad_link_period = std::chrono::milliseconds(1);
 constexpr auto longest_pause = std::chrono::seconds(5);
+constexpr auto goodbye_patience = std::chrono::milliseconds(100);
 
 // Of a stream that nobody here wanted to end.
 Error why_it_ended(const Status& end) {
@@ -129,13 +130,23 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         client.connection = std::make_unique<Connection>(options, queue_, &client);
         return;
     }
-    if (client.gone) client.connection->cancel();
+    if (client.gone) give_up(client, now);
     if (client.connection->finished()) {
         if (client.connection->idle()) after_end(client, now);
         return;
     }
     receive(client, now);
     write(client, now);
+}
+
+// It says goodbye if that can be done at once, so that the server keeps no place for it.
+void LoopThread::give_up(ClientState& client, Clock::time_point now) {
+    if (!client.give_up_at) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.abandon();
+        client.give_up_at = client.conversation.stats().connected ? now + goodbye_patience : now;
+    }
+    if (now >= *client.give_up_at) client.connection->cancel();
 }
 
 void LoopThread::after_end(ClientState& client, Clock::time_point now) {

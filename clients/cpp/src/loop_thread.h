@@ -30,6 +30,7 @@ private:
     void write(ClientState& client, Clock::time_point now);
     Clock::duration housekeeping_period() const;
     void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
+    void give_up(ClientState& client, Clock::time_point now);
     void after_end(ClientState& client, Clock::time_point now);
     void drain();
 

@@ -25,6 +25,11 @@ void WorldView::begin(const v1::Welcome& welcome) {
     unfinished_ = {};
 }
 
+void WorldView::go_on(const v1::Welcome& welcome) {
+    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    unfinished_ = {};
+}
+
 Status WorldView::apply(const v1::GeometryPart& part) {
     const auto failed = [&](const std::string& why) {
         unfinished_ = {};

@@ -140,6 +140,23 @@ describe('connection', () => {
     expect(connection.snapshots).toBe(1);
   });
 
+  it('sees a flipped bit by the CRC, asks for a keyframe once and is right again', () => {
+    welcome();
+    sockets[0]!.take();
+    const give = (frame: number, bases: number, bytes: number[], crc = 0) =>
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, bases, packed: new Uint8Array(bytes), crc } } });
+    give(50, 0, [0, 0]); // a world without bodies
+    give(51, 1 | (255 << 8), [0, 0x40]); // one bit of its zeros
+    give(52, 1 | (255 << 8), [0, 0]); // against the one that was not understood
+    expect(connection.decodeErrors).toBe(1);
+    expect(connection.frames.newest?.frame).toBe(50);
+    const asked = sockets[0]!.take().flatMap((m) => (m.case === 'ack' && m.value.needKeyframe ? [m.value.frame] : []));
+    expect(asked).toEqual([50, 50]);
+    give(53, 0, [0, 0]);
+    expect(connection.frames.newest?.frame).toBe(53);
+    expect(connection.decodeErrors).toBe(1);
+  });
+
   it('keeps what modules tell with each frame, and nothing stale after a loss', () => {
     welcome();
     const golden = goldenChannels();
@@ -193,6 +210,33 @@ describe('connection', () => {
     expect(sockets.length).toBe(2);
     vi.advanceTimersByTime(200);
     expect(sockets.length).toBe(3);
+  });
+
+  it('comes back as the client that it was: its frames, and the inputs that did not come', () => {
+    const token = new Uint8Array([1, 2, 3]);
+    sockets[0]!.give({ message: { case: 'welcome', value: { clientId: 7, resumeToken: token } } });
+    sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 50, packed: new Uint8Array(2) } } });
+    for (let i = 0; i < 3; i++) connection.send({ kind: { case: 'release', value: {} } });
+    vi.advanceTimersByTime(34);
+    sockets[0]!.onclose?.({ code: 1006, reason: '' });
+    vi.advanceTimersByTime(251);
+    sockets[1]!.onopen?.();
+    expect(sockets[1]!.take()[0]).toMatchObject({
+      case: 'hello',
+      value: { resumable: true, resume: { token, frame: 50 } },
+    });
+    const back = { clientId: 7, resumeToken: token, resumed: true, continues: true, lastSequence: 1 };
+    sockets[1]!.give({ message: { case: 'welcome', value: back } });
+    vi.advanceTimersByTime(34);
+    const [batch] = sockets[1]!.take().filter((m) => m.case === 'input');
+    expect([batch!.value.firstSequence, batch!.value.inputs.length]).toEqual([2, 2]);
+    sockets[1]!.give({ message: { case: 'snapshot', value: { frame: 53, bases: 3 | (255 << 8), packed: new Uint8Array(2) } } });
+    expect(connection.frames.newest?.frame).toBe(53);
+    expect([connection.decodeErrors, connection.resumed]).toEqual([0, 1]);
+    connection.join('pyramid'); // who leaves has no place to come back to
+    sockets[2]!.onopen?.();
+    const [hello] = sockets[2]!.take().flatMap((m) => (m.case === 'hello' ? [m.value] : []));
+    expect([hello!.world, hello!.resume]).toEqual(['pyramid', undefined]);
   });
 
   it('takes five seconds of silence for a loss', () => {

@@ -17,8 +17,10 @@ import { SeenCells } from './seen_cells';
 import type { Sight } from './sight';
 import { FrameBuffer, type PoseFrame } from './frame_buffer';
 import { InputClock } from './input_clock';
+import { InputQueue } from './input_queue';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
+import { shownMoment } from './shown_moment';
 import { decodeChannels } from './channels';
 import {
   AckSchema,
@@ -106,8 +108,9 @@ export class Connection {
   private codec = 1; // of snapshots
   private readonly cells = new SeenCells();
   private focus = { x: 0, z: 0 };
-  private inputs: Input[] = [];
-  private nextSequence = 1;
+  private readonly inputs = new InputQueue<Input>();
+  private resumeToken = new Uint8Array(0); // empty: it has no place that it could come back to
+  resumed = 0; // connections in which it was the client that it was before
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -148,6 +151,7 @@ export class Connection {
 
   stop(): void {
     if (this.state === 'playing') this.sendMessage({ case: 'leave', value: {} });
+    this.resumeToken = new Uint8Array(0);
     clearTimeout(this.retry);
     this.dropSocket();
     this.setState('stopped', '');
@@ -172,14 +176,29 @@ export class Connection {
     if (this.state !== 'playing') return;
     const now = nowUs();
     const tick = this.foresees && this.inputClock.ready ? this.inputClock.tick(now) : 0;
-    const input = tick > 0 ? { ...given, tick } : given;
+    const input = this.aimedAtWhatIsShown(tick > 0 ? { ...given, tick } : given);
     // Dragging makes many targets; of a tick only the newest that has not been sent matters.
-    const last = this.inputs[this.inputs.length - 1];
-    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.pop();
-    this.inputs.push(input);
-    this.foresees?.input(this.nextSequence + this.inputs.length - 1, tick, input);
+    const last = this.inputs.last;
+    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
+    else this.inputs.push(input);
+    this.foresees?.input(this.inputs.newest, tick, input);
     // What waits for its batch needs a longer lead.
     if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
+  }
+
+  /** What the last picture shows; absent before the first frame. */
+  shownMoment() {
+    return shownMoment(this.frames.newest, this.renderClock.shownUs, this.welcome?.tickHz ?? 0);
+  }
+
+  /** An aim that names no moment gets that of the picture, so that the server judges it by what was seen. */
+  private aimedAtWhatIsShown(input: Input): Input {
+    const { kind } = input;
+    if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;
+    const { aim } = kind.value;
+    if (!aim || aim.seen) return input;
+    const value = { ...kind.value, aim: { ...aim, seen: this.shownMoment() } };
+    return { ...input, kind: { case: kind.case, value } } as Input;
   }
 
   private setState(state: State, why: string): void {
@@ -209,6 +228,8 @@ export class Connection {
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.sight?.maxKbps ?? 0,
         ...(this.sight ? { interest: this.interest(this.sight) } : {}),
+        resumable: true,
+        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
       };
       this.sendMessage({ case: 'hello', value: hello });
     };
@@ -234,6 +255,12 @@ export class Connection {
     }
   }
 
+  /** Something is wrong with what it knows. */
+  private beginAnew(why: string): void {
+    this.resumeToken = new Uint8Array(0);
+    this.comeBack(why);
+  }
+
   private comeBack(why: string): void {
     this.dropSocket();
     if (this.playingSince > 0 && nowUs() - this.playingSince > SETTLED_MS * 1000) this.attempt = 0;
@@ -253,13 +280,13 @@ export class Connection {
     try {
       message = fromBinary(ServerMessageSchema, bytes).message;
     } catch {
-      return this.comeBack('the server sent what this viewer cannot read');
+      return this.beginAnew('the server sent what this viewer cannot read');
     }
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'geometry':
-        if (!this.largeShapes.add(message.value)) this.comeBack('the server sent a shape that this viewer cannot read');
+        if (!this.largeShapes.add(message.value)) this.beginAnew('the server sent a shape that this viewer cannot read');
         return;
       case 'roster':
         return this.onEntityList(message.value);
@@ -288,6 +315,23 @@ export class Connection {
       this.dropSocket();
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
+    this.resumeToken = new Uint8Array(welcome.resumeToken);
+    if (welcome.resumed) this.inputs.goOnAfter(welcome.lastSequence);
+    else this.inputs.beginAnew();
+    this.resumed += welcome.resumed ? 1 : 0;
+    if (!welcome.continues) {
+      this.forgetTheWorld(welcome);
+      this.foresees?.begin(welcome);
+    }
+    this.needKeyframe = this.ackDue = false;
+    this.lastAck = this.decodedAt = 0;
+    this.lastPing = 0;
+    this.playingSince = nowUs();
+    this.setState('playing', '');
+    this.pump();
+  }
+
+  private forgetTheWorld(welcome: Welcome): void {
     this.frames.clear();
     this.cells.clear();
     this.renderClock.reset();
@@ -295,15 +339,6 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
-    this.inputs = [];
-    this.nextSequence = 1;
-    this.needKeyframe = this.ackDue = false;
-    this.lastAck = this.decodedAt = 0;
-    this.lastPing = 0;
-    this.playingSince = nowUs();
-    this.foresees?.begin(welcome);
-    this.setState('playing', '');
-    this.pump();
   }
 
   private onEntityList(change: Roster): void {
@@ -326,7 +361,7 @@ export class Connection {
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
     for (const result of s.own?.results ?? [])
-      if (result.code !== InputCode.APPLIED) this.events.refused(result);
+      if (this.inputs.answered(result.sequence) && result.code !== InputCode.APPLIED) this.events.refused(result);
     if (s.stats) this.events.stats(s.stats);
     for (const tick of s.events) this.events.happened(tick);
     // An ack that waited long for the next batch would make the way look long.
@@ -425,11 +460,9 @@ export class Connection {
   }
 
   private sendInputs(now: number): void {
-    const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
-    const firstSequence = this.nextSequence;
-    this.nextSequence += inputs.length;
+    const { firstSequence, inputs } = this.inputs.take(INPUTS_PER_BATCH);
     this.lastBatch = now;
-    this.inputClock.sent(this.nextSequence - 1);
+    this.inputClock.sent(this.inputs.lastSent);
     const clientTimeUs = Math.floor(now) % 2 ** 32;
     this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
   }

@@ -51,14 +51,15 @@ export function topAt(view: SceneView, x: number, z: number): number | undefined
   return pickDrawn(view, down)?.point.y;
 }
 
-/** In the server's world; undefined when the server does not say. */
+/** In the server's world, as it was in the picture if that is given; undefined when the server does not say. */
 export async function pickAsked(
   queries: Queries,
   { origin, direction }: THREE.Ray,
+  seen?: { tick: number; fraction: number },
 ): Promise<{ hit: Pick | undefined } | undefined> {
   const motion = direction.clone().multiplyScalar(REACH);
   const xyz = ({ x, y, z }: THREE.Vector3) => ({ x, y, z });
-  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }] });
+  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }], seen });
   if (!answer) return undefined;
   const hit = answer.rays[0]?.hits[0];
   if (!hit) return { hit: undefined };

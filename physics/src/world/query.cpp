@@ -37,8 +37,7 @@ std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
                                     const QueryFilter& filter) {
     std::vector<std::uint32_t> found;
     found.reserve(16);
-    source.fixed().query(box, filter.categories, found);
-    source.moving().query(box, filter.categories, found);
+    source.query(box, filter.categories, found);
     for (const std::uint32_t plane : source.planes())
         if (reaches(source.shape(plane).placed, box)) found.push_back(plane);
     std::sort(found.begin(), found.end());
@@ -87,8 +86,7 @@ void along_ray(const QuerySource& source, const Ray& ray, const QueryFilter& fil
         const auto hit = physics::cast_ray(shape.placed, ray.origin, ray.motion);
         return hit ? visit(shape, *hit, limit) : limit;
     };
-    source.fixed().cast_ray(ray.origin, ray.motion, filter.categories, look);
-    source.moving().cast_ray(ray.origin, ray.motion, filter.categories, look);
+    source.cast_ray(ray.origin, ray.motion, filter.categories, look);
     for (const std::uint32_t plane : source.planes()) look(plane, 1);
 }
 

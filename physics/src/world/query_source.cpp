@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "world/query_source.h"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "collision/broadphase/dynamic_tree.h"
+#include "geometry/bounds.h"
 #include "jostle/physics/world.h"
 #include "state/world_state.h"
+#include "world/checks.h"
 
 namespace jostle::physics {
 namespace {
@@ -13,21 +20,46 @@ QueryShape shape_at(const WorldState& world, std::uint32_t index) {
             s.filter, s.trigger};
 }
 
-class LiveSource final : public QuerySource {
+// What has the two broad phases of a world.
+class IndexedSource : public QuerySource {
+public:
+    void query(const Aabb& box, std::uint32_t categories,
+               std::vector<std::uint32_t>& found) const override {
+        fixed().query(box, categories, found);
+        moving().query(box, categories, found);
+    }
+    void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t categories,
+                  const BroadPhaseIndex::RayVisit& visit) const override {
+        fixed().cast_ray(origin, motion, categories, visit);
+        moving().cast_ray(origin, motion, categories, visit);
+    }
+
+private:
+    virtual const BroadPhaseIndex& fixed() const = 0;
+    virtual const BroadPhaseIndex& moving() const = 0;
+};
+
+class LiveSource final : public IndexedSource {
 public:
     explicit LiveSource(const WorldState& world) : world_(world) {}
     std::uint64_t step() const override { return world_.steps; }
     QueryShape shape(std::uint32_t index) const override { return shape_at(world_, index); }
-    const BroadPhaseIndex& fixed() const override { return *world_.shapes.statics; }
-    const BroadPhaseIndex& moving() const override { return *world_.shapes.moving; }
+    std::optional<QueryShape> find(ShapeId id) const override {
+        if (!world_.shapes.ids.alive(id.index) || shape_id(world_, id.index) != id)
+            return std::nullopt;
+        return shape_at(world_, id.index);
+    }
     const std::vector<std::uint32_t>& planes() const override { return world_.shapes.planes; }
 
 private:
+    const BroadPhaseIndex& fixed() const override { return *world_.shapes.statics; }
+    const BroadPhaseIndex& moving() const override { return *world_.shapes.moving; }
+
     const WorldState& world_;
 };
 
 // Owns all that it shows; geometry that is shared stays shared.
-class CopiedSource final : public QuerySource {
+class CopiedSource final : public IndexedSource {
 public:
     explicit CopiedSource(const WorldState& world)
         : step_(world.steps), planes_(world.shapes.planes) {
@@ -47,16 +79,66 @@ public:
     }
     std::uint64_t step() const override { return step_; }
     QueryShape shape(std::uint32_t index) const override { return shapes_[index]; }
-    const BroadPhaseIndex& fixed() const override { return *fixed_; }
-    const BroadPhaseIndex& moving() const override { return *moving_; }
+    std::optional<QueryShape> find(ShapeId id) const override {
+        if (id.index >= shapes_.size() || is_null(id) || shapes_[id.index].shape != id)
+            return std::nullopt;
+        return shapes_[id.index];
+    }
     const std::vector<std::uint32_t>& planes() const override { return planes_; }
 
 private:
+    const BroadPhaseIndex& fixed() const override { return *fixed_; }
+    const BroadPhaseIndex& moving() const override { return *moving_; }
+
     std::uint64_t step_;
     std::vector<std::uint32_t> planes_;
     std::vector<Geometry> geometry_;
     std::vector<QueryShape> shapes_;
     std::unique_ptr<BroadPhaseIndex> fixed_, moving_;
+};
+
+// Some shapes of another source, elsewhere.
+class PlacedSource final : public QuerySource {
+public:
+    PlacedSource(std::shared_ptr<const QuerySource> of, std::vector<ShapePlacement> placements)
+        : of_(std::move(of)) {
+        std::ranges::sort(placements, {}, &ShapePlacement::shape);
+        shapes_.reserve(placements.size());
+        for (const ShapePlacement& there : placements) {
+            std::optional<QueryShape> shape = of_->find(there.shape);
+            if (!shape) continue;
+            const auto number = static_cast<std::uint32_t>(shapes_.size());
+            shape->placed = placed(*shape->placed.geometry, there.pose);
+            shapes_.push_back(*shape);
+            if (kind_of(*shape->placed.geometry) == ShapeKind::plane)
+                planes_.push_back(number);
+            else
+                tree_.add(bounds_of(shape->placed), number, shape->filter.category);
+        }
+        tree_.rebuild();
+    }
+    std::uint64_t step() const override { return of_->step(); }
+    QueryShape shape(std::uint32_t number) const override { return shapes_[number]; }
+    std::optional<QueryShape> find(ShapeId id) const override {
+        const auto at = std::ranges::lower_bound(shapes_, id, {}, &QueryShape::shape);
+        if (at == shapes_.end() || at->shape != id) return std::nullopt;
+        return *at;
+    }
+    void query(const Aabb& box, std::uint32_t categories,
+               std::vector<std::uint32_t>& found) const override {
+        tree_.query(box, categories, [&](std::uint32_t number) { found.push_back(number); });
+    }
+    void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t categories,
+                  const BroadPhaseIndex::RayVisit& visit) const override {
+        tree_.cast_ray(origin, motion, categories, visit);
+    }
+    const std::vector<std::uint32_t>& planes() const override { return planes_; }
+
+private:
+    std::shared_ptr<const QuerySource> of_;  // has the geometry
+    std::vector<QueryShape> shapes_;         // by id
+    std::vector<std::uint32_t> planes_;
+    DynamicTree tree_;
 };
 
 }  // namespace
@@ -67,6 +149,15 @@ Queries World::queries() const {
 
 Queries World::query_frame() const {
     return Queries(std::make_shared<const CopiedSource>(*state_));
+}
+
+Result<Queries> Queries::with_shapes_at(std::vector<ShapePlacement> shapes) const {
+    for (std::size_t k = 0; k < shapes.size(); k++) {
+        if (const Status s = check_pose("pose", shapes[k].pose); !s.ok())
+            return Error{s.error().code, "shapes[" + std::to_string(k) + "]." + s.error().message};
+        shapes[k].pose.rotation = unit(shapes[k].pose.rotation);
+    }
+    return Queries(std::make_shared<const PlacedSource>(source_, std::move(shapes)));
 }
 
 }  // namespace jostle::physics

@@ -64,7 +64,7 @@ struct Play {
         physics::World other = std::move(*physics::World::create({}));
         point.restore(other).expect();
         const HostImage image = *decode_host_image(encode_host_image(world.image(tick)));
-        return {std::move(*HostedWorld::restore(std::move(other), image, limits(), 0)), tick};
+        return {std::move(*HostedWorld::restore(std::move(other), image, limits(), 60, 0)), tick};
     }
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
 };
@@ -100,7 +100,7 @@ TEST(HostImage, an_input_that_was_counted_is_not_applied_again) {
 TEST(HostImage, of_another_world_it_is_refused) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     const Error error = error_of(HostedWorld::restore(std::move(*physics::World::create({})),
-                                                      run.world.image(0), Play::limits(), 0));
+                                                      run.world.image(0), Play::limits(), 60, 0));
     EXPECT_EQ(error.code, ErrorCode::corrupt_data);
     EXPECT_EQ(error.message, "entity 1 is kept, but the world lacks its body");
 }

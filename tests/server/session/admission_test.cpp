@@ -72,8 +72,24 @@ TEST(Admission, every_number_is_checked_and_named) {
         refuses("center", ExplodeCommand{{bad, 0, 0}, 1, 1});
         refuses("radius", ExplodeCommand{{}, bad, 1});
         refuses("speed", ExplodeCommand{{}, 1, bad});
+        refuses("aim.origin", ImpulseCommand{.aim = Aim{{bad, 0, 0}, {0, 0, 1}}});
+        refuses("aim.motion", GrabCommand{.aim = Aim{{}, {0, bad, 0}}});
+        refuses("aim.seen.fraction",
+                ExplodeCommand{.radius = 1,
+                               .speed = 1,
+                               .aim = Aim{.motion = {0, 0, 1}, .seen = SeenMoment{1, bad}}});
         refuses("axes", ControlCommand{{.axes = {0, 0, bad}}});
     }
+}
+
+TEST(Admission, an_aim_stands_for_entity_and_point_and_needs_a_length) {
+    EXPECT_TRUE(
+        check_numbers(ImpulseCommand{.impulse = {1, 0, 0}, .aim = Aim{.motion = {0, 0, 2000}}})
+            .ok());
+    EXPECT_EQ(error_of(check_numbers(GrabCommand{.aim = Aim{}})).message,
+              "aim.motion is zero; it must have a length");
+    EXPECT_EQ(error_of(check_numbers(GrabCommand{.aim = Aim{.motion = {0, 0, 2001}}})).message,
+              "aim.motion is 2001 long; at most 2000 is allowed");
 }
 
 TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {

@@ -34,8 +34,9 @@ public:
 
     // Queues an input and returns its sequence number. Returns 0 and does not take the input when
     // 4096 wait already, because the server is away or slow. Up to 32 leave together, thirty times
-    // a second. Numbers begin anew with each connection: what was not sent before a reconnect is
-    // sent after it under a new number.
+    // a second. What was not sent when a connection broke, or did not come, is sent by the next
+    // one: under its number if the client was resumed, else under new ones from 1, and then only
+    // what was not sent.
     std::uint32_t send(v1::Input input);
     // For inputs that name their tick: where the InputClock is, in ticks, and the next whole one. 0
     // before it is known.
@@ -55,6 +56,9 @@ public:
     void read(const std::function<void(const WorldView&)>& reader) const;
     // Poses to draw now: InterpolationBuffer::sample(). Once a picture, with times that rise.
     std::vector<SmoothPose> interpolated(Clock::time_point now);
+    // The moment that the last picture showed, for Aim.seen and QueryOptions::seen; for who draws
+    // none that of the newest frame. Tick 0: there is none yet.
+    v1::SeenMoment shown_moment() const;
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of

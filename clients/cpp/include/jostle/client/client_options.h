@@ -43,9 +43,15 @@ struct ClientOptions {
     std::optional<Sight> sight = {};
     // Connects again after a stream that ended, with pauses that grow to 5 s.
     bool reconnect = true;
+    // Is then the client that it was: the same id, its bodies, no input lost or applied twice, and
+    // snapshots that go on from the last one. The server keeps its place for a while.
+    bool resume = true;
     // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
     // client can foresee what it does. Costs about a tick of delay.
     bool timed_inputs = false;
+    // An Aim that names no moment gets that of the last picture (Client::shown_moment), so that the
+    // server judges it by what was seen. Else it is judged by the world as it is when it arrives.
+    bool aim_at_what_is_shown = true;
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
     LinkSettings link = {};

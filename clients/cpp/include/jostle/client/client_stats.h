@@ -17,6 +17,7 @@ struct ClientStats {
     // Messages that were none, and snapshots that did not decode or whose CRC did not match. Those
     // that follow while a keyframe is on its way are not counted.
     std::uint64_t decode_errors = 0;
+    std::uint64_t resumed = 0;          // streams in which it was the client that it was before
     std::uint64_t stream_failures = 0;  // streams that ended though nobody here wanted it
     double rtt_ms = 0;                  // see ClockSync
     double input_margin_ms = 0;         // see InputClock; of inputs that name no tick: their wait

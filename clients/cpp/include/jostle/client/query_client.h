@@ -27,6 +27,8 @@ struct QueryOptions {
     std::uint32_t categories = 0xffffffff;  // shapes whose category has a bit in here are seen
     bool triggers = false;                  // whether triggers are seen
     std::uint32_t ignore = 0;               // an entity that is not seen; 0: all are
+    // When the world was as it is asked about (Client::shown_moment()); nothing: now.
+    std::optional<v1::SeenMoment> seen = {};
 };
 
 struct RayHit {
@@ -47,7 +49,9 @@ struct Nearest {
 template <class Value>
 struct Answer {
     Value value{};
-    std::uint32_t tick = 0;  // of the state that was asked: at most a few ticks old
+    std::uint32_t tick =
+        0;  // of the state that was asked: at most a few ticks old, or as of `seen`
+    bool moment_clamped = false;  // `seen` was too long ago: the oldest that the server had
 };
 
 class QueryClient {

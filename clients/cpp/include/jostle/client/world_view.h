@@ -31,6 +31,8 @@ public:
 
     // A new stream: everything is forgotten.
     void begin(const v1::Welcome& welcome);
+    // A stream that goes on where another one broke: all that is known still counts.
+    void go_on(const v1::Welcome& welcome);
     // A piece of a large shape. An error: it does not follow the piece before.
     Status apply(const v1::GeometryPart& part);
     // Who came and who went.

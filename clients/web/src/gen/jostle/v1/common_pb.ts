@@ -12,7 +12,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/common.proto.
  */
 export const file_jostle_v1_common: GenFile = /*@__PURE__*/
-  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAFiBnByb3RvMw");
+  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAEiLAoKU2Vlbk1vbWVudBIMCgR0aWNrGAEgASgNEhAKCGZyYWN0aW9uGAIgASgCYgZwcm90bzM");
 
 /**
  * @generated from message jostle.v1.Vec3
@@ -74,4 +74,30 @@ export type Quat = Message<"jostle.v1.Quat"> & {
  */
 export const QuatSchema: GenMessage<Quat> = /*@__PURE__*/
   messageDesc(file_jostle_v1_common, 1);
+
+/**
+ * The world as a client saw it: so far on the way from a tick to the next one.
+ *
+ * @generated from message jostle.v1.SeenMoment
+ */
+export type SeenMoment = Message<"jostle.v1.SeenMoment"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * 0 to 1
+   *
+   * @generated from field: float fraction = 2;
+   */
+  fraction: number;
+};
+
+/**
+ * Describes the message jostle.v1.SeenMoment.
+ * Use `create(SeenMomentSchema)` to create a new message.
+ */
+export const SeenMomentSchema: GenMessage<SeenMoment> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_common, 2);
 

@@ -7,7 +7,7 @@
 
 import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobuf/codegenv2";
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
-import type { Quat, Vec3 } from "./common_pb";
+import type { Quat, SeenMoment, Vec3 } from "./common_pb";
 import { file_jostle_v1_common } from "./common_pb";
 import type { BodyType, Shape } from "./scene_pb";
 import { file_jostle_v1_scene } from "./scene_pb";
@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLnAQoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdCI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIpcDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIMCgR0aWNrGA8gASgNQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIh4KDFBvc3Nlc3NJbnB1dBIOCgZlbnRpdHkYASABKA0iLQoMQ29udHJvbElucHV0EgwKBGF4ZXMYASADKBESDwoHYnV0dG9ucxgCIAEoDSI8CgNBY2sSDQoFZnJhbWUYASABKA0SFQoNbmVlZF9rZXlmcmFtZRgCIAEoCBIPCgdoZWxkX21zGAMgASgNIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByLTAgoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJFCgxHZW9tZXRyeVBhcnQSCgoCaWQYASABKAYSDAoEcGFydBgCIAEoDRINCgVwYXJ0cxgDIAEoDRIMCgRkYXRhGAQgASgMIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSK0AQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhAKCGRyaXZhYmxlGAggASgIQggKBl9jb2xvciKAAwoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SDQoFYmFzZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxINCgVzdGlsbBgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGUSIgoFY2VsbHMYECADKAsyEy5qb3N0bGUudjEuQ2VsbFBhcnQSEgoKY2VsbHNfbGVmdBgRIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyKbAQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNEicKB3Jlc3VsdHMYBCADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQSFwoPaW5wdXRfbWFyZ2luX3VzGAcgASgRInIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKdAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglyZXN1bWFibGUYPCABKAgSIQoGcmVzdW1lGD0gASgLMhEuam9zdGxlLnYxLlJlc3VtZSImCgZSZXN1bWUSDQoFdG9rZW4YASABKAwSDQoFZnJhbWUYAiABKA0iOgoISW50ZXJlc3QSHgoFZm9jdXMYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAEiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKXAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASDAoEdGljaxgPIAEoDUIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IifAoDQWltEh8KBm9yaWdpbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm1vdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBmlnbm9yZRgDIAEoDRIjCgRzZWVuGAQgASgLMhUuam9zdGxlLnYxLlNlZW5Nb21lbnQifQoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltIlgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNImsKDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAESGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iPAoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSDwoHaGVsZF9tcxgDIAEoDSIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIrICCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEiMKBnJvc3RlchgCIAEoCzIRLmpvc3RsZS52MS5Sb3N0ZXJIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlSgQIBBAFSgQIBhAHSgQICBAJUg1pbnB1dF9yZXN1bHRzUgVzdGF0c1IGZXZlbnRzIlQKCENlbGxQYXJ0EgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEg0KBWJhc2VzGAMgASgNEg4KBnBhY2tlZBgEIAEoDBILCgNjcmMYBSABKAcivAMKB1dlbGNvbWUSEQoJY2xpZW50X2lkGAEgASgNEhAKCHdvcmxkX2lkGAIgASgJEhIKCndvcmxkX25hbWUYAyABKAkSDAoEdGljaxgEIAEoDRIPCgd0aWNrX2h6GAUgASgBEhMKC3NuYXBzaG90X2h6GAYgASgNEhIKCmFja193aW5kb3cYByABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIOCgZhY2tfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3IigAMKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEg0KBWJhc2VzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSDQoFc3RpbGwYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlEiIKBWNlbGxzGBAgAygLMhMuam9zdGxlLnYxLkNlbGxQYXJ0EhIKCmNlbGxzX2xlZnQYESADKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMimwEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoESKKAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIWCg5tb21lbnRfY2xhbXBlZBgGIAEoCCI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhYKEkNIQU5ORUxfRk9STV9GSUVMRBADEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -163,6 +163,21 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: jostle.v1.Interest interest = 14;
    */
   interest?: Interest | undefined;
+
+  /**
+   * It will come back if its connection breaks: until then its place is kept for a while (Welcome.resume_seconds), its bodies
+   * stay, its hand lets go and its controls are as if it held nothing. One that says Leave has left.
+   *
+   * @generated from field: bool resumable = 60;
+   */
+  resumable: boolean;
+
+  /**
+   * it comes back; absent: it is new
+   *
+   * @generated from field: jostle.v1.Resume resume = 61;
+   */
+  resume?: Resume | undefined;
 };
 
 /**
@@ -171,6 +186,34 @@ export type Hello = Message<"jostle.v1.Hello"> & {
  */
 export const HelloSchema: GenMessage<Hello> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 1);
+
+/**
+ * Of a stream that was lost.
+ *
+ * @generated from message jostle.v1.Resume
+ */
+export type Resume = Message<"jostle.v1.Resume"> & {
+  /**
+   * Welcome.resume_token
+   *
+   * @generated from field: bytes token = 1;
+   */
+  token: Uint8Array;
+
+  /**
+   * the last snapshot that was decoded; 0: none, or it was forgotten
+   *
+   * @generated from field: uint32 frame = 2;
+   */
+  frame: number;
+};
+
+/**
+ * Describes the message jostle.v1.Resume.
+ * Use `create(ResumeSchema)` to create a new message.
+ */
+export const ResumeSchema: GenMessage<Resume> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 2);
 
 /**
  * What a client looks at: it is told of the cells of the world within the radius, of those beyond half of it every second
@@ -200,7 +243,7 @@ export type Interest = Message<"jostle.v1.Interest"> & {
  * Use `create(InterestSchema)` to create a new message.
  */
 export const InterestSchema: GenMessage<Interest> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 2);
+  messageDesc(file_jostle_v1_play, 3);
 
 /**
  * Inputs of a client carry rising numbers from 1. The server applies each at most once and answers each with one
@@ -239,7 +282,7 @@ export type InputBatch = Message<"jostle.v1.InputBatch"> & {
  * Use `create(InputBatchSchema)` to create a new message.
  */
 export const InputBatchSchema: GenMessage<InputBatch> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 3);
+  messageDesc(file_jostle_v1_play, 4);
 
 /**
  * @generated from message jostle.v1.Input
@@ -317,7 +360,7 @@ export type Input = Message<"jostle.v1.Input"> & {
  * Use `create(InputSchema)` to create a new message.
  */
 export const InputSchema: GenMessage<Input> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 4);
+  messageDesc(file_jostle_v1_play, 5);
 
 /**
  * @generated from message jostle.v1.SpawnInput
@@ -363,7 +406,53 @@ export type SpawnInput = Message<"jostle.v1.SpawnInput"> & {
  * Use `create(SpawnInputSchema)` to create a new message.
  */
 export const SpawnInputSchema: GenMessage<SpawnInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 5);
+  messageDesc(file_jostle_v1_play, 6);
+
+/**
+ * What the client points at: the first thing that the ray meets, triggers left out.
+ *
+ * @generated from message jostle.v1.Aim
+ */
+export type Aim = Message<"jostle.v1.Aim"> & {
+  /**
+   * m
+   *
+   * @generated from field: jostle.v1.Vec3 origin = 1;
+   */
+  origin?: Vec3 | undefined;
+
+  /**
+   * m, at most 2000: the ray ends at origin + motion
+   *
+   * @generated from field: jostle.v1.Vec3 motion = 2;
+   */
+  motion?: Vec3 | undefined;
+
+  /**
+   * an entity that it goes through, such as one's own; 0: none
+   *
+   * @generated from field: uint32 ignore = 3;
+   */
+  ignore: number;
+
+  /**
+   * When the client saw the world so. The ray is cast against where everything was then, with the shapes of now: what came
+   * later or is gone by now is not met. What is met is acted on where it is now, at the same point of it. A moment of which
+   * the server has no frame any more (tick.rewind_ms_max of its settings) counts as the oldest that it has, and the result says so.
+   *
+   * absent: as the world is when the input is applied
+   *
+   * @generated from field: jostle.v1.SeenMoment seen = 4;
+   */
+  seen?: SeenMoment | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.Aim.
+ * Use `create(AimSchema)` to create a new message.
+ */
+export const AimSchema: GenMessage<Aim> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 7);
 
 /**
  * @generated from message jostle.v1.ImpulseInput
@@ -387,6 +476,13 @@ export type ImpulseInput = Message<"jostle.v1.ImpulseInput"> & {
    * @generated from field: jostle.v1.Vec3 point = 3;
    */
   point?: Vec3 | undefined;
+
+  /**
+   * in place of entity and point
+   *
+   * @generated from field: jostle.v1.Aim aim = 4;
+   */
+  aim?: Aim | undefined;
 };
 
 /**
@@ -394,7 +490,7 @@ export type ImpulseInput = Message<"jostle.v1.ImpulseInput"> & {
  * Use `create(ImpulseInputSchema)` to create a new message.
  */
 export const ImpulseInputSchema: GenMessage<ImpulseInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 6);
+  messageDesc(file_jostle_v1_play, 8);
 
 /**
  * Ties a point of a body to a target with a spring; a client holds one body at a time.
@@ -413,6 +509,13 @@ export type GrabInput = Message<"jostle.v1.GrabInput"> & {
    * @generated from field: jostle.v1.Vec3 point = 2;
    */
   point?: Vec3 | undefined;
+
+  /**
+   * in place of entity and point
+   *
+   * @generated from field: jostle.v1.Aim aim = 3;
+   */
+  aim?: Aim | undefined;
 };
 
 /**
@@ -420,7 +523,7 @@ export type GrabInput = Message<"jostle.v1.GrabInput"> & {
  * Use `create(GrabInputSchema)` to create a new message.
  */
 export const GrabInputSchema: GenMessage<GrabInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 7);
+  messageDesc(file_jostle_v1_play, 9);
 
 /**
  * @generated from message jostle.v1.DragInput
@@ -439,7 +542,7 @@ export type DragInput = Message<"jostle.v1.DragInput"> & {
  * Use `create(DragInputSchema)` to create a new message.
  */
 export const DragInputSchema: GenMessage<DragInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 8);
+  messageDesc(file_jostle_v1_play, 10);
 
 /**
  * @generated from message jostle.v1.ReleaseInput
@@ -452,7 +555,7 @@ export type ReleaseInput = Message<"jostle.v1.ReleaseInput"> & {
  * Use `create(ReleaseInputSchema)` to create a new message.
  */
 export const ReleaseInputSchema: GenMessage<ReleaseInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 9);
+  messageDesc(file_jostle_v1_play, 11);
 
 /**
  * Only bodies that this client spawned.
@@ -471,7 +574,7 @@ export type DeleteInput = Message<"jostle.v1.DeleteInput"> & {
  * Use `create(DeleteInputSchema)` to create a new message.
  */
 export const DeleteInputSchema: GenMessage<DeleteInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 10);
+  messageDesc(file_jostle_v1_play, 12);
 
 /**
  * @generated from message jostle.v1.ExplodeInput
@@ -497,6 +600,15 @@ export type ExplodeInput = Message<"jostle.v1.ExplodeInput"> & {
    * @generated from field: double speed = 3;
    */
   speed: number;
+
+  /**
+   * that, what is far less, and what does not see the centre nothing
+   *
+   * in place of the centre
+   *
+   * @generated from field: jostle.v1.Aim aim = 4;
+   */
+  aim?: Aim | undefined;
 };
 
 /**
@@ -504,7 +616,7 @@ export type ExplodeInput = Message<"jostle.v1.ExplodeInput"> & {
  * Use `create(ExplodeInputSchema)` to create a new message.
  */
 export const ExplodeInputSchema: GenMessage<ExplodeInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 11);
+  messageDesc(file_jostle_v1_play, 13);
 
 /**
  * Takes the wheel of an entity that can be driven (Entity.drivable) and that nobody else drives. A client drives one at a time;
@@ -526,7 +638,7 @@ export type PossessInput = Message<"jostle.v1.PossessInput"> & {
  * Use `create(PossessInputSchema)` to create a new message.
  */
 export const PossessInputSchema: GenMessage<PossessInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 12);
+  messageDesc(file_jostle_v1_play, 14);
 
 /**
  * What the client holds from now on, for the entity that it drives. What axes and buttons mean is the module's (docs/modules.md).
@@ -554,7 +666,7 @@ export type ControlInput = Message<"jostle.v1.ControlInput"> & {
  * Use `create(ControlInputSchema)` to create a new message.
  */
 export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 13);
+  messageDesc(file_jostle_v1_play, 15);
 
 /**
  * @generated from message jostle.v1.Ack
@@ -587,7 +699,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 14);
+  messageDesc(file_jostle_v1_play, 16);
 
 /**
  * @generated from message jostle.v1.Ping
@@ -604,7 +716,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 15);
+  messageDesc(file_jostle_v1_play, 17);
 
 /**
  * @generated from message jostle.v1.Leave
@@ -617,7 +729,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 16);
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * @generated from message jostle.v1.ServerMessage
@@ -670,7 +782,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * The entities of one part of the world, told as a world is (WIRE.md, "Cells").
@@ -717,7 +829,7 @@ export type CellPart = Message<"jostle.v1.CellPart"> & {
  * Use `create(CellPartSchema)` to create a new message.
  */
 export const CellPartSchema: GenMessage<CellPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * @generated from message jostle.v1.Welcome
@@ -811,6 +923,41 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
    * @generated from field: bool cells = 15;
    */
   cells: boolean;
+
+  /**
+   * to come back with, of no further meaning; empty: the place is not kept
+   *
+   * @generated from field: bytes resume_token = 60;
+   */
+  resumeToken: Uint8Array;
+
+  /**
+   * it is the client that it was: its id, its bodies, its numbers of inputs
+   *
+   * @generated from field: bool resumed = 61;
+   */
+  resumed: boolean;
+
+  /**
+   * What it knows still counts: frames up to Resume.frame, rosters, large shapes. Else it forgets them all, as one that is new.
+   *
+   * @generated from field: bool continues = 62;
+   */
+  continues: boolean;
+
+  /**
+   * of the inputs that came; those after it are to be sent again, under their numbers
+   *
+   * @generated from field: uint32 last_sequence = 63;
+   */
+  lastSequence: number;
+
+  /**
+   * how long its place is kept
+   *
+   * @generated from field: double resume_seconds = 64;
+   */
+  resumeSeconds: number;
 };
 
 /**
@@ -818,7 +965,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * What a module tells of one of its entities, or of itself: a list of whole numbers (WIRE.md, "Channels").
@@ -851,7 +998,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -879,7 +1026,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -920,7 +1067,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -945,7 +1092,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1005,7 +1152,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * All that a client is told of a tick, in one message.
@@ -1106,7 +1253,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * @generated from message jostle.v1.Private
@@ -1154,7 +1301,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1178,7 +1325,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
   tick: number;
 
   /**
-   * which one it was about: spawned, pushed, grabbed, dragged, deleted or driven; 0: none
+   * which one it was about: spawned, pushed, grabbed, dragged, deleted, driven or aimed at; 0: none
    *
    * @generated from field: uint32 entity = 4;
    */
@@ -1190,6 +1337,13 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
    * @generated from field: string message = 5;
    */
   message: string;
+
+  /**
+   * Aim.seen was too long ago: judged by the oldest moment that the server had
+   *
+   * @generated from field: bool moment_clamped = 6;
+   */
+  momentClamped: boolean;
 };
 
 /**
@@ -1197,7 +1351,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1219,7 +1373,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * Twice a second, or as often as the server's settings say.
@@ -1294,7 +1448,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1316,7 +1470,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
@@ -1395,7 +1549,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1445,7 +1599,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1469,7 +1623,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1505,7 +1659,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * What the numbers are, for those who show them without knowing the module.
@@ -1575,7 +1729,7 @@ export enum InputCode {
   INVALID = 2,
 
   /**
-   * no such entity
+   * no such entity, or the ray of an aim met nothing
    *
    * @generated from enum value: INPUT_CODE_NOT_FOUND = 3;
    */

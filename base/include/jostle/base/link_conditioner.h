@@ -1,25 +1,75 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/client/link_conditioner.h"
+//
+// A bad link, for tests and demonstrations: says when a message that is sent now arrives at the
+// other end of a stream. Nothing is lost or overtaken, as on TCP: a lost message comes a
+// retransmission later, and those behind it wait. The same seed gives the same link, here and in
+// the browser (clients/web/src/link_conditioner.ts). One direction each; one thread at a time.
+#pragma once
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
-namespace jostle::client {
-namespace {
+#include "jostle/base/result.h"
 
-constexpr double longest_ms = 60'000;
+namespace jostle {
 
-std::int64_t us_of(double ms) {
+struct LinkSettings {
+    double delay_ms = 0;           // of every message
+    double jitter_ms = 0;          // on top, from 0 to this, each alike
+    double tail_ms = 0;            // on top, exponential with this mean
+    double stalls_ms = 0;          // how long nothing arrives
+    double stall_every_ms = 5000;  // from the beginning of one stall to the next: 0.5 to 1.5 times
+    double loss = 0;               // share of messages that are sent a second time, 0 to 1
+    double retransmit_ms = 200;    // that much later
+    std::uint32_t seed = 1;
+
+    // Whether it does anything.
+    bool bad() const {
+        return delay_ms > 0 || jitter_ms > 0 || tail_ms > 0 || stalls_ms > 0 || loss > 0;
+    }
+};
+
+// From "delay=80,jitter=20,stalls=250": the names of the fields without their units. An error names
+// what cannot be read.
+Result<LinkSettings> read_link_settings(std::string_view text);
+
+class LinkConditioner {
+public:
+    explicit LinkConditioner(const LinkSettings& settings);
+
+    // When a message that is sent now arrives; times rise, in microseconds of any clock.
+    std::int64_t arrival_us(std::int64_t sent_us);
+
+private:
+    double chance();  // 0 to 1, less than 1
+    std::int64_t after_stalls(std::int64_t arrival_us);
+
+    LinkSettings settings_;
+    std::uint32_t random_;
+    std::int64_t last_arrival_us_ = 0;
+    std::int64_t stall_us_ = 0;  // begin of the next stall, or of the one that is on
+    bool begun_ = false;
+};
+
+// ---- how ----
+
+namespace link_detail {
+
+inline constexpr double longest_ms = 60'000;
+
+inline std::int64_t us_of(double ms) {
     return std::llround(1000 * ms);
 }
 
-Error bad_link(std::string_view part, const std::string& why) {
+inline Error bad_link(std::string_view part, const std::string& why) {
     return {ErrorCode::invalid_argument, "link setting '" + std::string(part) + "': " + why};
 }
 
-Status read_number(LinkSettings& settings, std::string_view part) {
+inline Status read_number(LinkSettings& settings, std::string_view part) {
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos) return bad_link(part, "write it as name=number");
     const std::string_view name = part.substr(0, equals), text = part.substr(equals + 1);
@@ -57,52 +107,53 @@ Status read_number(LinkSettings& settings, std::string_view part) {
                     "there are delay, jitter, tail, stalls, stall_every, loss, retransmit, seed");
 }
 
-}  // namespace
+}  // namespace link_detail
 
-Result<LinkSettings> read_link_settings(std::string_view text) {
+inline Result<LinkSettings> read_link_settings(std::string_view text) {
     LinkSettings settings;
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
-        if (const Status read = read_number(settings, text.substr(0, comma)); !read.ok())
+        if (const Status read = link_detail::read_number(settings, text.substr(0, comma));
+            !read.ok())
             return read.error();
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
     }
     return settings;
 }
 
-LinkConditioner::LinkConditioner(const LinkSettings& settings)
+inline LinkConditioner::LinkConditioner(const LinkSettings& settings)
     : settings_(settings), random_(settings.seed) {}
 
 // Mulberry32 by Tommy Ettinger: 32-bit words only, so that a browser draws the same numbers.
-double LinkConditioner::chance() {
+inline double LinkConditioner::chance() {
     random_ += 0x6d2b79f5u;
     std::uint32_t t = (random_ ^ (random_ >> 15)) * (random_ | 1u);
     t ^= t + (t ^ (t >> 7)) * (t | 61u);
     return (t ^ (t >> 14)) / 4294967296.0;
 }
 
-std::int64_t LinkConditioner::after_stalls(std::int64_t arrival_us) {
-    const std::int64_t length = us_of(settings_.stalls_ms);
+inline std::int64_t LinkConditioner::after_stalls(std::int64_t arrival_us) {
+    const std::int64_t length = link_detail::us_of(settings_.stalls_ms);
     while (arrival_us >= stall_us_ + length) {
         // A stall begins after the one before has ended.
         const double gap_ms = settings_.stall_every_ms * (0.5 + chance());
-        stall_us_ += std::max(us_of(gap_ms), length + 1000);
+        stall_us_ += std::max(link_detail::us_of(gap_ms), length + 1000);
     }
     return arrival_us >= stall_us_ ? stall_us_ + length : arrival_us;
 }
 
-std::int64_t LinkConditioner::arrival_us(std::int64_t sent_us) {
+inline std::int64_t LinkConditioner::arrival_us(std::int64_t sent_us) {
     if (!begun_) {
         begun_ = true;
-        stall_us_ = sent_us + us_of(settings_.stall_every_ms * (0.5 + chance()));
+        stall_us_ = sent_us + link_detail::us_of(settings_.stall_every_ms * (0.5 + chance()));
     }
     double way_ms = settings_.delay_ms;
     if (settings_.jitter_ms > 0) way_ms += settings_.jitter_ms * chance();
     if (settings_.tail_ms > 0) way_ms -= settings_.tail_ms * std::log(1 - chance());
     if (settings_.loss > 0 && chance() < settings_.loss) way_ms += settings_.retransmit_ms;
-    std::int64_t arrival = std::max(sent_us + us_of(way_ms), last_arrival_us_);
+    std::int64_t arrival = std::max(sent_us + link_detail::us_of(way_ms), last_arrival_us_);
     if (settings_.stalls_ms > 0) arrival = after_stalls(arrival);
     return last_arrival_us_ = arrival;
 }
 
-}  // namespace jostle::client
+}  // namespace jostle

@@ -1,0 +1,70 @@
+// Inputs on their way to the server, under numbers that rise from 1: those that wait to be sent, and those that were sent and are not
+// answered yet, which are sent again when the connection broke before they came. The C++ client library has the same
+// (clients/cpp/src/input_queue.h).
+
+const UNANSWERED_MAX = 8192; // a server that answers nothing: the oldest are not sent again
+
+export class InputQueue<Input> {
+  private waiting: Input[] = [];
+  private unanswered: { sequence: number; input: Input }[] = []; // rising
+  private nextUnsent = 1; // of waiting[0]
+  private wentOn = false; // answers may come twice
+
+  /** The newest one that was not sent. */
+  get last(): Input | undefined {
+    return this.waiting[this.waiting.length - 1];
+  }
+  get length(): number {
+    return this.waiting.length;
+  }
+  get lastSent(): number {
+    return this.nextUnsent - 1;
+  }
+  /** The number of the newest one, sent or not. */
+  get newest(): number {
+    return this.lastSent + this.waiting.length;
+  }
+
+  push(input: Input): void {
+    this.waiting.push(input);
+  }
+
+  replaceLast(input: Input): void {
+    this.waiting[this.waiting.length - 1] = input;
+  }
+
+  /** The next ones to send, at most so many. */
+  take(most: number): { firstSequence: number; inputs: Input[] } {
+    const firstSequence = this.nextUnsent;
+    const inputs = this.waiting.splice(0, most);
+    for (const input of inputs) this.unanswered.push({ sequence: this.nextUnsent++, input });
+    if (this.unanswered.length > UNANSWERED_MAX) this.unanswered.splice(0, this.unanswered.length - UNANSWERED_MAX);
+    return { firstSequence, inputs };
+  }
+
+  /** One was answered. False: it was so before, on the connection that broke. */
+  answered(sequence: number): boolean {
+    const at = this.unanswered.findIndex((sent) => sent.sequence >= sequence);
+    if (at < 0 || this.unanswered[at]!.sequence !== sequence) return !this.wentOn;
+    this.unanswered.splice(at, 1);
+    return true;
+  }
+
+  /** A new client: numbers begin anew, and nothing waits. */
+  beginAnew(): void {
+    this.waiting = [];
+    this.unanswered = [];
+    this.nextUnsent = 1;
+    this.wentOn = false;
+  }
+
+  /** The same client, of which the server has the inputs up to that one: those after it are sent again. */
+  goOnAfter(lastSequence: number): void {
+    const last = Math.min(lastSequence, this.lastSent);
+    const again = this.unanswered.filter((sent) => sent.sequence > last).map((sent) => sent.input);
+    this.unanswered = this.unanswered.filter((sent) => sent.sequence <= last);
+    this.waiting = [...again, ...this.waiting];
+    this.nextUnsent = last + 1;
+    this.wentOn = true;
+  }
+}

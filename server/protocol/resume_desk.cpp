@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/resume_desk.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// Takes as long wherever they differ.
+bool are_equal(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    unsigned difference = 0;
+    for (std::size_t i = 0; i < a.size(); i++)
+        difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
+    return difference == 0;
+}
+
+}  // namespace
+
+std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client) {
+    auto seat = std::make_shared<ResumeSeat>();
+    seat->client = client;
+    seat->token.resize(token_bytes);
+    if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
+    const std::lock_guard lock(mutex_);
+    places_[client] = {.seat = seat, .client = std::nullopt};
+    return seat;
+}
+
+void ResumeDesk::close(const ResumeSeat& seat) {
+    const std::lock_guard lock(mutex_);
+    places_.erase(seat.client);
+}
+
+void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until) {
+    const std::lock_guard lock(mutex_);
+    const auto at = places_.find(seat.client);
+    if (at == places_.end()) return;
+    at->second.client = std::move(client);
+    at->second.until = until;
+}
+
+// All are compared, so that how long it takes tells nothing of which was close.
+ResumeDesk::Claim ResumeDesk::claim(std::string_view token) {
+    const std::lock_guard lock(mutex_);
+    Place* found = nullptr;
+    for (auto& [client, place] : places_)
+        if (are_equal(place.seat->token, token)) found = &place;
+    if (!found) return {};
+    found->seat->is_wanted = !found->client;
+    if (!found->client) return {.answer = Answer::not_yet, .seat = nullptr, .client = {}};
+    return {.answer = Answer::here,
+            .seat = found->seat,
+            .client = std::exchange(found->client, std::nullopt),
+            .until = found->until};
+}
+
+std::vector<LostClient> ResumeDesk::take_expired(Clock::time_point now) {
+    std::vector<LostClient> expired;
+    const std::lock_guard lock(mutex_);
+    for (auto at = places_.begin(); at != places_.end();) {
+        Place& place = at->second;
+        if (!place.client || now < place.until) {
+            ++at;
+            continue;
+        }
+        expired.push_back(*std::move(place.client));
+        at = places_.erase(at);
+    }
+    return expired;
+}
+
+std::optional<LostClient> ResumeDesk::take_oldest(const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    auto oldest = places_.end();
+    for (auto at = places_.begin(); at != places_.end(); ++at) {
+        const Place& place = at->second;
+        if (!place.client || (!network.empty() && place.client->network != network)) continue;
+        if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
+    }
+    if (oldest == places_.end()) return std::nullopt;
+    std::optional<LostClient> client = std::move(oldest->second.client);
+    places_.erase(oldest);
+    return client;
+}
+
+std::size_t ResumeDesk::lost() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t count = 0;
+    for (const auto& [client, place] : places_) count += place.client ? 1 : 0;
+    return count;
+}
+
+}  // namespace jostle::server

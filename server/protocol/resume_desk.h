@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+//
+// Where clients come back whose connection broke. Each that said that it would has a seat here,
+// with a token that nobody else can guess. When its link breaks, what the link knew is left here
+// for a while: the client is lost, but has not left. A client that comes back before its old link
+// has noticed asks that link to give way. Any thread.
+//
+// Tokens are bytes of no meaning to clients.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/clock.h"
+#include "host/result_queue.h"
+#include "protocol/sent_log.h"
+#include "protocol/world_feed.h"
+#include "replication/baseline_tracker.h"
+
+namespace jostle::server {
+
+// What of a conversation outlives its connection.
+struct LostClient {
+    ClientId client = 0;
+    std::shared_ptr<WorldFeed> feed;
+    std::string network, subject;  // whence it came, and whom its token named
+    std::shared_ptr<ResultQueue> result_queue;
+    std::vector<InputResult> results;  // not told yet
+    std::uint32_t last_sequence = 0;   // of the inputs that came
+    // Of a stream that tells of all of the world; else it begins anew.
+    bool whole = false;
+    BaselineTracker baselines;
+    SentLog sent;
+    std::set<std::uint64_t> told_geometry;
+    std::uint64_t channel_kinds = 0;
+};
+
+// One client's; held by its link.
+struct ResumeSeat {
+    std::string token;
+    ClientId client = 0;
+    std::atomic<bool> is_wanted{false};  // the client came back: the link gives way
+};
+
+class ResumeDesk {
+public:
+    static constexpr std::size_t token_bytes = 16;
+
+    // Null: the operating system gave no random bytes.
+    std::shared_ptr<ResumeSeat> open(ClientId client);
+    // The client is gone for good.
+    void close(const ResumeSeat& seat);
+    void leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until);
+
+    enum class Answer { unknown, not_yet, here };
+    struct Claim {
+        Answer answer = Answer::unknown;
+        std::shared_ptr<ResumeSeat> seat;  // here
+        std::optional<LostClient> client;  // here
+        Clock::time_point until{};         // here: when it would have left
+    };
+    // not_yet: its old link was told to give way; ask again in a moment.
+    Claim claim(std::string_view token);
+
+    // Those whose time is over: they have left.
+    std::vector<LostClient> take_expired(Clock::time_point now);
+    // The one that was lost first, of that network if it is not empty: there is no room for it.
+    std::optional<LostClient> take_oldest(const std::string& network);
+    std::size_t lost() const;
+
+private:
+    struct Place {
+        std::shared_ptr<ResumeSeat> seat;
+        std::optional<LostClient> client;  // nothing: its link is there
+        Clock::time_point until{};
+    };
+
+    mutable std::mutex mutex_;
+    std::map<ClientId, Place> places_;
+};
+
+}  // namespace jostle::server

@@ -3,9 +3,12 @@
 // Who is to load which server, for how long: what the flags of jostle-load say.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "bot/script.h"
+#include "jostle/client/client_options.h"
 #include "jostle/client/security.h"
 
 namespace jostle::load {
@@ -20,6 +23,13 @@ struct LoadPlan {
     int threads = 2;
     double ramp = 1, settle = 1, seconds = 10;  // s
     bots::Script script;                        // empty: the clients only watch
+    // Of the world they see what is within so many metres of a point; 0: all. The points lie evenly
+    // in a disc of that radius about the origin, each client's elsewhere.
+    double sight = 0;
+    std::uint32_t max_kbps = 0;  // that the server may send to each; 0: what the world takes
+
+    // Of a client that sees a part; number from 0.
+    std::optional<client::Sight> sight_of(int number) const;
 
     // Of sinks. Raw: messages with their length (raw_framing.h), as servers of benchmarks send.
     Transport transport = Transport::grpc;

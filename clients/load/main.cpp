@@ -84,6 +84,13 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->needs(sink)
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));
+    app.add_option(
+           "--sight", load.sight,
+           "Metres that each client sees about a point of its own; all of the world when not given")
+        ->check(CLI::Range(1.0, 1e6));
+    app.add_option("--max-kbps", load.max_kbps,
+                   "Kilobits a second that the server may send to each client")
+        ->check(CLI::Range(16, 1000000));
     app.add_option("--json", flags.json, "Writes the report here as JSON");
     app.add_option("--server-pid", flags.server_pid, "Process whose CPU time to read");
     app.add_option("--max-age-p99-ms", flags.plan.age_ms_p99_max, "Plan: largest p99 of age_ms");

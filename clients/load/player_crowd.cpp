@@ -49,7 +49,9 @@ void PlayerThread::join_due(Clock::time_point now) {
                  client::ClientOptions{.target = plan_.target,
                                        .security = plan_.security,
                                        .world = plan_.world,
-                                       .name = "load " + std::to_string(number + 1)},
+                                       .name = "load " + std::to_string(number + 1),
+                                       .max_kbps = plan_.max_kbps,
+                                       .sight = plan_.sight_of(number)},
                  line_for(plan_.script, number), static_cast<std::uint32_t>(number + 1)),
              {}});
     }

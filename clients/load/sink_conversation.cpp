@@ -201,6 +201,12 @@ std::optional<std::string_view> SinkConversation::take_message(Clock::time_point
         hello.set_name(wishes_.name);
         hello.set_token(wishes_.token);
         hello.set_spectator(wishes_.spectator);
+        hello.set_max_kbps(wishes_.max_kbps);
+        if (wishes_.sight) {
+            hello.mutable_interest()->mutable_focus()->set_x(wishes_.sight->x);
+            hello.mutable_interest()->mutable_focus()->set_z(wishes_.sight->z);
+            hello.mutable_interest()->set_radius(wishes_.sight->radius);
+        }
         return serialized();
     }
     if (!joined_) return std::nullopt;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "jostle/client/client_options.h"
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/world_view.h"
 #include "jostle/v1/play.pb.h"
@@ -26,6 +27,8 @@ struct SinkWishes {
     bool spectator = true;  // sends no inputs
     bool decodes = false;
     int ack_every = 0;  // snapshots; 0: as often as the server's welcome asks for
+    std::optional<client::Sight> sight = {};  // nothing: all of the world
+    std::uint32_t max_kbps = 0;               // 0: what the world takes
 };
 
 class SinkConversation {

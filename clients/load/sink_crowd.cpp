@@ -60,7 +60,9 @@ SinkThread::Member SinkThread::make_member(int number, bool has_eyes) {
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,
                       .decodes = is_in_share(number, plan_.decode_share) || (plays && has_eyes),
-                      .ack_every = plan_.ack_every};
+                      .ack_every = plan_.ack_every,
+                      .sight = plan_.sight_of(number),
+                      .max_kbps = plan_.max_kbps};
     Member member{
         .client = std::make_unique<SinkClient>(plan_, std::move(wishes), epoll_, figures_),
         .behaviour = {},

@@ -55,6 +55,15 @@ TEST_F(SinkCrowdTest, sinks_that_play_by_a_script_see_what_became_of_their_input
     EXPECT_GT(report.effect_delay_ms.count, 5u);
 }
 
+TEST_F(SinkCrowdTest, sinks_that_see_a_part_of_the_world_decode_what_they_are_sent) {
+    const Report report =
+        run({.clients = 5, .seconds = 0.5, .sight = 6, .max_kbps = 200, .decode_share = 1});
+    EXPECT_EQ(report.errors, 0u) << report.last_error;
+    EXPECT_EQ(report.connected, 5);
+    EXPECT_GT(report.decoded_share, 0.9);
+    EXPECT_LT(report.kbit_per_second_per_client, 210);
+}
+
 TEST_F(SinkCrowdTest, a_reader_of_forty_messages_a_second_reads_forty) {
     for (const Transport transport : {Transport::grpc, Transport::websocket}) {
         const Report report =

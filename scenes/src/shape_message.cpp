@@ -359,4 +359,17 @@ void write_shape(v1::Shape& out, const ShapeDef& def) {
     if (def.report_stays) out.set_report_stays(true);
 }
 
+std::string shape_bytes(const ShapeDef& def) {
+    v1::Shape message;
+    write_shape(message, def);
+    return message.SerializeAsString();
+}
+
+Result<ShapeDef> shape_from_bytes(std::string_view bytes, const std::string& path) {
+    v1::Shape message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
+        return Error{ErrorCode::corrupt_data, path + ": the bytes are no jostle.v1.Shape"};
+    return shape_from_message(message, path);
+}
+
 }  // namespace jostle::scenes

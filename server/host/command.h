@@ -41,6 +41,9 @@ struct SpawnCommand {
     physics::Transform pose;
     physics::Vec3 linear_velocity, angular_velocity;
     std::optional<std::uint32_t> color;  // 0xRRGGBB
+    // The jostle.v1.Shape that the shape was read from: read again it gives the same to the bit.
+    // Empty: it was not.
+    std::string shape_bytes = {};
 };
 struct ImpulseCommand {
     EntityId entity = 0;

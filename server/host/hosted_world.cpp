@@ -90,21 +90,39 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    if (!is_leave && !std::holds_alternative<LoseCommand>(command.action))
-        result.status = accept_sequence(command.client, command.sequence);
+    const bool counts = !is_leave && !std::holds_alternative<LoseCommand>(command.action);
+    if (counts) result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = act(command, result);
     // The client is gone, and with it what its inputs are counted from.
     if (is_leave) last_sequences_.erase(command.client);
     return result;
 }
 
+// One that is refused is kept, too: refused again it does what it did.
 Status HostedWorld::act(const Command& command, InputResult& result) {
-    if (!has_aim(command.action))
-        return apply_action(state_, command.client, command.action, result.entity);
-    Action aimed = command.action;
-    if (Status s = resolve_aim(state_, *past_, *state_.entities.list(), aimed, result); !s.ok())
-        return s;
-    return apply_action(state_, command.client, aimed, result.entity);
+    Action aimed;
+    const Action* action = &command.action;
+    Status status;
+    if (has_aim(command.action)) {
+        aimed = command.action;
+        action = &aimed;
+        status = resolve_aim(state_, *past_, *state_.entities.list(), aimed, result);
+    }
+    if (keeps_journal_)
+        journal_.push_back({command.client, command.sequence,
+                            status.ok() ? std::optional(*action) : std::nullopt});
+    return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
+}
+
+void HostedWorld::apply_again(const JournaledCommand& command) {
+    const bool has = command.action.has_value();
+    const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
+    if (is_leave)
+        last_sequences_.erase(command.client);
+    else if (!has || !std::holds_alternative<LoseCommand>(*command.action))
+        last_sequences_[command.client] = command.sequence;
+    EntityId about = 0;
+    if (has) static_cast<void>(apply_action(state_, command.client, *command.action, about).ok());
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "host/apply_action.h"
@@ -16,6 +17,7 @@
 #include "host/frame.h"
 #include "host/frame_ring.h"
 #include "host/host_image.h"
+#include "host/journaled_command.h"
 #include "host/module_channels.h"
 #include "host/query_frame.h"
 #include "jostle/base/result.h"
@@ -38,6 +40,12 @@ public:
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
+    // From now on what is applied is kept for take_journal().
+    void keep_journal() { keeps_journal_ = true; }
+    // What was applied since it was last asked.
+    std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
+    // As apply() did, of a world that is as it was then.
+    void apply_again(const JournaledCommand& command);
     // Pulls what is held, then steps, and asks modules what they tell of that tick, from 1.
     // `aborted`: it took too long and was told to end.
     Status step(double dt, std::uint32_t tick = 1);
@@ -83,6 +91,8 @@ private:
     ModuleChannels channels_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
+    bool keeps_journal_ = false;
+    std::vector<JournaledCommand> journal_;
     void copy_poses(bool all);
 
     std::vector<physics::BodyState> bodies_;  // reused from tick to tick

@@ -58,6 +58,7 @@ Result<Action> action_of(const v1::SpawnInput& spawn) {
     const Result<physics::Quat> rotation = to_rotation(spawn.rotation());
     if (!rotation.ok()) return rotation.error();
     SpawnCommand command;
+    command.shape_bytes = spawn.shape().SerializeAsString();
     command.shape = *shape;
     command.pose = {to_vector(spawn.position()), *rotation};
     command.linear_velocity = to_vector(spawn.linear_velocity());

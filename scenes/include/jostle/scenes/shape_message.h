@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "jostle/physics/world.h"
 
@@ -22,6 +23,10 @@ physics::Result<physics::ShapeDef> shape_from_message(const v1::Shape& message,
 
 // The whole shape but its user_data, so that shape_from_message() gives it back.
 void write_shape(v1::Shape& out, const physics::ShapeDef& def);
+// As bytes of the message, for who keeps them.
+std::string shape_bytes(const physics::ShapeDef& def);
+physics::Result<physics::ShapeDef> shape_from_bytes(std::string_view bytes,
+                                                    const std::string& path);
 // What decides whom it touches and how, as far as it is not as usual: for those who foresee motion.
 void write_touch(v1::Shape& out, const physics::ShapeDef& def);
 // Kind, size and place only: what a viewer draws.

@@ -304,6 +304,30 @@ void write_geometry(const fs::path& folder) {
     terrain.add(field + std::string("\0\0\1\0\0\0\0\0\0", 9));
 }
 
+std::string call(std::uint8_t kind, std::initializer_list<double> numbers) {
+    std::string bytes;
+    for (const double x : numbers) put(bytes, x);
+    return record(kind, bytes);
+}
+
+// Kinds of calls: tests/fuzz/predictor_calls.cpp. A crate on a floor is pushed, held and put right.
+void write_predictor(const fs::path& folder) {
+    Seeds calls(folder, "predictor_calls");
+    const auto box = [](double entity, double x, double y) {
+        return call(
+            1, {entity,       1, 1, 3, 0, 0, 0, 0, 0, 0, 1, x, y, x, 0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1,
+                4294967295.0, 0, 0});
+    };
+    const auto frame = [](double number, double x) {
+        return call(2, {1, number, 1, 0, -0.5, 0, 0, 0, 0, 1, 1, 2, x, 0.25, 0, 0, 0, 0, 1, 0});
+    };
+    calls.add(call(0, {1, 3, 0}) + box(1, 50, 0.5) + call(0, {2, 2, 100}) + box(2, 0.25, 0.25) +
+              call(6, {2, 1}) + frame(5, 0) + call(3, {1, 1, 8.5, 1e6}) +
+              call(4, {3, 9, 300, 0, 0}) + call(3, {1, 1, 10, 1.02e6}) + call(4, {4, 11, 0, 1, 0}) +
+              call(4, {5, 12, 1, 1, 1}) + frame(8, 0.2) + call(5, {5, 30}) + frame(40, 1) +
+              call(3, {1, 1, 50, 1.3e6}) + call(7, {2, 1}) + frame(41, 1));
+}
+
 // Kinds of the first byte: tests/fuzz/gltf_skeleton.cpp. Without a mesh it is small.
 void write_skeletons(const fs::path& folder) {
     Seeds skeletons(folder, "gltf_skeleton");
@@ -490,8 +514,8 @@ int main(int count, char** arguments) {
     using namespace jostle::fuzz;
     const fs::path folder = arguments[1];
     for (const auto write :
-         {write_play, write_frames, write_scenes, write_geometry, write_skeletons, write_text,
-          write_requests, write_http2, write_sink_streams})
+         {write_play, write_frames, write_scenes, write_geometry, write_predictor, write_skeletons,
+          write_text, write_requests, write_http2, write_sink_streams})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

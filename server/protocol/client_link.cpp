@@ -134,6 +134,7 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
     const Result<std::shared_ptr<WorldHost>> world =
         hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
+    by_ticket_ = !hello.ticket.empty();
     enter(*world, hello, now);
 }
 
@@ -187,6 +188,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     const Result<ClientId> client = lost ? lost->client : take_place(*world);
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
+    spectator_ = hello.spectator;
     feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_seconds > 0)

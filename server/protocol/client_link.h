@@ -137,6 +137,7 @@ private:
     ClientLimits limits_;
     std::shared_ptr<ResumeSeat> seat_;  // null: its place is not kept
     SentLog sent_;                      // of one with a seat
+    bool by_ticket_ = false, spectator_ = false;
     std::optional<Admission> admission_;
     std::optional<FlowControl> flow_;
     std::shared_ptr<ResultQueue> result_queue_;

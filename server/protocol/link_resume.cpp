@@ -48,6 +48,8 @@ void ClientLink::keep_place(Clock::time_point now) {
                     .feed = feed_,
                     .network = network_of(peer_.address),
                     .subject = watch_.subject(),
+                    .by_ticket = by_ticket_,
+                    .spectator = spectator_,
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
@@ -60,9 +62,12 @@ void ClientLink::keep_place(Clock::time_point now) {
                               now + from_seconds(context_.config.client.resume_seconds));
 }
 
-// By a ticket one comes in once; the token stands for it.
+// By a ticket one comes in once; the token stands for it, and for no more than it allowed.
 Status ClientLink::may_resume(const Hello& hello, const LostClient& lost) {
-    if (!hello.ticket.empty()) {
+    if (lost.by_ticket) {
+        if (lost.spectator && !hello.spectator)
+            return Error{ErrorCode::permission_denied,
+                         "you came in as a spectator; a player needs a ticket of his own"};
         watch_.known_as(lost.subject);
         return {};
     }
@@ -98,6 +103,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
         return true;
     }
     seat_ = std::move(claim.seat);
+    by_ticket_ = lost.by_ticket;
     const auto world = context_.worlds.find(lost.feed->host().id());
     enter(world, hello, now, &lost);
     return true;

@@ -33,6 +33,8 @@ struct LostClient {
     ClientId client = 0;
     std::shared_ptr<WorldFeed> feed;
     std::string network, subject;  // whence it came, and whom its token named
+    bool by_ticket = false;        // how it came in
+    bool spectator = false;
     std::shared_ptr<ResultQueue> result_queue;
     std::vector<InputResult> results;  // not told yet
     std::uint32_t last_sequence = 0;   // of the inputs that came

@@ -256,6 +256,38 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
     EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
 }
 
+// By a ticket he comes in once, and again as no more than he was.
+TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
+    const std::string ticket =
+        server.gate
+            ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false},
+                           world->id(), "127.0.0.1")
+            .value();
+    PlayedLink watcher(server, {.ticket = ticket, .name = "watcher", .spectator = true});
+    run(watcher, 30);
+    ASSERT_TRUE(watcher.conversation.stats().connected) << watcher.conversation.stats().last_error;
+    cut(watcher);
+    watcher.connect();
+    run(watcher, 30);
+    EXPECT_EQ(watcher.conversation.stats().resumed, 1u) << watcher.conversation.stats().last_error;
+    cut(watcher);
+    // The same Hello, but for what he wants to be.
+    watcher.link.emplace(server.context,
+                         Peer{.name = "test",
+                              .address = "127.0.0.1",
+                              .call = "jostle.v1.PlayService/Play",
+                              .who = server.gate->identify({.address = "127.0.0.1"})},
+                         server.now);
+    watcher.conversation.begin(server.now);
+    v1::ClientMessage hello;
+    ASSERT_TRUE(hello.ParseFromString(*watcher.conversation.take_message(server.now)));
+    hello.mutable_hello()->set_spectator(false);
+    watcher.link->receive(hello.SerializeAsString(), server.now);
+    ASSERT_TRUE(watcher.link->end());
+    EXPECT_EQ(watcher.link->end()->error().code, ErrorCode::permission_denied);
+    EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
+}
+
 TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
     PlayedLink player(server, {.name = "player"});
     run(player, 20);

@@ -21,6 +21,8 @@ struct LoadPlan {
     double ramp = 1, settle = 1, seconds = 10;  // s
     bots::Script script;                        // empty: the clients only watch
 
+    bool datagrams = false;  // of clients of the library: ClientOptions::datagrams
+
     // Of sinks. Raw: messages with their length (raw_framing.h), as servers of benchmarks send.
     Transport transport = Transport::grpc;
     int ack_every = 0;           // snapshots; 0: as the server's welcome asks for

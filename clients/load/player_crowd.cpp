@@ -49,7 +49,8 @@ void PlayerThread::join_due(Clock::time_point now) {
                  client::ClientOptions{.target = plan_.target,
                                        .security = plan_.security,
                                        .world = plan_.world,
-                                       .name = "load " + std::to_string(number + 1)},
+                                       .name = "load " + std::to_string(number + 1),
+                                       .datagrams = plan_.datagrams},
                  line_for(plan_.script, number), static_cast<std::uint32_t>(number + 1)),
              {}});
     }

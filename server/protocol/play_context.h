@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "config/config.h"
+#include "datagram/datagram_port.h"
 #include "host/world_directory.h"
 #include "identity/gate.h"
 #include "protocol/world_feed.h"
@@ -23,6 +24,7 @@ struct PlayContext {
     Gate& gate;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
+    DatagramPort* datagrams = nullptr;  // null: all goes by streams
     WorldFeeds feeds{};
     ClientRecords records{};
     std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal

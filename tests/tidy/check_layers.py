@@ -56,7 +56,7 @@ FLOORS = {
     "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
-    "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "scenes/include", "generated"],
+    "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "proto/datagram", "scenes/include", "generated"],
     "server/rpc": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
     "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "input_outbox.h"
 #include "jostle/base/result.h"
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
@@ -26,10 +27,20 @@ public:
     // A new stream: hello goes first. Inputs that were not sent yet stay queued.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
+    // A message came by a datagram: the same, but it may be old, and only snapshots come so.
+    void receive_datagram(const std::string& bytes, Clock::time_point now);
     // The stream ended, in order or not.
     void ended(const Status& end);
     // The next message to write, if it is time for one.
     std::optional<std::string> take_message(Clock::time_point now);
+    // The same for datagrams, which may get lost.
+    std::optional<std::string> take_datagram(Clock::time_point now);
+    // By which datagrams can be had, once the server has told it; nothing: they cannot.
+    const std::optional<v1::DatagramTicket>& datagram_ticket() const { return ticket_; }
+    // Whether they get through now; if not, whether they were tried for long enough to say so.
+    void set_datagrams(bool alive, bool given_up);
+    // There can be none: no ticket is left.
+    void datagrams_failed(const Error& why);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     void look_at(const Sight& sight);
@@ -51,7 +62,12 @@ public:
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
+    void on_message(Clock::time_point now);
+    void on_welcome(const v1::Welcome& welcome);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    std::string hello();
+    bool stream_takes_inputs(Clock::time_point now) const;
+    std::string datagram_with_inputs(Clock::time_point now);
     void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::Private& own);
     void on_events(v1::Events&& events);
@@ -70,9 +86,10 @@ private:
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely
-    std::deque<v1::Input> inputs_;
-    std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
-    std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    InputOutbox inputs_;
+    std::optional<v1::DatagramTicket> ticket_;
+    bool datagram_ack_due_ = false, blocked_told_ = false;
+    Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
     bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLnAQoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdCI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIpcDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIMCgR0aWNrGA8gASgNQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIh4KDFBvc3Nlc3NJbnB1dBIOCgZlbnRpdHkYASABKA0iLQoMQ29udHJvbElucHV0EgwKBGF4ZXMYASADKBESDwoHYnV0dG9ucxgCIAEoDSI8CgNBY2sSDQoFZnJhbWUYASABKA0SFQoNbmVlZF9rZXlmcmFtZRgCIAEoCBIPCgdoZWxkX21zGAMgASgNIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByLTAgoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJFCgxHZW9tZXRyeVBhcnQSCgoCaWQYASABKAYSDAoEcGFydBgCIAEoDRINCgVwYXJ0cxgDIAEoDRIMCgRkYXRhGAQgASgMIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSK0AQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhAKCGRyaXZhYmxlGAggASgIQggKBl9jb2xvciKAAwoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SDQoFYmFzZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxINCgVzdGlsbBgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGUSIgoFY2VsbHMYECADKAsyEy5qb3N0bGUudjEuQ2VsbFBhcnQSEgoKY2VsbHNfbGVmdBgRIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyKbAQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNEicKB3Jlc3VsdHMYBCADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQSFwoPaW5wdXRfbWFyZ2luX3VzGAcgASgRInIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSL6AQoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgiOgoISW50ZXJlc3QSHgoFZm9jdXMYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAEiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKXAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASDAoEdGljaxgPIAEoDUIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IiYAoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMyI7CglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iTgoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoASIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iTAoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSDwoHaGVsZF9tcxgDIAEoDRIOCgZiZWZvcmUYCCABKAciHgoEUGluZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBiIHCgVMZWF2ZSKyAgoNU2VydmVyTWVzc2FnZRIlCgd3ZWxjb21lGAEgASgLMhIuam9zdGxlLnYxLldlbGNvbWVIABIjCgZyb3N0ZXIYAiABKAsyES5qb3N0bGUudjEuUm9zdGVySAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASKwoIZ2VvbWV0cnkYCSABKAsyFy5qb3N0bGUudjEuR2VvbWV0cnlQYXJ0SABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyJUCghDZWxsUGFydBIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRINCgViYXNlcxgDIAEoDRIOCgZwYWNrZWQYBCABKAwSCwoDY3JjGAUgASgHIoEDCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMSKAoIY2hhbm5lbHMYCyADKAsyFi5qb3N0bGUudjEuQ2hhbm5lbEtpbmQSDQoFY29kZWMYDCABKA0SDgoGYWNrX21zGA0gASgNEhAKCGVwb2NoX3VzGA4gASgGEg0KBWNlbGxzGA8gASgIEiwKCWRhdGFncmFtcxgUIAEoCzIZLmpvc3RsZS52MS5EYXRhZ3JhbVRpY2tldCI3Cg5EYXRhZ3JhbVRpY2tldBIMCgRwb3J0GAEgASgNEgoKAmlkGAIgASgGEgsKA2tleRgDIAEoDCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJFCgxHZW9tZXRyeVBhcnQSCgoCaWQYASABKAYSDAoEcGFydBgCIAEoDRINCgVwYXJ0cxgDIAEoDRIMCgRkYXRhGAQgASgMIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSK0AQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhAKCGRyaXZhYmxlGAggASgIQggKBl9jb2xvciKAAwoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SDQoFYmFzZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxINCgVzdGlsbBgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGUSIgoFY2VsbHMYECADKAsyEy5qb3N0bGUudjEuQ2VsbFBhcnQSEgoKY2VsbHNfbGVmdBgRIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyKzAQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNEicKB3Jlc3VsdHMYBCADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQSFwoPaW5wdXRfbWFyZ2luX3VzGAcgASgREhYKDmlucHV0X3JlY2VpdmVkGAwgASgNInIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -163,6 +163,13 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: jostle.v1.Interest interest = 14;
    */
   interest?: Interest | undefined;
+
+  /**
+   * takes snapshots as datagrams, too: a server that offers them says Welcome.datagrams
+   *
+   * @generated from field: bool datagrams = 20;
+   */
+  datagrams: boolean;
 };
 
 /**
@@ -580,6 +587,13 @@ export type Ack = Message<"jostle.v1.Ack"> & {
    * @generated from field: uint32 held_ms = 3;
    */
   heldMs: number;
+
+  /**
+   * For who has datagrams: bit k says that the snapshot of frame - 1 - k was decoded, too. What is named can be a base.
+   *
+   * @generated from field: fixed32 before = 8;
+   */
+  before: number;
 };
 
 /**
@@ -811,6 +825,13 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
    * @generated from field: bool cells = 15;
    */
   cells: boolean;
+
+  /**
+   * absent: all goes by the stream
+   *
+   * @generated from field: jostle.v1.DatagramTicket datagrams = 20;
+   */
+  datagrams?: DatagramTicket | undefined;
 };
 
 /**
@@ -819,6 +840,39 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 19);
+
+/**
+ * By which a client may send and get datagrams beside this stream (WIRE.md, "Datagrams").
+ *
+ * @generated from message jostle.v1.DatagramTicket
+ */
+export type DatagramTicket = Message<"jostle.v1.DatagramTicket"> & {
+  /**
+   * UDP, at the address to which the stream is connected
+   *
+   * @generated from field: uint32 port = 1;
+   */
+  port: number;
+
+  /**
+   * @generated from field: fixed64 id = 2;
+   */
+  id: bigint;
+
+  /**
+   * 32 bytes, of this stream alone
+   *
+   * @generated from field: bytes key = 3;
+   */
+  key: Uint8Array;
+};
+
+/**
+ * Describes the message jostle.v1.DatagramTicket.
+ * Use `create(DatagramTicketSchema)` to create a new message.
+ */
+export const DatagramTicketSchema: GenMessage<DatagramTicket> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * What a module tells of one of its entities, or of itself: a list of whole numbers (WIRE.md, "Channels").
@@ -851,7 +905,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -879,7 +933,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -920,7 +974,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -945,7 +999,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1005,7 +1059,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * All that a client is told of a tick, in one message.
@@ -1014,7 +1068,8 @@ export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
  */
 export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
-   * rises with every snapshot of the world; equals its tick
+   * Rises with every snapshot of the world; equals its tick. 0, for who has datagrams: nothing of the world, only `stats`,
+   * `events` and `own`, which go by the stream.
    *
    * @generated from field: uint32 frame = 1;
    */
@@ -1106,7 +1161,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * @generated from message jostle.v1.Private
@@ -1147,6 +1202,13 @@ export type Private = Message<"jostle.v1.Private"> & {
    * @generated from field: sint32 input_margin_us = 7;
    */
   inputMarginUs: number;
+
+  /**
+   * for who has datagrams: inputs up to this one have come; 0: as it was
+   *
+   * @generated from field: uint32 input_received = 12;
+   */
+  inputReceived: number;
 };
 
 /**
@@ -1154,7 +1216,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1197,7 +1259,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1219,7 +1281,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * Twice a second, or as often as the server's settings say.
@@ -1294,7 +1356,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1316,7 +1378,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
@@ -1395,7 +1457,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1445,7 +1507,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1469,7 +1531,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1505,7 +1567,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * What the numbers are, for those who show them without knowing the module.

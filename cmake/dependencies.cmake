@@ -19,6 +19,7 @@ endif()
 if(JOSTLE_RPC)
     find_package(Protobuf 3.21 REQUIRED)  # MODULE mode: Debian ships no CONFIG for it
     find_package(gRPC CONFIG REQUIRED)
+    find_package(OpenSSL 3.0 REQUIRED)    # sealed datagrams
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC AND JOSTLE_SERVER)

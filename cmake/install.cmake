@@ -28,7 +28,7 @@ foreach(module ${jostle_modules})
 endforeach()
 
 if(JOSTLE_RPC)
-    jostle_install(client jostle_wire jostle_proto jostle_rpc jostle_client)
+    jostle_install(client jostle_wire jostle_datagram jostle_proto jostle_rpc jostle_client)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
     # "wire/quantize.h" is too common a name for the top of an include folder.
     target_include_directories(jostle_wire PUBLIC $<INSTALL_INTERFACE:include/jostle>)

@@ -29,7 +29,7 @@ Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 struct Flags {
     std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
-    std::optional<std::string> admin;
+    std::optional<std::string> admin, datagrams;
     bool list_scenes = false, insecure = false, health = false;
 };
 
@@ -44,6 +44,10 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--admin", flags.admin,
                    "Address of metrics and profiles, HOST:PORT; \"\" for none")
         ->envname("JOSTLE_ADMIN");
+    app.add_option("--datagrams", flags.datagrams,
+                   "Address of datagrams (UDP), HOST:PORT, for clients that ask for them; none "
+                   "unless given")
+        ->envname("JOSTLE_DATAGRAMS");
     app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings")
         ->envname("JOSTLE_CONFIG");
     app.add_option("--set", flags.settings,
@@ -73,6 +77,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
     take(config.listen, flags.listen);
     take(config.http, flags.http);
     if (flags.admin) config.admin = *flags.admin;
+    if (flags.datagrams) config.datagrams.listen = *flags.datagrams;
     take(config.web_root, flags.web_root);
     take(config.log_level, flags.log_level);
 }

@@ -39,7 +39,7 @@ struct Flags {
     std::string target = "localhost:50051", world, script;
     int count = 5;
     double seconds = 0;
-    bool events = false;
+    bool events = false, datagrams = false;
 };
 
 std::string number(double x) {
@@ -112,7 +112,8 @@ int play(const Flags& flags, const jostle::client::Security& security,
                                           .world = flags.world,
                                           .name = "bot " + std::to_string(i + 1),
                                           // All bots see the same: one tells.
-                                          .events = flags.events && i == 0},
+                                          .events = flags.events && i == 0,
+                                          .datagrams = flags.datagrams},
             line_for(script, i), static_cast<std::uint32_t>(i + 1)));
     const auto began = Clock::now();
     auto next_line = began + std::chrono::seconds(1);
@@ -173,6 +174,7 @@ int main(int argc, char** argv) {
     app.add_option("--script", flags.script, "What they do; see below");
     app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")->capture_default_str();
     app.add_flag("--events", flags.events, "Print what happens in the world");
+    app.add_flag("--datagrams", flags.datagrams, "Take snapshots as datagrams where offered");
     app.footer(footer);
     try {
         app.parse(argc, argv);

@@ -31,6 +31,8 @@ struct LoadPlan {
     // Of a client that sees a part; number from 0.
     std::optional<client::Sight> sight_of(int number) const;
 
+    bool datagrams = false;  // of clients of the library: ClientOptions::datagrams
+
     // Of sinks. Raw: messages with their length (raw_framing.h), as servers of benchmarks send.
     Transport transport = Transport::grpc;
     int ack_every = 0;           // snapshots; 0: as the server's welcome asks for

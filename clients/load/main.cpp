@@ -70,7 +70,10 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->capture_default_str()
         ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--script", flags.script, "What clients do (jostle-bot --help has the format)");
+    CLI::Option* datagrams = app.add_flag("--datagrams", load.datagrams,
+                                          "Clients take snapshots as datagrams where offered");
     CLI::Option* sink = app.add_flag("--sink", flags.sink, "Clients that only count: see below");
+    sink->excludes(datagrams);
     app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(sink);
     app.add_option("--ack-every", load.ack_every,
                    "Snapshots that a sink acknowledges together; as the server asks when not given")

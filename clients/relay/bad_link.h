@@ -19,6 +19,7 @@ struct LinkSettings {
     double stall_every_s = 0;    // mean time between stalls; 0: none
     double stall_ms = 200;       // nothing arrives for so long
     double kbit_per_second = 0;  // 0: any number
+    double loss = 0;             // share of packets, 0 to 1: of whole packets, never of streams
     std::uint64_t seed = 1;
 };
 
@@ -29,6 +30,9 @@ public:
 
     // When bytes that came now arrive; never before those that came earlier.
     Clock::time_point arrival_of(std::size_t bytes, Clock::time_point now);
+
+    // Whether this packet is lost.
+    bool loses() { return settings_.loss > 0 && random() < settings_.loss; }
 
 private:
     double random();  // 0 to 1

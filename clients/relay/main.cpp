@@ -5,8 +5,11 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "relay/link_relay.h"
+#include "relay/packet_relay.h"
 
 namespace {
 
@@ -16,18 +19,41 @@ constexpr const char* footer = R"(
 Prints the port it listens at, then runs until it is interrupted. Up, towards the server, has the same delay and jitter, no stalls
 and no limit. Times are kept within a millisecond. The same seed gives the same link to the n-th connection.
 
-Example:
-  jostle-relay --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-every 5 --stall-ms 300
+With --between it makes two network devices instead, prints "ready", and hands on whole IP packets between them, of which --loss percent are
+lost each way: put each device into a network namespace, and what runs there loses packets, be it TCP or UDP. Needs root (scripts/bad-links).
 
-Exit status: 0 interrupted, 1 cannot listen, 2 wrong flags.)";
+Examples:
+  jostle-relay --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-every 5 --stall-ms 300
+  jostle-relay --between here0 there0 --loss 2 --delay-ms 20
+
+Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
+
+int relay_packets(const std::vector<std::string>& devices,
+                  const jostle::relay::LinkSettings& link) {
+    jostle::relay::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
+    if (const auto status = relay.open(); !status.ok()) {
+        std::fprintf(stderr, "jostle-relay: %s\n", status.error().message.c_str());
+        return 1;
+    }
+    std::printf("ready\n");
+    std::fflush(stdout);
+    relay.run(stop);
+    std::printf("%llu packets handed on, %llu lost\n",
+                static_cast<unsigned long long>(relay.handed_on()),
+                static_cast<unsigned long long>(relay.lost()));
+    return 0;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Hands on TCP connections as a bad link would: late, unsteadily, in stalls, slowly."};
+        "Hands on TCP connections, or IP packets, as a bad link would: late, unsteadily, in "
+        "stalls, slowly."};
     jostle::relay::RelaySettings settings{.target = "127.0.0.1:50051"};
     std::string listen = "127.0.0.1:0";
+    std::vector<std::string> between;
+    double loss_percent = 0;
     const auto range = [](double most) { return CLI::Range(0.0, most); };
     app.add_option("--target", settings.target, "Server, HOST:PORT")->capture_default_str();
     app.add_option("--listen", listen, "Where clients connect, HOST:PORT")->capture_default_str();
@@ -43,6 +69,11 @@ int main(int argc, char** argv) {
     app.add_option("--kbit", settings.down.kbit_per_second,
                    "Limit of each connection, kbit/s; 0: none")
         ->check(range(1e7));
+    CLI::Option* devices =
+        app.add_option("--between", between, "Names of two network devices to make")->expected(2);
+    app.add_option("--loss", loss_percent, "Percent of packets that are lost, each way")
+        ->needs(devices)
+        ->check(range(100));
     app.add_option("--queue-bytes", settings.queue_bytes,
                    "On their way, each direction of a connection")
         ->capture_default_str()
@@ -56,6 +87,8 @@ int main(int argc, char** argv) {
     }
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
+    settings.down.loss = loss_percent / 100;
+    if (!between.empty()) return relay_packets(between, settings.down);
     jostle::relay::LinkRelay relay(settings);
     if (const auto status = relay.listen(listen); !status.ok()) {
         std::fprintf(stderr, "jostle-relay: %s\n", status.error().message.c_str());

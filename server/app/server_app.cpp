@@ -119,6 +119,14 @@ GatewaySettings admin_settings(const Config& config, const Metrics& metrics,
             .asking_threads = AdminControl::waiting_max};
 }
 
+DatagramPortSettings datagram_settings(const Config& config, Metrics& metrics) {
+    const HostPort address = *parse_host_port(config.datagrams.listen);
+    return {.host = address.host,
+            .port = address.port,
+            .advertised_port = static_cast<std::uint16_t>(config.datagrams.advertised_port),
+            .metrics = &metrics};
+}
+
 // "pyramid", "my.json" or, for a name of its own, "arena=pyramid".
 Status start_worlds(const Config& config, WorldDirectory& worlds) {
     for (const std::string& wanted : config.scenes) {
@@ -189,13 +197,18 @@ std::string reachable(const std::string& host, const std::string& advertise) {
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-Status write_ports(const std::string& path, int grpc_port, int http_port, int admin_port) {
+struct Ports {
+    int grpc = 0, http = 0, admin = 0, datagrams = 0;  // the last two 0: there is none
+};
+
+Status write_ports(const std::string& path, const Ports& ports) {
     if (path.empty()) return {};
     // Written aside and renamed: whoever waits for the file never reads half of it.
     const std::string aside = path + ".new";
     std::ofstream out(aside);
-    out << "{\"grpc\": " << grpc_port << ", \"http\": " << http_port;
-    if (admin_port != 0) out << ", \"admin\": " << admin_port;
+    out << "{\"grpc\": " << ports.grpc << ", \"http\": " << ports.http;
+    if (ports.admin != 0) out << ", \"admin\": " << ports.admin;
+    if (ports.datagrams != 0) out << ", \"datagrams\": " << ports.datagrams;
     out << "}\n";
     out.close();
     if (!out || std::rename(aside.c_str(), path.c_str()) != 0)
@@ -234,12 +247,18 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         if (!store.ok()) return failed(store.error());
         certificates = *std::move(store);
     }
+    std::optional<DatagramPort> datagrams;
+    if (!config.datagrams.listen.empty()) {
+        datagrams.emplace(datagram_settings(config, metrics));
+        if (Status s = datagrams->start(); !s.ok()) return failed(s.error());
+    }
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
                         .gate = gate,
                         .metrics = &metrics,
-                        .rpc_metrics = &rpc_metrics};
+                        .rpc_metrics = &rpc_metrics,
+                        .datagrams = datagrams ? &*datagrams : nullptr};
     WorldControl control(context);
     const QueryControl queries(context);
     const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
@@ -301,12 +320,15 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertise), grpc.port()),
          .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
     wakers.set(&grpc, &gateway);
-    if (Status s = write_ports(port_file, grpc.port(), gateway.port(), admin_port); !s.ok()) {
+    const int datagram_port = datagrams ? datagrams->port() : 0;
+    if (Status s = write_ports(port_file, {grpc.port(), gateway.port(), admin_port, datagram_port});
+        !s.ok()) {
         wakers.set(nullptr, nullptr);
         return failed(s.error());
     }
     log_info("gRPC on {}:{}, viewer at {}://{}", listen.host, grpc.port(),
              certificates ? "https" : "http", web);
+    if (datagrams) log_info("datagrams at port {}, UDP", datagram_port);
     if (admin)
         log_info("metrics at http://{}:{}/metrics",
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
@@ -324,6 +346,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     const HardExit hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);
+    if (datagrams) datagrams->stop();  // before those whom it wakes
     admin_control.stop();
     gateway.stop();
     grpc.stop();

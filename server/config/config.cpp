@@ -90,6 +90,7 @@ Status check(const Config& c) {
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
         {"stream.codec", c.stream.codec, 1, 2},
+        {"datagrams.advertised_port", c.datagrams.advertised_port, 0, 65535},
         {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
         {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},
         {"quota.joins_per_minute", c.quota.joins_per_minute, 1, 1e6},
@@ -106,9 +107,10 @@ Status check(const Config& c) {
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid_argument(std::string(key) + ": " + parsed.error().message);
-    if (!c.admin.empty())
-        if (const auto parsed = parse_host_port(c.admin); !parsed.ok())
-            return invalid_argument("admin: " + parsed.error().message);
+    for (const auto& [key, address] :
+         {std::pair("admin", c.admin), std::pair("datagrams.listen", c.datagrams.listen)})
+        if (const auto parsed = parse_host_port(address); !address.empty() && !parsed.ok())
+            return invalid_argument(std::string(key) + ": " + parsed.error().message);
     static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
         return invalid_argument("log_level is \"" + c.log_level +

@@ -124,6 +124,14 @@ struct DevelopmentSettings {
     std::vector<std::string> link_worlds;  // names of the worlds that have it; empty: all
 };
 
+// Snapshots, acks and inputs as datagrams, for clients that ask for it (docs/protocol.md).
+struct DatagramSettings {
+    std::string listen;       // HOST:PORT of UDP; empty: all goes by the stream
+    int advertised_port = 0;  // that clients are told, where it is another one outside; 0: listen's
+
+    bool operator==(const DatagramSettings&) const = default;
+};
+
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
@@ -145,6 +153,7 @@ struct Config {
     SceneLimits scene;
     TickSettings tick;
     StreamSettings stream;
+    DatagramSettings datagrams;
     TlsSettings tls;
     AuthSettings auth;
     QuotaSettings quota;

@@ -109,6 +109,8 @@ Setters setters_of(Config& c) {
         {"stream.silence_seconds", into(c.stream.silence_seconds)},
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
         {"stream.codec", into(c.stream.codec)},
+        {"datagrams.listen", into(c.datagrams.listen)},
+        {"datagrams.advertised_port", into(c.datagrams.advertised_port)},
         {"tls.certificate", into(c.tls.certificate)},
         {"tls.key", into(c.tls.key)},
         {"tls.client_ca", into(c.tls.client_ca)},

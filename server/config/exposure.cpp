@@ -12,7 +12,8 @@ namespace {
 std::string reachable(const Config& config) {
     for (const auto& [key, address] :
          {std::pair("listen", config.listen), std::pair("http", config.http),
-          std::pair("admin", config.admin)}) {
+          std::pair("admin", config.admin),
+          std::pair("datagrams.listen", config.datagrams.listen)}) {
         if (address.empty()) continue;  // no such port
         const Result<HostPort> parsed = parse_host_port(address);
         if (!parsed.ok() || !is_loopback(parsed->host)) return std::string(key) + " is " + address;

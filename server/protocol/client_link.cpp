@@ -36,6 +36,10 @@ constexpr int flood_factor = 5;
 constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 constexpr auto rate_notice_period = 1s;
 
+std::int32_t within_margins(std::int64_t margin_us) {
+    return static_cast<std::int32_t>(std::clamp(margin_us, -margin_us_max, margin_us_max));
+}
+
 // Every n-th tick, so that no more than `wanted` snapshots a second are sent.
 int divider_of(double tick_hz, std::uint32_t wanted) {
     if (wanted == 0 || wanted >= tick_hz) return 1;
@@ -213,26 +217,27 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     event_cursor_ = frame->events->count;
     const auto gone =
         lost ? take_over(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
-    send(encode_welcome(
-        {.client = client_,
-         .world_id = world->id(),
-         .world_name = world->name(),
-         .tick = frame->tick,
-         .tick_hz = world->hz(),
-         .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-         .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
-         .quant = feed_->snapshots().spec(),
-         .server_time_us = to_us(now),
-         .epoch_us = world->epoch_us(),
-         .gravity = world->gravity(),
-         .channels = world->channel_kinds(),
-         .codec = codec_,
-         .cells = sight_.has_value(),
-         .resume_token = seat_ ? seat_->token : std::string(),
-         .resumed = lost != nullptr,
-         .continues = gone.has_value(),
-         .last_sequence = last_sequence_,
-         .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0}));
+    Welcome welcome{.client = client_,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .tick = frame->tick,
+                    .tick_hz = world->hz(),
+                    .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
+                    .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
+                    .quant = feed_->snapshots().spec(),
+                    .server_time_us = to_us(now),
+                    .epoch_us = world->epoch_us(),
+                    .gravity = world->gravity(),
+                    .channels = world->channel_kinds(),
+                    .codec = codec_,
+                    .cells = sight_.has_value(),
+                    .resume_token = seat_ ? seat_->token : std::string(),
+                    .resumed = lost != nullptr,
+                    .continues = gone.has_value(),
+                    .last_sequence = last_sequence_,
+                    .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
+    offer_datagrams(hello, welcome);
+    send(encode_welcome(welcome));
     if (gone && !gone->empty())
         waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
     snapshot_due_ = true;  // the first one goes out at once
@@ -291,9 +296,11 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
 void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.held_ms), now);
     sent_.on_ack(ack.frame);
+    if (lane_) lane_->on_ack(ack.frame, ack.before, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
+    if (lane_) lane_->frames().reset();
     if (sight_) sight_->reset();
 }
 
@@ -359,6 +366,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
         feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
     }
     client_ = 0;
+    lane_.reset();
 }
 
 void ClientLink::forgive_pause(Clock::time_point now) {
@@ -445,6 +453,7 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
             on_frame(*frame, now);
         }
         write_waits_ = false;
+        if (by_datagrams(*feed_->host().frame(), now)) return take_news(now);
         return take_snapshot(now);
     }
     if (waiting_.empty()) return std::nullopt;
@@ -470,8 +479,6 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-// Whether this frame is one to send. Frames that came and went while a write was pending were
-// skipped because of it.
 void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_waits_ && seen_tick_ != 0) {
@@ -484,14 +491,21 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
-bool ClientLink::has_news(const Frame& frame, Clock::time_point now) const {
-    return frame.changed_at > baselines_.last() || more_to_tell_ || !results_.empty() ||
+bool ClientLink::has_news(const Frame& frame, Clock::time_point now) {
+    // What went by a datagram is told again until the client says that it has it.
+    const std::uint32_t told =
+        by_datagrams(frame, now) ? lane_->frames().newest() : baselines_.last();
+    return frame.changed_at > told || more_to_tell_ || !results_.empty() ||
            (wants_events_ && event_cursor_ < frame.events->count) ||
            now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
 
 void ClientLink::collect_results() {
     std::vector<InputResult> fresh = result_queue_->take();
+    for (const InputResult& result : fresh) {
+        untold_sequence_ = std::max(untold_sequence_, result.sequence);
+        untold_margin_us_ = within_margins(result.margin_us.value_or(untold_margin_us_));
+    }
     results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
                     std::make_move_iterator(fresh.end()));
 }
@@ -506,8 +520,9 @@ Private ClientLink::own_part() {
     }
     const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
     Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
-    own.input_margin_us =
-        static_cast<std::int32_t>(std::clamp(margin_us, -margin_us_max, margin_us_max));
+    own.input_margin_us = within_margins(margin_us);
+    if (lane_ && last_sequence_ != told_received_)
+        own.input_received = told_received_ = last_sequence_;
     if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
     if (skipped != told_.snapshots_skipped)
         own.snapshots_skipped = told_.snapshots_skipped = skipped;
@@ -569,13 +584,18 @@ void ClientLink::push(const RosterMessages& messages) {
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
-    if (frame->tick <= baselines_.last()) return std::nullopt;
+    if (frame->tick <= newest_sent()) return std::nullopt;
     if (sight_) return take_part(frame, now);
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
     return snapshot_of(frame, now, {}, {});
+}
+
+// By the stream or by datagrams.
+std::uint32_t ClientLink::newest_sent() const {
+    return lane_ ? std::max(baselines_.last(), lane_->frames().last_sent()) : baselines_.last();
 }
 
 // The part of the frame that the client sees and can be told of now. A cell comes after the rosters
@@ -646,6 +666,8 @@ void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities)
 
 OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                                    std::vector<SharedBytes> cells) {
+    if (lane_)
+        if (auto bases = lane_->take_stream_bases()) baselines_ = *std::move(bases);
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =
@@ -661,6 +683,7 @@ OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now,
     last_snapshot_ = now;
     seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
+    if (lane_) lane_->on_sent_by_stream(frame->tick);
     flow_->on_sent(frame->tick, now);
     watch_.sent_snapshot(message.size());
     return message;

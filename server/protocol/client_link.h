@@ -21,6 +21,7 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/datagram_lane.h"
 #include "protocol/link_delay.h"
 #include "protocol/link_watch.h"
 #include "protocol/out_message.h"
@@ -45,6 +46,10 @@ public:
     void receive(std::string_view bytes, Clock::time_point now);
     // The client closed its side, or the connection broke: there is nobody left to talk to.
     void on_peer_closed(Clock::time_point now);
+    // What came by datagrams since, and the snapshot that is to go so. Call it before the stream is
+    // written, whether the stream can be written or not.
+    void take_datagrams(Clock::time_point now);
+    bool has_datagrams() const { return lane_ && lane_->has_mail(); }
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now, bool lost = false);
     // A message could not be read or made by a fault of ours: nothing is sent any more.
@@ -66,6 +71,14 @@ public:
 private:
     void take_in(std::string_view bytes, Clock::time_point now);
     void take_in_delayed(Clock::time_point now, bool at_once = false);
+    // client_link_datagrams.cpp
+    void receive_datagram(std::string_view bytes, Clock::time_point at, Clock::time_point now);
+    void offer_datagrams(const Hello& hello, Welcome& welcome);
+    bool by_datagrams(const Frame& frame, Clock::time_point now);
+    void send_datagram(Clock::time_point now);
+    Private datagram_part();
+    std::optional<OutMessage> take_news(Clock::time_point now);
+
     void on_message(const Hello& hello, Clock::time_point now);
     void on_message(const InputBatch& batch, Clock::time_point now);
     void on_message(const Ack& ack, Clock::time_point now);
@@ -110,7 +123,8 @@ private:
     bool tell_members(const wire::QuantizedFrame& cell);
     void tell_removed(const std::shared_ptr<const EntityList>& entities);
     void push(const RosterMessages& messages);
-    bool has_news(const Frame& frame, Clock::time_point now) const;
+    bool has_news(const Frame& frame, Clock::time_point now);
+    std::uint32_t newest_sent() const;
     Private own_part();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
     std::string take_events(const Frame& frame);
@@ -149,6 +163,11 @@ private:
     Private told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
+    std::optional<DatagramLane> lane_;  // nothing: all goes by the stream
+    std::uint32_t told_received_ = 0;   // Private.input_received
+    // Of results since the last datagram; 0: there was none.
+    std::uint32_t untold_sequence_ = 0;
+    std::int32_t untold_margin_us_ = 0;
     wire::Codec codec_ = wire::Codec::bits;
     std::optional<InterestView> sight_;  // nothing: it is told of all of the world
     std::vector<bool> known_entities_;   // by id: what it was told of, when it has a sight

@@ -127,7 +127,8 @@ Result<Action> action_of(const v1::Input& input) {
 }
 
 Ack decode(const v1::Ack& ack) {
-    return {ack.frame(), ack.need_keyframe(), std::min(ack.held_ms(), ack_held_ms_max)};
+    return {ack.frame(), ack.need_keyframe(), std::min(ack.held_ms(), ack_held_ms_max),
+            ack.before()};
 }
 
 Result<Interest> decode(const v1::Interest& interest) {
@@ -180,6 +181,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
                                .interest = sees,
+                               .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume)}};
 }
@@ -206,6 +208,11 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
 }
 
 }  // namespace
+
+bool looks_like_inputs(std::string_view bytes) {
+    constexpr auto tag = static_cast<char>(v1::ClientMessage::kInputFieldNumber << 3 | 2);
+    return !bytes.empty() && bytes.front() == tag;
+}
 
 Result<ClientMessage> decode_client_message(std::string_view bytes) {
     v1::ClientMessage message;

@@ -35,6 +35,7 @@ struct Hello {
     std::uint32_t codec = 0;            // the highest that it understands; 0: 1
     std::uint32_t max_kbps = 0;         // 0: no bound
     std::optional<Interest> interest;
+    bool datagrams = false;
     bool resumable = false;
     struct Resume {
         std::string token;
@@ -46,6 +47,7 @@ struct Ack {
     std::uint32_t frame = 0;
     bool need_keyframe = false;
     std::uint32_t held_ms = 0;
+    std::uint32_t before = 0;  // bit k: frame - 1 - k was decoded, too
 };
 struct InputBatch {
     std::uint32_t first_sequence = 0;
@@ -63,5 +65,7 @@ using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave, Interest
 
 // The bytes of one ClientMessage. An error refuses the whole message.
 Result<ClientMessage> decode_client_message(std::string_view bytes);
+// Whether the bytes, which may be any, look like an InputBatch: one that should be taken at once.
+bool looks_like_inputs(std::string_view bytes);
 
 }  // namespace jostle::server

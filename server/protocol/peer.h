@@ -3,6 +3,7 @@
 // Who is at the other end, as the transport knows; what the gate is asked about a world.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "host/world_host.h"
@@ -15,6 +16,9 @@ struct Peer {
     std::string address;                // "192.0.2.7"
     std::string call;                   // the row of the access table by which it came
     Result<Identity> who = Identity{};  // an error: what it showed is not good
+    // Any thread: a datagram came that the link should take soon, by take_datagrams(). Empty: the
+    // transport takes none.
+    std::function<void()> wake = {};
 };
 
 // Valid as long as the host.

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "config/config.h"
+#include "datagram/datagram_port.h"
 #include "host/world_directory.h"
 #include "identity/gate.h"
 #include "protocol/resume_desk.h"
@@ -24,6 +25,7 @@ struct PlayContext {
     Gate& gate;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
+    DatagramPort* datagrams = nullptr;  // null: all goes by streams
     WorldFeeds feeds{};
     ClientRecords records{};
     ResumeDesk resumes{};

@@ -84,6 +84,12 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_last_sequence(from.last_sequence);
     welcome.set_resume_seconds(from.resume_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
+    if (from.datagrams) {
+        v1::DatagramTicket& datagrams = *welcome.mutable_datagrams();
+        datagrams.set_port(from.datagrams->port);
+        datagrams.set_id(from.datagrams->ticket.id);
+        datagrams.set_key(from.datagrams->ticket.key.data(), from.datagrams->ticket.key.size());
+    }
     return message.SerializeAsString();
 }
 
@@ -178,12 +184,13 @@ std::string encode_snapshot_head(const Private& from, std::string_view more,
                                  std::size_t shared_bytes) {
     v1::Snapshot fields;
     if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
-        !from.results.empty()) {
+        from.input_received != 0 || !from.results.empty()) {
         v1::Private& own = *fields.mutable_own();
         own.set_input_sequence(from.input_sequence);
         own.set_echo_client_time_us(from.echo_client_time_us);
         own.set_snapshots_skipped(from.snapshots_skipped);
         own.set_input_margin_us(from.input_margin_us);
+        own.set_input_received(from.input_received);
         write_results(own, from.results);
     }
     std::string own = fields.SerializeAsString();

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "datagram/packet.h"
 #include "host/command.h"
 #include "host/frame.h"
 #include "replication/cell_feed.h"
@@ -29,7 +31,12 @@ struct Welcome {
     std::vector<physics::ChannelKind> channels;
     wire::Codec codec = wire::Codec::bits;
     bool cells = false;
-    std::string resume_token;  // empty: its place is not kept
+    struct Datagrams {
+        std::uint16_t port = 0;
+        datagram::Ticket ticket;
+    };
+    std::optional<Datagrams> datagrams = {};
+    std::string resume_token = {};  // empty: its place is not kept
     bool resumed = false, continues = false;
     std::uint32_t last_sequence = 0;
     double resume_seconds = 0;
@@ -56,6 +63,7 @@ struct Private {
     std::uint32_t snapshots_skipped = 0;
     std::span<const InputResult> results;
     std::int32_t input_margin_us = 0;
+    std::uint32_t input_received = 0;
 };
 // Fields of jostle.v1.Snapshot that some get with it.
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);

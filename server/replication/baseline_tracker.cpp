@@ -4,7 +4,6 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::size_t client_ring = 32;     // decoded frames a client keeps (WIRE.md)
 constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 between two frames
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client was sent. The stream is reliable and ordered, so the last frame put on it is a
-// base that the client will have when it needs it; nothing has to be acknowledged first. Clients on
-// the same cadence have the same bases and share their bytes.
+// What one client was sent by its stream. The stream is reliable and ordered, so the last frame put
+// on it is a base that the client will have when it needs it; nothing has to be acknowledged first.
+// Clients on the same cadence have the same bases and share their bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 
@@ -14,6 +15,8 @@ namespace jostle::server {
 
 class BaselineTracker {
 public:
+    static constexpr std::size_t client_ring = 32;  // decoded frames a client keeps (WIRE.md)
+
     // The bases for the frame that is to be sent now: the last one sent, and two older ones about
     // as far apart, because extrapolating a short step over a long one multiplies the rounding
     // noise.

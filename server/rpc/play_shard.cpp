@@ -60,6 +60,13 @@ void PlayShard::wake() {
     alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), nullptr);
 }
 
+// Its tag is the alarm itself.
+void PlayShard::wake_for_datagrams() {
+    const std::lock_guard lock(wake_mutex_);
+    if (stopping_ || datagrams_came_.exchange(true)) return;
+    datagram_alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), &datagram_alarm_);
+}
+
 void PlayShard::stop() {
     {
         const std::lock_guard lock(wake_mutex_);
@@ -96,7 +103,10 @@ void PlayShard::run() {
 
         const Clock::time_point now = Clock::now();
         if (next == grpc::CompletionQueue::GOT_EVENT) {
-            if (tag != nullptr) {
+            if (tag == &datagram_alarm_) {
+                datagrams_came_ = false;  // before looking, as below
+                if (!stopping_) advance_with_datagrams(now);
+            } else if (tag != nullptr) {
                 hand_on(*static_cast<RpcTag*>(tag), ok, now);
             } else if (!stopping_) {
                 awake_ = false;  // before looking: a frame that comes meanwhile wakes again
@@ -135,7 +145,8 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             waiting_.erase(at);
             if (!ok) return;  // the server is going down
             ask_for_call();
-            owned->begin(context_, connections_, now);
+            owned->begin(
+                context_, connections_, [this] { wake_for_datagrams(); }, now);
             if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
                 owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             streams_.push_back(std::move(owned));
@@ -167,6 +178,11 @@ void PlayShard::advance_all(Clock::time_point now) {
     if (count == 0) return;
     first_ = (first_ + 1) % count;
     for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(now);
+}
+
+void PlayShard::advance_with_datagrams(Clock::time_point now) {
+    for (const auto& stream : streams_)
+        if (stream->link().has_datagrams()) stream->advance(now);
 }
 
 void PlayShard::drop_finished() {

@@ -37,6 +37,8 @@ public:
     // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
     // awake already.
     void wake();
+    // Any thread: datagrams came for some of the streams.
+    void wake_for_datagrams();
     // After the server was shut down: takes what is left off the queue and ends the thread.
     void stop();
 
@@ -48,6 +50,7 @@ private:
     void hand_on(RpcTag& tag, bool ok, Clock::time_point now);
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
     void advance_all(Clock::time_point now);
+    void advance_with_datagrams(Clock::time_point now);
     void housekeep(Clock::time_point now);
     void drop_finished();
     void ask_for_call();
@@ -64,8 +67,9 @@ private:
     std::size_t first_ = 0;  // whose write starts first this time
     Clock::time_point housekeeping_{};
     std::atomic<std::size_t> stream_count_{0};
-    grpc::Alarm alarm_;
-    std::mutex wake_mutex_;           // no alarm may be set on a queue that shuts down
+    grpc::Alarm alarm_, datagram_alarm_;
+    std::atomic<bool> datagrams_came_{false};  // as awake_, of the other alarm
+    std::mutex wake_mutex_;                    // no alarm may be set on a queue that shuts down
     std::atomic<bool> awake_{false};  // an alarm is set, or the thread has not yet looked since
     std::atomic<bool> stopping_{false};
     std::thread thread_;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <optional>
+#include <utility>
 
 #include "base/address.h"
 #include "base/log.h"
@@ -29,19 +30,19 @@ PlayStream::~PlayStream() {
 }
 
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
-                       Clock::time_point now) {
+                       std::function<void()> wake, Clock::time_point now) {
     connection_ = connections.of(context_.peer());
     network_ = network_of(connection_->address);
     connection_->calls_taken++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
-    link_ =
-        std::make_unique<ClientLink>(context,
-                                     Peer{.name = "grpc:" + connection_->peer,
-                                          .address = connection_->address,
-                                          .call = "jostle.v1.PlayService/Play",
-                                          .who = identify(context_, *connection_, context.gate)},
-                                     now);
+    link_ = std::make_unique<ClientLink>(context,
+                                         Peer{.name = "grpc:" + connection_->peer,
+                                              .address = connection_->address,
+                                              .call = "jostle.v1.PlayService/Play",
+                                              .who = identify(context_, *connection_, context.gate),
+                                              .wake = std::move(wake)},
+                                         now);
     start_read();
 }
 
@@ -97,6 +98,7 @@ void PlayStream::settle(PlayTag::Event event) {
 
 void PlayStream::advance(Clock::time_point now) {
     if (finishing_) return;
+    guarded(now, [&] { link_->take_datagrams(now); });
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its stream, for ever.

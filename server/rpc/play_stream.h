@@ -9,6 +9,7 @@
 #include <grpcpp/support/async_stream.h>
 #include <grpcpp/support/byte_buffer.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -44,8 +45,9 @@ public:
     PlayStream(const PlayStream&) = delete;
     PlayStream& operator=(const PlayStream&) = delete;
 
-    // A client is there: begins the conversation.
-    void begin(PlayContext& context, const ConnectionTable& connections, Clock::time_point now);
+    // A client is there: begins the conversation. `wake`: any thread; the link has datagrams.
+    void begin(PlayContext& context, const ConnectionTable& connections, std::function<void()> wake,
+               Clock::time_point now);
     void on_read(bool ok, Clock::time_point now);
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();

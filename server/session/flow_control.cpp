@@ -93,6 +93,14 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_
     look_at_queue(sent, rtt, delivered, now);
 }
 
+void FlowControl::forget_sent_before(Clock::time_point sent) {
+    while (!flights_.empty() && flights_.front().at < sent) {
+        in_flight_ -= flights_.front().messages;
+        flights_.pop_front();
+    }
+    if (flights_.empty()) probing_ = false;
+}
+
 // What was sent before the rate was lowered says nothing of the new one.
 void FlowControl::look_at_queue(const Flight& flight, double rtt, int delivered,
                                 Clock::time_point now) {

@@ -34,6 +34,10 @@ public:
     // `held`: between the client's decoding of the frame and its ack.
     void on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now);
 
+    // Of datagrams: what was sent before and not acknowledged since is lost, and no longer on the
+    // way.
+    void forget_sent_before(Clock::time_point sent);
+
     // Messages that may be on the way.
     int window() const;
     int in_flight() const { return in_flight_; }

@@ -102,6 +102,13 @@ struct Metrics {
                  "Snapshots that a client was not sent. window: too many unacknowledged. pending: "
                  "the last write was not taken yet. rate: it kept hitting its window."),
         "reason"};
+    Counter& datagrams_received =
+        one(counters("jostle_datagrams_received_total", "Datagrams that were authentic."));
+    Counter& datagrams_refused =
+        one(counters("jostle_datagrams_refused_total",
+                     "Datagrams without a ticket, changed, sent twice or of no known form."));
+    Counter& datagrams_sent =
+        one(counters("jostle_datagrams_sent_total", "Datagrams that were sent to clients."));
     CountersBy<ErrorCode> refusals = {
         counters("jostle_refusals_total",
                  "Conversations that the server ended because of what the client did or asked."),

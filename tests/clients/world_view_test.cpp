@@ -139,4 +139,37 @@ TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) 
     EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
 }
 
+TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base_but_not_seen) {
+    v1::Welcome welcome;
+    welcome.mutable_quant()->set_units_per_meter(512);
+    welcome.mutable_quant()->set_rotation_component(511);
+    welcome.mutable_datagrams()->set_port(1);
+    view.begin(welcome);
+    const wire::QuantizedFrame first{.frame = 1, .entities = {wire::quantize(7, {}, false, {})}};
+    const wire::QuantizedFrame second{.frame = 2, .entities = first.entities};
+    const auto told = [](const wire::QuantizedFrame& frame, const wire::QuantizedFrame* base) {
+        const auto packed = wire::encode_frame(frame, {base, nullptr, nullptr}, {});
+        v1::Snapshot s;
+        s.set_frame(frame.frame);
+        s.set_bases(wire::encode_base_frames(frame.frame, {.base = base ? base->frame : 0}));
+        s.set_packed(packed.data(), packed.size());
+        s.set_crc(wire::frame_crc(frame));
+        return s;
+    };
+    ASSERT_TRUE(view.apply(told(first, nullptr)).ok());
+    EXPECT_EQ(view.frame().frame, 1u);
+    EXPECT_TRUE(view.frame().entities.empty()) << "nobody told what it looks like";
+    EXPECT_FALSE(view.pose_of(7));
+    ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a base all the same";
+    v1::Roster roster;
+    roster.add_added()->set_id(7);
+    view.apply(roster);
+    EXPECT_EQ(view.frame().entities.size(), 1u) << "as soon as it is known";
+    EXPECT_EQ(view.known_before(), 1u);
+    v1::Roster gone;
+    gone.add_removed(7);
+    view.apply(gone);
+    EXPECT_TRUE(view.frame().entities.empty());
+}
+
 }  // namespace jostle::client

@@ -11,6 +11,8 @@
 #include <iostream>
 #include <iterator>
 
+#include "datagram/content.h"
+#include "datagram/packet.h"
 #include "fuzz/reader.h"
 #include "fuzz/saved_world.h"
 #include "fuzz/seed_scenes.h"
@@ -476,6 +478,25 @@ void write_http2(const fs::path& folder) {
     seeds.add("GET / HTTP/1.1\r\n");
 }
 
+// A packet, and contents: whole, in parts that come in disorder, a question, an answer.
+void write_datagrams(const fs::path& folder) {
+    Seeds seeds(folder, "datagram_packet");
+    datagram::Ticket ticket{.id = 0x0807060504030201};
+    ticket.key.fill(7);
+    const auto client = datagram::Seal::make(ticket, datagram::Side::client).value();
+    const std::string small = "snapshot", large(2500, 'x');
+    const auto contents = [](std::string_view message, std::uint32_t number) {
+        return datagram::encode_message(std::span(&message, 1), number);
+    };
+    seeds.add(client->close(contents(small, 1)[0]));
+    seeds.add(record(0, contents(small, 1)[0]) +
+              record(0, datagram::encode(datagram::Question{7})) +
+              record(0, datagram::encode(datagram::Answer{7})));
+    const auto parts = contents(large, 2), next = contents(large, 3);
+    seeds.add(record(0, parts[2]) + record(0, next[0]) + record(0, parts[0]) + record(0, parts[1]) +
+              record(0, next[1]));
+}
+
 // What a server says to a sink: a welcome and a snapshot, over each transport. The first byte says
 // which.
 void write_sink_streams(const fs::path& folder) {
@@ -515,7 +536,7 @@ int main(int count, char** arguments) {
     const fs::path folder = arguments[1];
     for (const auto write :
          {write_play, write_frames, write_scenes, write_geometry, write_predictor, write_skeletons,
-          write_text, write_requests, write_http2, write_sink_streams})
+          write_text, write_requests, write_http2, write_sink_streams, write_datagrams})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

@@ -37,6 +37,7 @@ FLOORS = {
     "modules/destruction": [PUBLIC, "modules/module_base"],
     "proto/wire": [],
     "proto/status": [],
+    "proto/datagram": [],
     "scenes/include": [PUBLIC],
     "scenes/src": [PUBLIC, "decomposition", "physics/examples", "modules/module_base", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
     "decomposition": [PUBLIC],
@@ -52,15 +53,16 @@ FLOORS = {
     "server/tls": ["server/base", "server/config"],
     "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
     "server/persistence": ["server/base"],
+    "server/datagram": ["server/base", "server/config", "server/telemetry", "proto/datagram"],
     "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
-    "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
-    "server/rpc": ["server/base", "server/connection", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
+    "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "proto/datagram", "scenes/include", "generated"],
+    "server/rpc": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
-    "server/app": ["server/base", "server/connection", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
+    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
-    "clients/cpp": ["proto/wire", "proto/status", "generated"],
+    "clients/cpp": ["proto/wire", "proto/datagram", "proto/status", "generated"],
     "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
     "clients/recording": ["clients/cpp", "proto/wire", "generated"],
     "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
@@ -105,7 +107,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "modules", "decomposition", "proto/wire", "proto/status", "scenes", "sim", "convert", "server", "clients")
+    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "modules", "decomposition", "proto/wire", "proto/datagram", "proto/status", "scenes", "sim", "convert", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))

@@ -11,6 +11,7 @@
 
 #include "connection.h"
 #include "conversation.h"
+#include "datagram_socket.h"
 #include "held_messages.h"
 
 namespace jostle::client {
@@ -24,6 +25,8 @@ struct ClientState {
 
     // The loop thread's own.
     std::unique_ptr<Connection> connection;
+    std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
+    std::uint64_t datagrams_name = 0;           // for the watch
     // Of a client with a bad link: what is on its way in and out. Empty otherwise.
     std::optional<HeldMessages> incoming, outgoing;
     Clock::time_point connect_at{};

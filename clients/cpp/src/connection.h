@@ -37,6 +37,9 @@ public:
     void close_writes();
     void cancel();
 
+    // Where it is connected, as gRPC names it; once something was read.
+    std::string peer() const { return context_.peer(); }
+
     bool finished() const { return finished_; }
     const grpc::Status& status() const { return status_; }
     // Nothing is in flight any more: may be destroyed.

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "input_queue.h"
+#include "input_outbox.h"
 #include "jostle/base/result.h"
 #include "jostle/client/client_options.h"
 #include "jostle/client/client_stats.h"
@@ -29,10 +29,20 @@ public:
     // that was lost it asks to be the client that it was.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
+    // A message came by a datagram: the same, but it may be old, and only snapshots come so.
+    void receive_datagram(const std::string& bytes, Clock::time_point now);
     // The stream ended, in order or not.
     void ended(const Status& end);
     // The next message to write, if it is time for one.
     std::optional<std::string> take_message(Clock::time_point now);
+    // The same for datagrams, which may get lost.
+    std::optional<std::string> take_datagram(Clock::time_point now);
+    // By which datagrams can be had, once the server has told it; nothing: they cannot.
+    const std::optional<v1::DatagramTicket>& datagram_ticket() const { return ticket_; }
+    // Whether they get through now; if not, whether they were tried for long enough to say so.
+    void set_datagrams(bool alive, bool given_up);
+    // There can be none: no ticket is left.
+    void datagrams_failed(const Error& why);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
@@ -60,11 +70,14 @@ public:
 
 private:
     void begin_anew();
-    v1::Hello hello() const;
-    void on_welcome(const v1::Welcome& welcome);
+    void on_message(Clock::time_point now);
+    void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    std::string hello();
+    bool stream_takes_inputs(Clock::time_point now) const;
+    std::string datagram_with_inputs(Clock::time_point now);
     void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
-    void on_results(const v1::Private& own);
+    void on_results(const v1::Private& own, Clock::time_point now);
     void on_events(v1::Events&& events);
     void put_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);
@@ -81,8 +94,11 @@ private:
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely
-    InputQueue inputs_;
+    InputOutbox inputs_;
     std::string resume_token_;  // empty: it has no place that it could come back to
+    std::optional<v1::DatagramTicket> ticket_;
+    bool datagram_ack_due_ = false, blocked_told_ = false;
+    Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
     bool sight_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one

@@ -49,7 +49,9 @@ void LoopThread::run() {
         const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
         const auto next = queue_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
         const Clock::time_point now = Clock::now();
-        if (next == grpc::CompletionQueue::GOT_EVENT)
+        if (next == grpc::CompletionQueue::GOT_EVENT && tag == watch_.get())
+            read_ready(now);
+        else if (next == grpc::CompletionQueue::GOT_EVENT)
             handle(*static_cast<Connection::Tag*>(tag), ok, now);
         if (now < housekeeping) continue;
         take_new_clients();
@@ -85,6 +87,51 @@ void LoopThread::receive(ClientState& client, Clock::time_point now) {
     const std::lock_guard lock(client.mutex);
     while (const auto message = client.incoming->take(now))
         client.conversation.receive(*message, now);
+}
+
+// What came by datagrams, of those who have something new.
+void LoopThread::read_ready(Clock::time_point now) {
+    for (const std::uint64_t name : watch_->take_ready()) {
+        const auto at = with_datagrams_.find(name);
+        if (at == with_datagrams_.end()) continue;
+        read_datagrams(*at->second, now);
+        move_datagrams(*at->second, now);
+    }
+}
+
+void LoopThread::read_datagrams(ClientState& client, Clock::time_point now) {
+    while (const auto message = client.datagrams->receive(now)) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.receive_datagram(*message, now);
+    }
+}
+
+// Once the server has told by which ticket.
+void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
+    const std::lock_guard lock(client.mutex);
+    const auto& ticket = client.conversation.datagram_ticket();
+    if (!ticket) return;
+    auto opened = DatagramSocket::open(*ticket, client.connection->peer(), now);
+    if (!opened.ok()) return client.conversation.datagrams_failed(opened.error());
+    client.datagrams = *std::move(opened);
+    client.datagrams_name = ++datagram_names_;
+    if (!watch_) watch_ = std::make_unique<DatagramWatch>(queue_);
+    with_datagrams_[client.datagrams_name] = &client;
+    watch_->add(client.datagrams->descriptor(), client.datagrams_name);
+}
+
+// Says what is to be said by datagrams, and what became of them.
+void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
+    if (!client.datagrams) open_datagrams(client, now);
+    if (!client.datagrams) return;
+    std::optional<std::string> message;
+    {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.set_datagrams(client.datagrams->alive(now),
+                                          client.datagrams->given_up(now));
+        message = client.conversation.take_datagram(now);
+    }
+    if (message) client.datagrams->send(*message);
 }
 
 void LoopThread::write(ClientState& client, Clock::time_point now) {
@@ -136,6 +183,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         return;
     }
     receive(client, now);
+    move_datagrams(client, now);
     write(client, now);
 }
 
@@ -152,6 +200,8 @@ void LoopThread::give_up(ClientState& client, Clock::time_point now) {
 void LoopThread::after_end(ClientState& client, Clock::time_point now) {
     const Status end = from_grpc(client.connection->status());
     client.connection.reset();
+    with_datagrams_.erase(client.datagrams_name);
+    client.datagrams.reset();
     const std::lock_guard lock(client.mutex);
     const bool wanted = client.gone || client.conversation.leaving();
     if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
@@ -168,6 +218,7 @@ void LoopThread::after_end(ClientState& client, Clock::time_point now) {
 void LoopThread::drain() {
     for (const auto& client : clients_)
         if (client->connection) client->connection->cancel();
+    watch_.reset();
     queue_.Shutdown();
     void* tag = nullptr;
     bool ok = false;

@@ -9,9 +9,11 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 #include <vector>
 
 #include "client_state.h"
+#include "datagram_watch.h"
 
 namespace jostle::client {
 
@@ -28,6 +30,10 @@ private:
     void advance(ClientState& client, Clock::time_point now);
     void receive(ClientState& client, Clock::time_point now);
     void write(ClientState& client, Clock::time_point now);
+    void open_datagrams(ClientState& client, Clock::time_point now);
+    void read_datagrams(ClientState& client, Clock::time_point now);
+    void move_datagrams(ClientState& client, Clock::time_point now);
+    void read_ready(Clock::time_point now);
     Clock::duration housekeeping_period() const;
     void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
     void give_up(ClientState& client, Clock::time_point now);
@@ -38,6 +44,9 @@ private:
     std::mutex mutex_;  // guards new_clients_
     std::vector<std::shared_ptr<ClientState>> new_clients_;
     std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
+    std::unique_ptr<DatagramWatch> watch_;               // once somebody takes datagrams
+    std::uint64_t datagram_names_ = 0;
+    std::unordered_map<std::uint64_t, ClientState*> with_datagrams_;  // by name
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

@@ -18,6 +18,8 @@ void WorldView::begin(const v1::Welcome& welcome) {
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
     cells_ = welcome.cells() ? std::make_shared<SeenCells>() : nullptr;
+    datagrams_ = welcome.has_datagrams();
+    shown_.reset();
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
@@ -60,6 +62,34 @@ const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
 void WorldView::apply(const v1::Roster& roster) {
     for (const std::uint32_t id : roster.removed()) entities_.erase(id);
     for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
+    leave_out_unknown();
+}
+
+// Both are in rising order of id.
+void WorldView::leave_out_unknown() {
+    shown_.reset();
+    if (!datagrams_ || frames_.empty()) return;
+    const wire::QuantizedFrame& newest = frames_.back().state;
+    auto known = entities_.begin();
+    const auto is_unknown = [&](const wire::EntityState& e) {
+        while (known != entities_.end() && known->first < e.id) ++known;
+        return known == entities_.end() || known->first != e.id;
+    };
+    if (std::ranges::none_of(newest.entities, is_unknown)) return;
+    known = entities_.begin();
+    shown_ = newest;
+    std::erase_if(shown_->entities, is_unknown);
+}
+
+std::uint32_t WorldView::known_before() const {
+    std::uint32_t bits = 0;
+    if (frames_.empty()) return bits;
+    const std::uint32_t newest = frames_.back().state.frame;
+    for (const KnownFrame& known : frames_) {
+        const std::uint32_t back = newest - known.state.frame;
+        if (back >= 1 && back <= 32) bits |= 1u << (back - 1);
+    }
+    return bits;
 }
 
 const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
@@ -97,6 +127,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
     frames_.push_back({std::move(*decoded), *std::move(channels)});
     if (frames_.size() > ring) frames_.pop_front();
+    leave_out_unknown();
     return {};
 }
 

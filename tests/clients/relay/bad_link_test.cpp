@@ -72,4 +72,18 @@ TEST(BadLink, a_seed_is_a_link_and_each_connection_has_its_own) {
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(other, 1000, 4));
 }
 
+TEST(BadLink, loses_the_share_of_packets_that_it_is_told_and_none_unless_told) {
+    const Clock::time_point now{};
+    BadLink lossy({.loss = 0.02}, 3, now), whole({}, 3, now);
+    int lost = 0, lost_in_a_row = 0, longest = 0;
+    for (int k = 0; k < 100'000; k++) {
+        EXPECT_FALSE(whole.loses());
+        lost_in_a_row = lossy.loses() ? lost_in_a_row + 1 : 0;
+        lost += lost_in_a_row > 0 ? 1 : 0;
+        longest = std::max(longest, lost_in_a_row);
+    }
+    EXPECT_NEAR(lost, 2000, 200);
+    EXPECT_LE(longest, 5) << "each by itself";
+}
+
 }  // namespace jostle::relay

@@ -45,6 +45,15 @@ TEST(Exposure, beyond_loopback_takes_tls_and_tokens_or_a_word_that_it_is_meant) 
     }
 }
 
+TEST(Exposure, datagrams_need_what_the_other_ports_need) {
+    Config config;
+    config.datagrams.listen = "0.0.0.0:50052";
+    EXPECT_NE(error_of(check_exposure(config)).message.find("datagrams.listen is 0.0.0.0:50052"),
+              std::string::npos);
+    config.datagrams.listen = "127.0.0.1:50052";
+    EXPECT_TRUE(check_exposure(config).ok());
+}
+
 TEST(Exposure, the_refusal_says_what_to_do) {
     Config config;
     config.http = "0.0.0.0:8080";

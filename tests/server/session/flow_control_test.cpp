@@ -245,5 +245,21 @@ TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
     EXPECT_NEAR(flow.round_trip_s(), 0.010, 1e-6);
 }
 
+TEST(FlowControl, what_was_lost_does_not_fill_the_window_for_ever) {
+    FlowControl flow({}, hz, 1);
+    const Clock::time_point begin = Clock::time_point{} + 1h;
+    std::uint32_t tick = 1;
+    for (; flow.may_send(tick, begin + tick * 16ms); ++tick)
+        flow.on_sent(tick, begin + tick * 16ms);
+    EXPECT_EQ(flow.in_flight(), 4) << "nothing was acknowledged";
+    flow.forget_sent_before(begin + 3 * 16ms);
+    EXPECT_EQ(flow.in_flight(), 2);
+    EXPECT_TRUE(flow.may_send(tick, begin + tick * 16ms));
+    flow.forget_sent_before(begin + 1s);
+    EXPECT_EQ(flow.in_flight(), 0);
+    flow.on_ack(2, {}, begin + 1s);
+    EXPECT_EQ(flow.in_flight(), 0) << "an ack that comes late after all";
+}
+
 }  // namespace
 }  // namespace jostle::server

@@ -41,6 +41,10 @@ struct ClientOptions {
     // The part of the world that it is told of at first; Client::look_at() moves it. Without one it
     // is told of all.
     std::optional<Sight> sight = {};
+    // Takes snapshots and sends inputs as datagrams where the server offers them, for links that
+    // lose packets; while they do not get through, all goes by the stream. Not for a client with a
+    // sight, a bound of kbit/s or a link that only pretends to be bad.
+    bool datagrams = false;
     // Connects again after a stream that ended, with pauses that grow to 5 s.
     bool reconnect = true;
     // Is then the client that it was: the same id, its bodies, no input lost or applied twice, and
@@ -55,7 +59,8 @@ struct ClientOptions {
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
     LinkSettings link = {};
-    // Is handed each message as it came, before anything is made of it: recordings. Called on the
+    // Is handed each message as it came, before anything is made of it: recordings (without
+    // datagrams, for what is late is of no use to them). Called on the
     // loop's thread; it must be quick and call nothing of this client.
     std::function<void(const std::string& bytes, Clock::time_point now)> on_message = {};
 };

@@ -50,10 +50,14 @@ public:
     // Of a snapshot that was applied.
     Times times_of(const v1::Snapshot& snapshot) const;
 
-    // The newest; frame 0, without entities, until the first snapshot.
+    // The newest; frame 0, without entities, until the first snapshot. Without those of whom no
+    // roster told yet: a datagram may overtake it.
     const wire::QuantizedFrame& frame() const {
+        if (shown_) return *shown_;
         return frames_.empty() ? none_ : frames_.back().state;
     }
+    // Of the newest frame's number n: bit k says that frame n - 1 - k is known.
+    std::uint32_t known_before() const;
     // By id: what they look like, and who owns them.
     const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
     // What a shape of an entity is: itself, or the large shape that it names, of which only the
@@ -78,6 +82,7 @@ private:
     };
 
     const KnownFrame* find(std::uint32_t frame) const;
+    void leave_out_unknown();
     Result<wire::QuantizedFrame> poses_of(const v1::Snapshot& snapshot, const wire::Bases& bases);
 
     wire::QuantSpec spec_;
@@ -88,7 +93,9 @@ private:
     wire::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
-    std::shared_ptr<SeenCells> cells_;  // null: it is told of all of the world
+    bool datagrams_ = false;                     // snapshots may overtake rosters
+    std::optional<wire::QuantizedFrame> shown_;  // the newest frame, where it has unknown entities
+    std::shared_ptr<SeenCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
     struct Unfinished {

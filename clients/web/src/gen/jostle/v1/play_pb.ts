@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKdAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglyZXN1bWFibGUYPCABKAgSIQoGcmVzdW1lGD0gASgLMhEuam9zdGxlLnYxLlJlc3VtZSImCgZSZXN1bWUSDQoFdG9rZW4YASABKAwSDQoFZnJhbWUYAiABKA0iOgoISW50ZXJlc3QSHgoFZm9jdXMYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAEiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKXAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASDAoEdGljaxgPIAEoDUIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IifAoDQWltEh8KBm9yaWdpbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm1vdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBmlnbm9yZRgDIAEoDRIjCgRzZWVuGAQgASgLMhUuam9zdGxlLnYxLlNlZW5Nb21lbnQifQoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltIlgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNImsKDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAESGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iPAoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSDwoHaGVsZF9tcxgDIAEoDSIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIrICCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEiMKBnJvc3RlchgCIAEoCzIRLmpvc3RsZS52MS5Sb3N0ZXJIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlSgQIBBAFSgQIBhAHSgQICBAJUg1pbnB1dF9yZXN1bHRzUgVzdGF0c1IGZXZlbnRzIlQKCENlbGxQYXJ0EgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEg0KBWJhc2VzGAMgASgNEg4KBnBhY2tlZBgEIAEoDBILCgNjcmMYBSABKAcivAMKB1dlbGNvbWUSEQoJY2xpZW50X2lkGAEgASgNEhAKCHdvcmxkX2lkGAIgASgJEhIKCndvcmxkX25hbWUYAyABKAkSDAoEdGljaxgEIAEoDRIPCgd0aWNrX2h6GAUgASgBEhMKC3NuYXBzaG90X2h6GAYgASgNEhIKCmFja193aW5kb3cYByABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIOCgZhY2tfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3IigAMKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEg0KBWJhc2VzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSDQoFc3RpbGwYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlEiIKBWNlbGxzGBAgAygLMhMuam9zdGxlLnYxLkNlbGxQYXJ0EhIKCmNlbGxzX2xlZnQYESADKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMimwEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoESKKAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIWCg5tb21lbnRfY2xhbXBlZBgGIAEoCCI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhYKEkNIQU5ORUxfRk9STV9GSUVMRBADEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yInwKA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SIwoEc2VlbhgEIAEoCzIVLmpvc3RsZS52MS5TZWVuTW9tZW50In0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIkwKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEg8KB2hlbGRfbXMYAyABKA0SDgoGYmVmb3JlGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByLqAwoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBIsCglkYXRhZ3JhbXMYFCABKAsyGS5qb3N0bGUudjEuRGF0YWdyYW1UaWNrZXQSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiNwoORGF0YWdyYW1UaWNrZXQSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3IigAMKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEg0KBWJhc2VzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSDQoFc3RpbGwYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlEiIKBWNlbGxzGBAgAygLMhMuam9zdGxlLnYxLkNlbGxQYXJ0EhIKCmNlbGxzX2xlZnQYESADKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMiswEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKKAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIWCg5tb21lbnRfY2xhbXBlZBgGIAEoCCI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhYKEkNIQU5ORUxfRk9STV9GSUVMRBADEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -163,6 +163,13 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: jostle.v1.Interest interest = 14;
    */
   interest?: Interest | undefined;
+
+  /**
+   * takes snapshots as datagrams, too: a server that offers them says Welcome.datagrams
+   *
+   * @generated from field: bool datagrams = 20;
+   */
+  datagrams: boolean;
 
   /**
    * It will come back if its connection breaks: until then its place is kept for a while (Welcome.resume_seconds), its bodies
@@ -692,6 +699,13 @@ export type Ack = Message<"jostle.v1.Ack"> & {
    * @generated from field: uint32 held_ms = 3;
    */
   heldMs: number;
+
+  /**
+   * For who has datagrams: bit k says that the snapshot of frame - 1 - k was decoded, too. What is named can be a base.
+   *
+   * @generated from field: fixed32 before = 8;
+   */
+  before: number;
 };
 
 /**
@@ -925,6 +939,13 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   cells: boolean;
 
   /**
+   * absent: all goes by the stream
+   *
+   * @generated from field: jostle.v1.DatagramTicket datagrams = 20;
+   */
+  datagrams?: DatagramTicket | undefined;
+
+  /**
    * to come back with, of no further meaning; empty: the place is not kept
    *
    * @generated from field: bytes resume_token = 60;
@@ -968,6 +989,39 @@ export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 21);
 
 /**
+ * By which a client may send and get datagrams beside this stream (WIRE.md, "Datagrams").
+ *
+ * @generated from message jostle.v1.DatagramTicket
+ */
+export type DatagramTicket = Message<"jostle.v1.DatagramTicket"> & {
+  /**
+   * UDP, at the address to which the stream is connected
+   *
+   * @generated from field: uint32 port = 1;
+   */
+  port: number;
+
+  /**
+   * @generated from field: fixed64 id = 2;
+   */
+  id: bigint;
+
+  /**
+   * 32 bytes, of this stream alone
+   *
+   * @generated from field: bytes key = 3;
+   */
+  key: Uint8Array;
+};
+
+/**
+ * Describes the message jostle.v1.DatagramTicket.
+ * Use `create(DatagramTicketSchema)` to create a new message.
+ */
+export const DatagramTicketSchema: GenMessage<DatagramTicket> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 22);
+
+/**
  * What a module tells of one of its entities, or of itself: a list of whole numbers (WIRE.md, "Channels").
  *
  * @generated from message jostle.v1.ChannelKind
@@ -998,7 +1052,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -1026,7 +1080,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -1067,7 +1121,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -1092,7 +1146,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1152,7 +1206,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * All that a client is told of a tick, in one message.
@@ -1161,7 +1215,8 @@ export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
  */
 export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
-   * rises with every snapshot of the world; equals its tick
+   * Rises with every snapshot of the world; equals its tick. 0, for who has datagrams: nothing of the world, only `stats`,
+   * `events` and `own`, which go by the stream.
    *
    * @generated from field: uint32 frame = 1;
    */
@@ -1253,7 +1308,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * @generated from message jostle.v1.Private
@@ -1294,6 +1349,13 @@ export type Private = Message<"jostle.v1.Private"> & {
    * @generated from field: sint32 input_margin_us = 7;
    */
   inputMarginUs: number;
+
+  /**
+   * for who has datagrams: inputs up to this one have come; 0: as it was
+   *
+   * @generated from field: uint32 input_received = 12;
+   */
+  inputReceived: number;
 };
 
 /**
@@ -1301,7 +1363,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1351,7 +1413,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1373,7 +1435,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * Twice a second, or as often as the server's settings say.
@@ -1448,7 +1510,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1470,7 +1532,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
@@ -1549,7 +1611,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1599,7 +1661,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1623,7 +1685,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1659,7 +1721,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * What the numbers are, for those who show them without knowing the module.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "replication/acked_frames.h"
+
+namespace jostle::server {
+
+void AckedFrames::on_sent(std::uint32_t frame, bool by_datagram) {
+    if (frame <= last_sent_) return;
+    last_sent_ = frame;
+    sent_.push_back({frame, by_datagram});
+    if (sent_.size() > BaselineTracker::client_ring) sent_.pop_front();
+}
+
+bool AckedFrames::on_ack(std::uint32_t frame, std::uint32_t before) {
+    bool news = false;
+    for (Sent& sent : sent_) {
+        if (sent.frame > frame) break;
+        const std::uint32_t back = frame - sent.frame;
+        if (sent.acked || (back != 0 && (back > 32 || (before >> (back - 1) & 1) == 0))) continue;
+        sent.acked = true;
+        news = news || sent.by_datagram;
+    }
+    return news;
+}
+
+std::uint32_t AckedFrames::newest() const {
+    for (auto at = sent_.rbegin(); at != sent_.rend(); ++at)
+        if (at->acked) return at->frame;
+    return 0;
+}
+
+BaselineTracker AckedFrames::known() const {
+    BaselineTracker known;
+    for (const Sent& sent : sent_)
+        if (sent.acked) known.on_sent(sent.frame);
+    return known;
+}
+
+}  // namespace jostle::server

@@ -171,7 +171,7 @@ TEST_F(MetricsTest, names_and_help_are_what_promtool_wants) {
             EXPECT_EQ(type == "counter", family.ends_with("_total")) << family;
         }
     }
-    EXPECT_EQ(families, 28) << "those of the table, each with a series";
+    EXPECT_EQ(families, 31) << "those of the table, each with a series";
 }
 
 }  // namespace

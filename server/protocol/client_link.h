@@ -86,13 +86,16 @@ private:
     void on_message(const Leave& leave, Clock::time_point now);
     void on_message(const Interest& interest, Clock::time_point now);
 
-    // link_resume.cpp: how a conversation goes on after its connection broke.
+    // client_link_resume.cpp: how a conversation goes on after its connection broke.
     bool resume(const Hello& hello, Clock::time_point now);
     Status may_resume(const Hello& hello, const LostClient& lost);
     std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
     Result<ClientId> take_place(const WorldHost& world);
     void keep_place(Clock::time_point now);
+    // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
+    // nothing of what came by the stream.
+    bool goes_on_later() const { return seat_ && !sight_ && !lane_; }
 
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
     Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);

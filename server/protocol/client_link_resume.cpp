@@ -53,7 +53,7 @@ void ClientLink::keep_place(Clock::time_point now) {
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
-                    .whole = !sight_ && !lane_,
+                    .whole = goes_on_later(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_),
                     .told_geometry = std::move(told_geometry_),

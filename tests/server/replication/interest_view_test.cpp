@@ -18,10 +18,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double hz = 60, cell_edge_m = 32;
+constexpr double world_hz = 60, cell_edge_m = 32;
 
 Clock::time_point at(std::uint32_t tick) {
-    return Clock::time_point{} + 1h + from_seconds(tick / hz);
+    return Clock::time_point{} + 1h + from_seconds(tick / world_hz);
 }
 
 // Bodies on a square of 10 x 10 cells, 4 in each; each turns on the spot, or all stand.

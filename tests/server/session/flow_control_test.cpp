@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double hz = 60;
+constexpr double rate_hz = 60;
 
 // A client behind buffers without end: a message takes `way_s` there, waits until those before it
 // were read, and is acknowledged as play.proto tells a client to. Time is in seconds.
@@ -22,7 +22,7 @@ class Reader {
 public:
     // `read_s`: how long it takes to read one message that is begun at that time.
     Reader(double way, std::function<double(double)> read_s, int divider = 1)
-        : way_s(way), flow_({}, hz, divider), read_s_(std::move(read_s)) {}
+        : way_s(way), flow_({}, rate_hz, divider), read_s_(std::move(read_s)) {}
 
     void play_until(double end_s) {
         for (; now_s() < end_s; tick_++) {
@@ -52,7 +52,7 @@ public:
         return static_cast<int>(ages_ms(from_s, until_s).size());
     }
     const FlowControl& flow() const { return flow_; }
-    double now_s() const { return tick_ / hz; }
+    double now_s() const { return tick_ / rate_hz; }
 
     double way_s;  // there and back each
     int others_a_tick = 0;
@@ -130,10 +130,10 @@ TEST(FlowControl, a_good_client_gets_every_tick_near_and_far) {
 }
 
 TEST(FlowControl, without_acks_no_more_than_the_window_is_on_the_way) {
-    FlowControl flow({}, hz, 1);
+    FlowControl flow({}, rate_hz, 1);
     int sent = 0;
     for (std::uint32_t tick = 1; tick <= 600; tick++) {
-        const Clock::time_point now = Clock::time_point{} + 1h + from_seconds(tick / hz);
+        const Clock::time_point now = Clock::time_point{} + 1h + from_seconds(tick / rate_hz);
         if (!flow.may_send(tick, now)) continue;
         flow.on_sent(tick, now);
         sent++;
@@ -157,7 +157,7 @@ TEST(FlowControl, readers_of_every_pace_stay_fresh_for_two_minutes) {
             RecordProperty("worst_p99_ms_" + std::to_string(static_cast<int>(pace)),
                            std::to_string(worst_ms));
             EXPECT_LE(worst_ms, 250 + 1000 / pace + 1000 * way_s) << pace << " a second, " << way_s;
-            EXPECT_GE(read, 0.85 * std::min(pace, hz) * 110)
+            EXPECT_GE(read, 0.85 * std::min(pace, rate_hz) * 110)
                 << pace << " a second: most of what it can take, " << way_s;
         }
 }
@@ -180,7 +180,7 @@ TEST(FlowControl, a_reader_with_jitter_stays_fresh_and_loses_little) {
     Reader reader(0.02, [&](double) { return jitter(random); });
     reader.play_until(60);
     EXPECT_LE(reader.age_p99_ms(5, 60), 60);
-    EXPECT_GE(reader.read_between(5, 60), 0.98 * 55 * hz);
+    EXPECT_GE(reader.read_between(5, 60), 0.98 * 55 * rate_hz);
 }
 
 TEST(FlowControl, other_messages_count) {
@@ -232,7 +232,7 @@ TEST(FlowControl, a_wanted_divider_is_kept) {
 }
 
 TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
-    FlowControl flow({}, hz, 1);
+    FlowControl flow({}, rate_hz, 1);
     const Clock::time_point sent = Clock::time_point{} + 1h;
     for (std::uint32_t tick = 1; tick <= 3; ++tick) flow.on_sent(tick, sent);
     flow.on_ack(77, {}, sent);
@@ -246,7 +246,7 @@ TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
 }
 
 TEST(FlowControl, what_was_lost_does_not_fill_the_window_for_ever) {
-    FlowControl flow({}, hz, 1);
+    FlowControl flow({}, rate_hz, 1);
     const Clock::time_point begin = Clock::time_point{} + 1h;
     std::uint32_t tick = 1;
     for (; flow.may_send(tick, begin + tick * 16ms); ++tick)

@@ -18,6 +18,8 @@
 #include "fuzz/seed_scenes.h"
 #include "fuzz/seed_words.h"
 #include "fuzz/small_server.h"
+#include "host/host_image.h"
+#include "host/hosted_world.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
@@ -28,6 +30,7 @@
 #include "jostle/v1/world.pb.h"
 #include "modules/ragdoll_gltf/gltf_skeleton.h"
 #include "protocol/client_link.h"
+#include "protocol/journal_codec.h"
 #include "support/tokens.h"
 #include "wire/channel_motion.h"
 #include "wire/golden.h"
@@ -479,6 +482,37 @@ void write_http2(const fs::path& folder) {
 }
 
 // A packet, and contents: whole, in parts that come in disorder, a question, an answer.
+// A world in which a few things were done, and what was done.
+void write_kept(const fs::path& folder) {
+    Seeds seeds(folder, "kept_bytes");
+    auto world = server::HostedWorld::create(*scenes::find_scene("stack"), {}, 1);
+    world->keep_journal();
+    server::SpawnCommand ball;
+    ball.shape.geometry = physics::Sphere{0.3};
+    ball.pose.position = {5, 9, 0};
+    ball.color = 0x336699;
+    const server::Action actions[] = {ball,
+                                      server::GrabCommand{11, {5, 9, 0}},
+                                      server::DragCommand{{6, 9, 0}},
+                                      server::ImpulseCommand{3, {1, 2, 3}, physics::Vec3{0, 1, 0}},
+                                      server::ExplodeCommand{{0, 1, 0}, 3, 2},
+                                      server::DeleteCommand{11},
+                                      server::PossessCommand{2},
+                                      server::ControlCommand{},
+                                      server::LoseCommand{},
+                                      server::LeaveCommand{true}};
+    std::vector<server::JournaledTick> journal;
+    std::uint32_t tick = 0;
+    for (const server::Action& action : actions) {
+        tick++;
+        world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
+        seeds.add(server::encode_host_image(world->image(tick)));
+        journal.push_back({tick, world->take_journal()});
+        seeds.add(server::encode_journal(std::span(&journal.back(), 1)));
+    }
+    seeds.add(server::encode_journal(journal));
+}
+
 void write_datagrams(const fs::path& folder) {
     Seeds seeds(folder, "datagram_packet");
     datagram::Ticket ticket{.id = 0x0807060504030201};
@@ -536,7 +570,7 @@ int main(int count, char** arguments) {
     const fs::path folder = arguments[1];
     for (const auto write :
          {write_play, write_frames, write_scenes, write_geometry, write_predictor, write_skeletons,
-          write_text, write_requests, write_http2, write_sink_streams, write_datagrams})
+          write_text, write_requests, write_http2, write_sink_streams, write_datagrams, write_kept})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

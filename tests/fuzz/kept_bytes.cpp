@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// What is kept of a hosted world beside its bodies: an image, or a journal of commands. What is
+// read is the same when it is written and read again; all else is refused.
+#include "fuzz/target.h"
+#include "host/host_image.h"
+#include "protocol/journal_codec.h"
+
+namespace jostle::fuzz {
+
+void run(Bytes input) {
+    const std::string_view bytes(reinterpret_cast<const char*>(input.data()), input.size());
+    if (const auto image = server::decode_host_image(bytes); image.ok()) {
+        const std::string again = server::encode_host_image(*image);
+        const auto read = server::decode_host_image(again);
+        expect(read.ok(), "an image that was written is read");
+        expect(server::encode_host_image(*read) == again, "and says the same");
+    } else {
+        expect(image.error().code == ErrorCode::corrupt_data, "it is said why");
+    }
+    if (const auto journal = server::decode_journal(bytes); journal.ok()) {
+        const std::string again = server::encode_journal(*journal);
+        const auto read = server::decode_journal(again);
+        expect(read.ok(), "a journal that was written is read");
+        expect(server::encode_journal(*read) == again, "and says the same");
+    } else {
+        expect(journal.error().code == ErrorCode::corrupt_data, "it is said why");
+    }
+}
+
+}  // namespace jostle::fuzz

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 using test::PlayedLink;
 using test::QuietServer;
 
-v1::Input ball(double x, double y = 20) {
+v1::Input falling_ball(double x, double y = 20) {
     v1::Input input;
     input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.3);
     input.mutable_spawn()->mutable_position()->set_x(x);
@@ -59,7 +59,7 @@ protected:
 
 TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bodies) {
     PlayedLink player(server, {.name = "player"});
-    for (int i = 0; i < 3; i++) player.conversation.send(ball(i));
+    for (int i = 0; i < 3; i++) player.conversation.send(falling_ball(i));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
     EXPECT_EQ(bodies_of(*world, id), 3);
@@ -82,7 +82,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
 
 TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
     PlayedLink player(server, {.name = "player"});
-    player.conversation.send(ball(0));
+    player.conversation.send(falling_ball(0));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
     cut(player);
@@ -135,7 +135,8 @@ TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks)
             }
         };
         for (int i = 0; i < 8; i++) {
-            for (int k = 0; k < 3; k++) sent = player.conversation.send(ball(k, 20 + 2 * i));
+            for (int k = 0; k < 3; k++)
+                sent = player.conversation.send(falling_ball(k, 20 + 2 * i));
             run(player, 1 + i);
             collect();
             cut(player);
@@ -167,7 +168,7 @@ TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
         absolute += message.has_snapshot() && message.snapshot().bases() == 0 ? 1 : 0;
         roster_entities += message.roster().added_size();
     };
-    player.conversation.send(ball(0));
+    player.conversation.send(falling_ball(0));
     run(player, 20);
     EXPECT_EQ(absolute, 1);
     EXPECT_EQ(roster_entities, 5);
@@ -185,7 +186,7 @@ TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
 TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) {
     PlayedLink watcher(server, {.name = "watcher"}), maker(server, {.name = "maker"});
     test::play(server, *world, {&watcher, &maker}, 20);
-    maker.conversation.send(ball(0));
+    maker.conversation.send(falling_ball(0));
     test::play(server, *world, {&watcher, &maker}, 5);
     // The watcher hears of the ball, and no snapshot with it; then his line breaks.
     const std::set<std::uint32_t> with_ball = entities_known(watcher);
@@ -193,7 +194,7 @@ TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) 
     v1::Input removal;
     removal.mutable_delete_()->set_entity(*with_ball.rbegin());
     maker.conversation.send(removal);
-    maker.conversation.send(ball(3));
+    maker.conversation.send(falling_ball(3));
     test::play(server, *world, {&maker}, 5);
     watcher.connect();
     test::play(server, *world, {&watcher, &maker}, 5);
@@ -203,7 +204,7 @@ TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) 
 
 TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_place_over) {
     PlayedLink player(server, {.name = "player"});
-    player.conversation.send(ball(0));
+    player.conversation.send(falling_ball(0));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
     // The old link is still there, and hears nothing.

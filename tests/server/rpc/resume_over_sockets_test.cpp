@@ -41,7 +41,7 @@ private:
     std::thread thread_;
 };
 
-v1::Input ball(int number) {
+v1::Input small_ball(int number) {
     v1::Input input;
     input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.2);
     input.mutable_spawn()->mutable_position()->set_x(number % 5);
@@ -83,7 +83,7 @@ TEST_F(ResumeOverSocketsTest, a_client_whose_line_breaks_three_times_loses_nothi
     std::uint32_t sent = 0;
     for (int round = 1; round <= 3; round++) {
         for (int i = 0; i < 8; i++) {
-            sent = player->send(ball(static_cast<int>(sent)));
+            sent = player->send(small_ball(static_cast<int>(sent)));
             if (i == 3) line.reset();  // in the midst of it
             std::this_thread::sleep_for(5ms);
         }

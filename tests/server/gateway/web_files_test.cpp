@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "support/temp_folder.h"
+
 namespace jostle::server {
 namespace {
 
@@ -14,8 +16,6 @@ namespace fs = std::filesystem;
 class WebFilesTest : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / "jostle_web_files";
-        fs::remove_all(folder_);
         fs::create_directories(folder_ / "root/assets");
         fs::create_directories(folder_ / "root2");
         write("secret.txt", "secret");
@@ -25,8 +25,6 @@ protected:
         write("root/.hidden", "secret");
         fs::create_symlink(folder_ / "secret.txt", folder_ / "root/link.txt");
     }
-    void TearDown() override { fs::remove_all(folder_); }
-
     void write(const std::string& name, const std::string& text) {
         std::ofstream(folder_ / name) << text;
     }
@@ -44,7 +42,8 @@ protected:
         return {};
     }
 
-    fs::path folder_;
+    const test::TempFolder temporary_;
+    const fs::path folder_ = temporary_ / "";
 };
 
 TEST_F(WebFilesTest, serves_the_viewer_with_type_and_cache_headers) {

@@ -29,6 +29,7 @@
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "modules/ragdoll_gltf/gltf_skeleton.h"
+#include "persistence/compressed.h"
 #include "protocol/client_link.h"
 #include "protocol/journal_codec.h"
 #include "support/tokens.h"
@@ -506,7 +507,9 @@ void write_kept(const fs::path& folder) {
     for (const server::Action& action : actions) {
         tick++;
         world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
-        seeds.add(server::encode_host_image(world->image(tick)));
+        const std::string image = server::encode_host_image(world->image(tick));
+        seeds.add(image);
+        seeds.add(server::compress(image));
         journal.push_back({tick, world->take_journal()});
         seeds.add(server::encode_journal(std::span(&journal.back(), 1)));
     }

@@ -7,6 +7,7 @@
 #include "accuracy/accuracy.h"
 #include "accuracy/stability.h"
 #include "broadphase.h"
+#include "checkpoint.h"
 #include "feature_cost.h"
 #include "integrators/integrators.h"
 #include "modules.h"
@@ -24,6 +25,7 @@ Examples:
   jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
+  jostle-bench checkpoint --bodies 5000
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
   jostle-bench modules
@@ -47,6 +49,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
+    jostle::bench::add_checkpoint(app, status);
     jostle::bench::add_features(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);

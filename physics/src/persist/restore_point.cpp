@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include "jostle/physics/world.h"
+#include "persist/module_visitor.h"
+#include "persist/saved_world.h"
 #include "state/world_access.h"
 
 namespace jostle::physics {
@@ -67,6 +69,20 @@ Status RestorePoint::restore(World& world) const {
     state.wake_requests.clear();
     state.changes_at_rest++;
     return restore_modules(world, std::move(missing));
+}
+
+Result<std::vector<std::byte>> RestorePoint::save() const {
+    if (!kept_)
+        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+    return saved_world(kept_->stores, [&](Saver& saver) {
+        auto count = static_cast<std::uint32_t>(kept_->modules.size());
+        saver.optional("modules", count, 10);
+        ModuleVisitor<Saver> visitor(saver);
+        for (Kept::ModuleState& module : kept_->modules) {
+            static_cast<StateVisitor&>(visitor).field("tag", module.tag);
+            saver.out.write_bytes(module.state);
+        }
+    });
 }
 
 // The modules of the world become those that were kept, in their order.

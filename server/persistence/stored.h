@@ -67,7 +67,19 @@ struct Trim {
     std::uint32_t tick = 0;
     std::uint64_t sequence = 0;
 };
-using StoreChange = std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim>;
+// The world is of another past: entries after that sequence, and checkpoints after that tick, are
+// not its own.
+struct CutJournal {
+    std::string world;
+    std::uint32_t tick = 0;
+    std::uint64_t sequence = 0;
+};
+// Something of the server as a whole, under a name.
+struct PutNote {
+    std::string name, value;
+};
+using StoreChange =
+    std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim, CutJournal, PutNote>;
 
 // About how much memory it takes.
 std::size_t bytes_of(const StoreChange& change);

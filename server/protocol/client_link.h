@@ -92,6 +92,7 @@ private:
     std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
     Result<ClientId> take_place(const WorldHost& world);
+    std::shared_ptr<ResumeSeat> open_seat(const WorldHost& world);
     void keep_place(Clock::time_point now);
     // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
     // nothing of what came by the stream.

@@ -2,9 +2,9 @@
 //
 // What is kept of a hosted world beside its bodies: an image, or a journal of commands. What is
 // read is the same when it is written and read again; all else is refused.
+#include "durability/journal_codec.h"
 #include "fuzz/target.h"
 #include "host/host_image.h"
-#include "protocol/journal_codec.h"
 
 namespace jostle::fuzz {
 

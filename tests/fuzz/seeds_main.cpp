@@ -13,6 +13,7 @@
 
 #include "datagram/content.h"
 #include "datagram/packet.h"
+#include "durability/journal_codec.h"
 #include "fuzz/reader.h"
 #include "fuzz/saved_world.h"
 #include "fuzz/seed_scenes.h"
@@ -30,7 +31,6 @@
 #include "jostle/v1/world.pb.h"
 #include "modules/ragdoll_gltf/gltf_skeleton.h"
 #include "protocol/client_link.h"
-#include "protocol/journal_codec.h"
 #include "support/tokens.h"
 #include "wire/channel_motion.h"
 #include "wire/golden.h"
@@ -501,14 +501,14 @@ void write_kept(const fs::path& folder) {
                                       server::ControlCommand{},
                                       server::LoseCommand{},
                                       server::LeaveCommand{true}};
-    std::vector<server::JournaledTick> journal;
+    server::JournalBatch journal{{}, {{2, 4}}};
     std::uint32_t tick = 0;
     for (const server::Action& action : actions) {
         tick++;
         world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
         seeds.add(server::encode_host_image(world->image(tick)));
-        journal.push_back({tick, world->take_journal()});
-        seeds.add(server::encode_journal(std::span(&journal.back(), 1)));
+        journal.ticks.push_back({tick, world->take_journal()});
+        seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
 }

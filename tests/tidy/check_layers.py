@@ -55,12 +55,13 @@ FLOORS = {
     "server/persistence": ["server/base"],
     "server/datagram": ["server/base", "server/config", "server/telemetry", "proto/datagram"],
     "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
+    "server/durability": ["server/base", "server/telemetry", "server/config", "server/persistence", "server/host", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "proto/datagram", "scenes/include", "generated"],
     "server/rpc": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
-    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
+    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/durability", "server/persistence", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/datagram", "proto/status", "generated"],
     "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
@@ -75,7 +76,7 @@ FLOORS = {
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.
 WORLD = "jostle/physics/world.h"
-MAY_INCLUDE_WORLD = ("server/host",)
+MAY_INCLUDE_WORLD = ("server/host", "server/durability")
 # Only scenes/src/scene_* knows the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "protocol/journal_codec.h"
+#include "durability/journal_codec.h"
 
 #include <gtest/gtest.h>
 
@@ -59,16 +59,16 @@ Action any_action(test::Random& random) {
 }
 
 // Four players for so many ticks; what they did, as it is kept.
-std::vector<JournaledTick> play(HostedWorld& world, std::uint32_t ticks) {
+JournalBatch play(HostedWorld& world, std::uint32_t ticks) {
     world.keep_journal();
     test::Random random(77);
-    std::vector<JournaledTick> journal;
+    JournalBatch journal{{}, {{3, 3}, {90, 94}}};
     for (std::uint32_t tick = 1; tick <= ticks; tick++) {
         for (ClientId client = 1; client <= 4; client++)
             world.apply(
                 {.client = client, .sequence = tick, .action = any_action(random), .reply = {}},
                 tick);
-        journal.push_back({tick, world.take_journal()});
+        journal.ticks.push_back({tick, world.take_journal()});
         EXPECT_TRUE(world.step(dt, tick).ok());
     }
     return journal;
@@ -76,14 +76,15 @@ std::vector<JournaledTick> play(HostedWorld& world, std::uint32_t ticks) {
 
 TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
     HostedWorld world = sandbox();
-    const std::vector<JournaledTick> journal = play(world, 150);
+    const JournalBatch journal = play(world, 150);
     const std::string bytes = encode_journal(journal);
     const auto kept = decode_journal(bytes);
     ASSERT_TRUE(kept.ok()) << kept.error().message;
 
     HostedWorld again = sandbox();
     std::size_t aimed = 0, missed = 0;
-    for (const JournaledTick& tick : *kept) {
+    EXPECT_EQ(kept->stood, journal.stood);
+    for (const JournaledTick& tick : kept->ticks) {
         for (const JournaledCommand& command : tick.commands) {
             again.apply_again(command);
             (command.action ? aimed : missed)++;
@@ -105,7 +106,7 @@ TEST(JournalCodec, bytes_that_are_cut_or_changed_are_refused_or_read_within_boun
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "what is kept of the commands of a world goes on after its end");
     EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "what is kept of the commands of a world is of version 7; this server reads 1");
+              "what is kept of the commands of a world is of version 7; this server reads 2");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

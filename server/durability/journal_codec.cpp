@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "protocol/journal_codec.h"
+#include "durability/journal_codec.h"
 
 #include <optional>
 #include <type_traits>
@@ -14,7 +14,7 @@ namespace {
 
 using physics::Vec3;
 
-constexpr std::uint64_t journal_version = 1;
+constexpr std::uint64_t journal_version = 2;
 constexpr std::uint64_t only_counted = 255;  // in place of a kind
 
 // One function for each kind of action says what it consists of; it is written with one of these
@@ -129,11 +129,7 @@ Status read_command(JournalReader& reader, JournaledCommand& command) {
     return {};
 }
 
-}  // namespace
-
-std::string encode_journal(std::span<const JournaledTick> ticks) {
-    JournalWriter writer;
-    writer.to.number(journal_version);
+void write_ticks(JournalWriter& writer, const std::vector<JournaledTick>& ticks) {
     writer.to.number(ticks.size());
     for (const JournaledTick& tick : ticks) {
         writer.to.number(tick.tick);
@@ -147,15 +143,9 @@ std::string encode_journal(std::span<const JournaledTick> ticks) {
                            *command.action);
         }
     }
-    return writer.to.take();
 }
 
-Result<std::vector<JournaledTick>> decode_journal(std::string_view bytes) {
-    JournalReader reader{ByteReader(bytes), {}};
-    if (const std::uint64_t version = reader.from.number(); version != journal_version)
-        return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
-                             std::to_string(journal_version));
-    std::vector<JournaledTick> ticks;
+Status read_ticks(JournalReader& reader, std::vector<JournaledTick>& ticks) {
     for (std::size_t left = reader.from.count(); left > 0; left--) {
         JournaledTick& tick = ticks.emplace_back();
         tick.tick = reader.from.small();
@@ -163,12 +153,47 @@ Result<std::vector<JournaledTick>> decode_journal(std::string_view bytes) {
         if (reader.from.ok() && tick.tick <= last)
             return not_a_journal("has tick " + std::to_string(tick.tick) + " out of order");
         for (std::size_t more = reader.from.count(); more > 0; more--)
-            if (Status s = read_command(reader, tick.commands.emplace_back()); !s.ok())
-                return s.error();
+            if (Status s = read_command(reader, tick.commands.emplace_back()); !s.ok()) return s;
     }
+    return {};
+}
+
+Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
+    std::uint32_t before = 0;
+    for (std::size_t left = reader.from.count(); left > 0; left--) {
+        const std::uint32_t first = reader.from.small(), last = reader.from.small();
+        if (!reader.from.ok()) return not_a_journal("ends too early");
+        if (first <= before || last < first)
+            return not_a_journal("has ticks " + std::to_string(first) + " to " +
+                                 std::to_string(last) + " out of order");
+        stood.push_back({first, before = last});
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string encode_journal(const JournalBatch& batch) {
+    JournalWriter writer;
+    writer.to.number(journal_version);
+    write_ticks(writer, batch.ticks);
+    writer.to.number(batch.stood.size());
+    for (const TickRange& range : batch.stood)
+        writer.to.number(range.first), writer.to.number(range.last);
+    return writer.to.take();
+}
+
+Result<JournalBatch> decode_journal(std::string_view bytes) {
+    JournalReader reader{ByteReader(bytes), {}};
+    if (const std::uint64_t version = reader.from.number(); version != journal_version)
+        return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
+                             std::to_string(journal_version));
+    JournalBatch batch;
+    if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
+    if (Status s = read_stood(reader, batch.stood); !s.ok()) return s.error();
     if (!reader.from.ok()) return not_a_journal("ends too early");
     if (!reader.from.at_end()) return not_a_journal("goes on after its end");
-    return ticks;
+    return batch;
 }
 
 }  // namespace jostle::server

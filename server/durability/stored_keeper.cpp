@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "durability/stored_keeper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/log.h"
+#include "durability/checkpoint_image.h"
+#include "persistence/compressed.h"
+#include "persistence/journal_chain.h"
+
+namespace jostle::server {
+namespace {
+
+// How far a world that nobody touches may be ahead of its journal.
+constexpr double silence_seconds = 1;
+// What is as cheap to do again as to load is not written anew.
+constexpr double worth_ms = 50;
+constexpr std::size_t kept_checkpoints = 2;
+
+}  // namespace
+
+// --- CheckpointWriter ---
+
+CheckpointWriter::CheckpointWriter() : thread_([this] { run(); }) {}
+
+CheckpointWriter::~CheckpointWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void CheckpointWriter::push(Job job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    changed_.notify_all();
+}
+
+bool CheckpointWriter::wait(Clock::duration patience) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return jobs_.empty() && !busy_; });
+}
+
+void CheckpointWriter::run() {
+    for (;;) {
+        Job job;
+        {
+            std::unique_lock lock(mutex_);
+            busy_ = false;
+            changed_.notify_all();
+            changed_.wait(lock, [&] { return !jobs_.empty() || ends_; });
+            if (jobs_.empty()) return;
+            job = std::move(jobs_.front());
+            jobs_.pop_front();
+            busy_ = true;
+        }
+        job();
+    }
+}
+
+// --- StoredKeeper ---
+
+StoredKeeper::StoredKeeper(std::string world, double hz, JournalPlace place, StoreWriter& writer,
+                           CheckpointWriter& checkpoints, KeeperSettings settings)
+    : world_(std::move(world)),
+      hz_(hz),
+      writer_(writer),
+      checkpoints_(checkpoints),
+      settings_(std::move(settings)),
+      place_(place),
+      taken_{{place.tick, place.sequence, Clock::now()}} {}
+
+std::optional<std::string> StoredKeeper::trouble() const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (broken_) return broken_;
+    }
+    return writer_.failing();
+}
+
+void StoredKeeper::keep(KeptTick tick) {
+    if (first_ == 0) first_ = tick.tick;
+    last_ = tick.tick;
+    replay_ms_ += tick.step_ms;
+    if (!tick.stepped) {
+        if (!batch_.stood.empty() && batch_.stood.back().last + 1 == tick.tick)
+            batch_.stood.back().last = tick.tick;
+        else
+            batch_.stood.push_back({tick.tick, tick.tick});
+    }
+    const bool urgent = !tick.commands.empty() || !tick.results.empty();
+    if (!tick.commands.empty()) {
+        batch_.ticks.push_back({tick.tick, std::move(tick.commands)});
+        changed_ = true;
+    }
+    std::ranges::move(tick.results, std::back_inserter(results_));
+    if (urgent || last_ - first_ + 1 >= silence_seconds * hz_) flush();
+}
+
+// What cannot be handed over now goes with the next tick: while the store is in trouble no inputs
+// are applied, so that it is little.
+void StoredKeeper::flush() {
+    if (first_ == 0) return;
+    JournalEntry entry{.sequence = place_.sequence + 1,
+                       .epoch = place_.epoch,
+                       .first_tick = first_,
+                       .last_tick = last_,
+                       .data = compress(encode_journal(batch_))};
+    const Chain chain = entry.chain = next_chain(place_.chain, entry.data);
+    auto told = std::make_shared<std::vector<WaitingResult>>(std::move(results_));
+    results_.clear();
+    const bool pushed = writer_.push(
+        AppendEntry{world_, std::move(entry)},
+        [told, keeper = std::weak_ptr(weak_from_this()), on_told = settings_.on_told,
+         world = world_](const Status& written) {
+            if (!written.ok()) {
+                if (written.error().code == ErrorCode::aborted) return;
+                const std::string why = "the journal of world " + world +
+                                        " is at odds with the store: " + written.error().message;
+                log_error("{}", why);
+                if (const auto self = keeper.lock()) {
+                    const std::lock_guard lock(self->mutex_);
+                    self->broken_ = why;
+                }
+                return;
+            }
+            for (WaitingResult& result : *told) result.reply->put(std::move(result.result));
+            if (!told->empty() && on_told) on_told();
+        });
+    if (!pushed) {
+        results_ = std::move(*told);
+        return;
+    }
+    place_.sequence++;
+    place_.chain = chain;
+    batch_ = {};
+    first_ = 0;
+}
+
+bool StoredKeeper::wants_moment() const {
+    if (checkpoint_waits_ || trouble()) return false;
+    if (interrupted_) return true;
+    if (!changed_ && replay_ms_ < worth_ms) return false;
+    return replay_ms_ > 1000 * settings_.replay_seconds ||
+           Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_seconds);
+}
+
+void StoredKeeper::keep(WorldMoment moment) {
+    flush();
+    if (first_ != 0) return;  // the journal does not go as far as the moment
+    const Taken taken{moment.tick, place_.sequence, Clock::now()};
+    replay_ms_ = 0;
+    changed_ = interrupted_ = false;
+    taken_at_ = taken.at;
+    checkpoint_waits_ = true;
+    // The bodies are copied once, here, and turned into bytes elsewhere.
+    auto shared = std::make_shared<WorldMoment>(std::move(moment));
+    checkpoints_.push([self = shared_from_this(), shared, taken] {
+        Result<CheckpointImage> image = encode_checkpoint(*shared);
+        if (!image.ok()) {
+            log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
+                      image.error().message);
+            self->checkpoint_waits_ = false;
+            return;
+        }
+        const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
+                                                             {.tick = taken.tick,
+                                                              .hash = image->hash,
+                                                              .sequence = taken.sequence,
+                                                              .exact = std::move(image->bytes),
+                                                              .portable = {}}},
+                                               [self, taken](const Status& written) {
+                                                   self->checkpoint_waits_ = false;
+                                                   if (written.ok()) self->forget_old(taken);
+                                               });
+        if (!pushed) self->checkpoint_waits_ = false;
+    });
+}
+
+void StoredKeeper::end(WorldMoment moment) {
+    if (trouble()) return;
+    keep(std::move(moment));
+}
+
+// On the writer's thread.
+void StoredKeeper::forget_old(Taken newest) {
+    Taken oldest{};
+    {
+        const std::lock_guard lock(mutex_);
+        taken_.push_back(newest);
+        const auto since = newest.at - from_seconds(3600 * settings_.history_hours);
+        while (taken_.size() > kept_checkpoints && taken_[1].at < since) taken_.pop_front();
+        if (settings_.history_hours == 0)
+            while (taken_.size() > kept_checkpoints) taken_.pop_front();
+        oldest = taken_.front();
+    }
+    // The entry that the oldest one ends with stays: what comes after it names it.
+    writer_.push(Trim{world_, oldest.tick, oldest.sequence}, nullptr);
+}
+
+}  // namespace jostle::server

@@ -65,15 +65,18 @@ void CheckpointWriter::run() {
 
 // --- StoredKeeper ---
 
-StoredKeeper::StoredKeeper(std::string world, double hz, JournalPlace place, StoreWriter& writer,
-                           CheckpointWriter& checkpoints, KeeperSettings settings)
+StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& place,
+                           StoreWriter& writer, CheckpointWriter& checkpoints,
+                           KeeperSettings settings)
     : world_(std::move(world)),
       hz_(hz),
       writer_(writer),
       checkpoints_(checkpoints),
       settings_(std::move(settings)),
-      place_(place),
-      taken_{{place.tick, place.sequence, Clock::now()}} {}
+      place_(place) {
+    // When those of another process were taken is not known: they stay as if it were now.
+    for (const std::uint32_t tick : place.checkpoints) taken_.push_back({tick, Clock::now()});
+}
 
 std::optional<std::string> StoredKeeper::trouble() const {
     {
@@ -153,14 +156,15 @@ bool StoredKeeper::wants_moment() const {
 void StoredKeeper::keep(WorldMoment moment) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
-    const Taken taken{moment.tick, place_.sequence, Clock::now()};
+    const Taken taken{moment.tick, Clock::now()};
+    const std::uint64_t sequence = place_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
     taken_at_ = taken.at;
     checkpoint_waits_ = true;
     // The bodies are copied once, here, and turned into bytes elsewhere.
     auto shared = std::make_shared<WorldMoment>(std::move(moment));
-    checkpoints_.push([self = shared_from_this(), shared, taken] {
+    checkpoints_.push([self = shared_from_this(), shared, taken, sequence] {
         Result<CheckpointImage> image = encode_checkpoint(*shared);
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
@@ -171,7 +175,7 @@ void StoredKeeper::keep(WorldMoment moment) {
         const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
                                                              {.tick = taken.tick,
                                                               .hash = image->hash,
-                                                              .sequence = taken.sequence,
+                                                              .sequence = sequence,
                                                               .exact = std::move(image->bytes),
                                                               .portable = {}}},
                                                [self, taken](const Status& written) {
@@ -189,7 +193,7 @@ void StoredKeeper::end(WorldMoment moment) {
 
 // On the writer's thread.
 void StoredKeeper::forget_old(Taken newest) {
-    Taken oldest{};
+    std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);
         taken_.push_back(newest);
@@ -197,10 +201,9 @@ void StoredKeeper::forget_old(Taken newest) {
         while (taken_.size() > kept_checkpoints && taken_[1].at < since) taken_.pop_front();
         if (settings_.history_hours == 0)
             while (taken_.size() > kept_checkpoints) taken_.pop_front();
-        oldest = taken_.front();
+        oldest = taken_.front().tick;
     }
-    // The entry that the oldest one ends with stays: what comes after it names it.
-    writer_.push(Trim{world_, oldest.tick, oldest.sequence}, nullptr);
+    writer_.push(Trim{world_, oldest}, nullptr);
 }
 
 }  // namespace jostle::server

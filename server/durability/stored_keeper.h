@@ -32,7 +32,7 @@ struct JournalPlace {
     std::uint64_t epoch = 0;     // of this process
     std::uint64_t sequence = 0;  // of the last entry
     Chain chain{};
-    std::uint32_t tick = 0;  // after which the last checkpoint was taken
+    std::vector<std::uint32_t> checkpoints = {};  // ticks of those in the store, rising
 };
 
 // Turns moments into checkpoints, one after the other, on a thread of its own.
@@ -59,7 +59,7 @@ private:
 
 class StoredKeeper : public WorldKeeper, public std::enable_shared_from_this<StoredKeeper> {
 public:
-    StoredKeeper(std::string world, double hz, JournalPlace place, StoreWriter& writer,
+    StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
                  CheckpointWriter& checkpoints, KeeperSettings settings);
 
     std::optional<std::string> trouble() const override;
@@ -72,7 +72,6 @@ public:
 private:
     struct Taken {  // a checkpoint that is in the store
         std::uint32_t tick;
-        std::uint64_t sequence;
         Clock::time_point at;
     };
 

@@ -192,10 +192,15 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
         if (!checkpoint.ok()) return checkpoint.error();
         changes.emplace_back(PutCheckpoint{stored.id, *std::move(checkpoint)});
     }
+    Result<std::vector<std::uint32_t>> ticks = store.checkpoint_ticks(stored.id);
+    if (!ticks.ok()) return ticks.error();
+    std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
+    ticks->insert(ticks->begin(), found->tick);
+    std::ranges::reverse(*ticks);
     const JournalPlace place{.epoch = now.epoch,
                              .sequence = found->sequence,
                              .chain = found->chain,
-                             .tick = found->tick};
+                             .checkpoints = *std::move(ticks)};
     changes.emplace_back(PutWorld{std::move(now)});
     if (Status s = store.write(changes); !s.ok()) return s.error();
 
@@ -238,7 +243,7 @@ Status WorldArchive::open(WorldStart& start) {
                      "the world cannot be kept: " +
                          trouble().value_or("the store is slow; try again in a moment")};
     }
-    start.keeper = keeper_of(start, {.epoch = 1, .tick = start.tick});
+    start.keeper = keeper_of(start, {.epoch = 1, .checkpoints = {start.tick}});
     return {};
 }
 
@@ -278,7 +283,7 @@ Result<WorldStart> WorldArchive::again(const std::string& id) {
     start.keeper = keeper_of(start, {.epoch = world.epoch,
                                      .sequence = found->sequence,
                                      .chain = found->chain,
-                                     .tick = found->checkpoint});
+                                     .checkpoints = {found->checkpoint}});
     return start;
 }
 

@@ -112,7 +112,8 @@ public:
             "SELECT max(sequence) FROM journal WHERE world = ?1",
             "INSERT OR REPLACE INTO checkpoint VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)",
             "DELETE FROM checkpoint WHERE world = ?1 AND tick < ?2",
-            "DELETE FROM journal WHERE world = ?1 AND sequence < ?2",
+            "DELETE FROM journal WHERE world = ?1 AND sequence < "
+            "(SELECT sequence FROM checkpoint WHERE world = ?1 AND tick = ?2)",
             "SELECT id, name, epoch, engine, settings, digest FROM world ORDER BY id",
             "SELECT tick FROM checkpoint WHERE world = ?1 ORDER BY tick DESC",
             "SELECT tick, hash, sequence, exact, portable, digest FROM checkpoint "
@@ -188,9 +189,11 @@ public:
             .run();
     }
     Status operator()(const Trim& trim) {
-        Status done =
-            of(trim_checkpoints).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}).run();
-        return done.ok() ? of(trim_journal).bind(1, trim.world).bind(2, trim.sequence).run() : done;
+        for (const Kind kind : {trim_checkpoints, trim_journal})
+            if (Status s = of(kind).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}).run();
+                !s.ok())
+                return s;
+        return {};
     }
     Status operator()(const CutJournal& cut) {
         Status done = of(cut_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();

@@ -61,11 +61,11 @@ struct PutCheckpoint {
     std::string world;
     Checkpoint checkpoint;
 };
-// What nobody needs any more: checkpoints before that tick, and entries before that sequence.
+// What nobody needs any more: checkpoints before the one of that tick, and entries before the last
+// one that is in it.
 struct Trim {
     std::string world;
     std::uint32_t tick = 0;
-    std::uint64_t sequence = 0;
 };
 // The world is of another past: entries after that sequence, and checkpoints after that tick, are
 // not its own.

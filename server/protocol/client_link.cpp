@@ -224,7 +224,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .resume_token = seat_ ? seat_->token : std::string(),
                     .resumed = lost != nullptr,
                     .continues = gone.has_value(),
-                    .last_sequence = last_sequence_,
+                    .last_sequence = confirmed(),
                     .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));

@@ -45,6 +45,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
                             .result_queue = std::make_shared<ResultQueue>(),
                             .results = {},
                             .last_sequence = last_sequence,
+                            .kept_sequence = last_sequence,
                             .baselines = {},
                             .sent = {},
                             .told_geometry = {}},
@@ -91,6 +92,7 @@ void ClientLink::keep_place(Clock::time_point now) {
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
+                    .kept_sequence = kept_sequence_,
                     .whole = goes_on_later(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_),
@@ -158,6 +160,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
 std::optional<std::vector<EntityId>> ClientLink::take_over(LostClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
+    kept_sequence_ = lost.kept_sequence;
     SentLog::Known known = lost.sent.known_at(frame, now);
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),

@@ -114,7 +114,7 @@ TEST(SqliteStore, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
     ASSERT_TRUE(store->write(small_history(journal, "sea")).ok());
-    ASSERT_TRUE(write(*store, {Trim{"sea", 100, 10}}).ok());
+    ASSERT_TRUE(write(*store, {Trim{"sea", 100}}).ok());
     EXPECT_EQ(*store->checkpoint_ticks("sea"), std::vector<std::uint32_t>{100});
     EXPECT_EQ(store->entries("sea", 10, 1 << 20)->size(), 2u);
     EXPECT_EQ(error_of(store->entries("sea", 5, 1 << 20)).message,

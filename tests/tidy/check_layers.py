@@ -68,6 +68,7 @@ FLOORS = {
     "clients/recording": ["clients/cpp", "proto/wire", "generated"],
     "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
     "clients/replay": ["clients/cpp", "clients/recording", "clients/ctl", "proto/wire", "generated"],
+    "replay": ["clients/replay", "clients/recording", "clients/cpp", "server/durability", "server/persistence", "server/host", "server/base", "scenes/include", PUBLIC],
     "clients/bot": ["clients/cpp", "clients/flags", "generated"],
     "clients/flags": ["clients/cpp"],
     "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
@@ -82,7 +83,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
-SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
+SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "replay", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "clients/recording/include", "clients/recording/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 

@@ -128,8 +128,13 @@ private:
     }
 
     void do_again(HostedWorld& world, const JournaledTick& tick, bool stands) {
-        if (!options_.admits || options_.admits(tick))
-            for (const JournaledCommand& command : tick.commands) world.apply_again(command);
+        const bool admitted = !options_.admits || options_.admits(tick);
+        for (const JournaledCommand& command : tick.commands) {
+            if (admitted)
+                world.apply_again(command);
+            else if (command.sequence != 0)  // nobody says it again
+                world.apply_again({command.client, command.sequence, std::nullopt});
+        }
         // One that is refused was refused then, too.
         if (!stands) static_cast<void>(world.step(1 / record_.scene->hz, tick.tick + 1).ok());
         static_cast<void>(world.newly_quarantined());

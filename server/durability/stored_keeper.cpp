@@ -66,12 +66,13 @@ void CheckpointWriter::run() {
 // --- StoredKeeper ---
 
 StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& place,
-                           StoreWriter& writer, CheckpointWriter& checkpoints,
+                           StoreWriter& writer, CheckpointWriter& checkpoints, CrashMark mark,
                            KeeperSettings settings)
     : world_(std::move(world)),
       hz_(hz),
       writer_(writer),
       checkpoints_(checkpoints),
+      mark_(mark),
       settings_(std::move(settings)),
       place_(place) {
     // When those of another process were taken is not known: they stay as if it were now.
@@ -87,22 +88,45 @@ std::optional<std::string> StoredKeeper::trouble() const {
 }
 
 void StoredKeeper::keep(KeptTick tick) {
-    if (first_ == 0) first_ = tick.tick;
+    mark_.begin(tick.tick);
+    if (first_ == 0) {
+        first_ = tick.tick;
+        telling_ = std::make_shared<Telling>();
+    }
     last_ = tick.tick;
-    replay_ms_ += tick.step_ms;
-    if (!tick.stepped) {
+    if (!tick.steps) {
         if (!batch_.stood.empty() && batch_.stood.back().last + 1 == tick.tick)
             batch_.stood.back().last = tick.tick;
         else
             batch_.stood.push_back({tick.tick, tick.tick});
     }
-    const bool urgent = !tick.commands.empty() || !tick.results.empty();
-    if (!tick.commands.empty()) {
+    const bool urgent = !tick.commands.empty();
+    if (urgent) {
         batch_.ticks.push_back({tick.tick, std::move(tick.commands)});
         changed_ = true;
     }
-    std::ranges::move(tick.results, std::back_inserter(results_));
     if (urgent || last_ - first_ + 1 >= silence_seconds * hz_) flush();
+}
+
+void StoredKeeper::on_shown(double step_ms, std::vector<WaitingResult> results) {
+    mark_.end();
+    replay_ms_ += step_ms;
+    if (results.empty()) return;
+    bool safe = false;
+    {
+        const std::lock_guard lock(telling_->mutex);
+        safe = telling_->is_safe;
+        if (!safe) std::ranges::move(results, std::back_inserter(telling_->results));
+    }
+    if (safe) tell(results);
+    // Of inputs that did nothing: they need not wait for what nobody did.
+    flush();
+}
+
+void StoredKeeper::tell(std::vector<WaitingResult>& results) const {
+    if (results.empty()) return;
+    for (WaitingResult& result : results) result.reply->put(std::move(result.result));
+    if (settings_.on_told) settings_.on_told();
 }
 
 // What cannot be handed over now goes with the next tick: while the store is in trouble no inputs
@@ -115,34 +139,32 @@ void StoredKeeper::flush() {
                        .last_tick = last_,
                        .data = compress(encode_journal(batch_))};
     const Chain chain = entry.chain = next_chain(place_.chain, entry.data);
-    auto told = std::make_shared<std::vector<WaitingResult>>(std::move(results_));
-    results_.clear();
-    const bool pushed = writer_.push(
-        AppendEntry{world_, std::move(entry)},
-        [told, keeper = std::weak_ptr(weak_from_this()), on_told = settings_.on_told,
-         world = world_](const Status& written) {
-            if (!written.ok()) {
-                if (written.error().code == ErrorCode::aborted) return;
-                const std::string why = "the journal of world " + world +
-                                        " is at odds with the store: " + written.error().message;
-                log_error("{}", why);
-                if (const auto self = keeper.lock()) {
-                    const std::lock_guard lock(self->mutex_);
-                    self->broken_ = why;
-                }
-                return;
-            }
-            for (WaitingResult& result : *told) result.reply->put(std::move(result.result));
-            if (!told->empty() && on_told) on_told();
-        });
-    if (!pushed) {
-        results_ = std::move(*told);
-        return;
-    }
+    const bool pushed =
+        writer_.push(AppendEntry{world_, std::move(entry)},
+                     [telling = telling_, self = shared_from_this()](const Status& written) {
+                         if (!written.ok()) return self->on_unwritten(written.error());
+                         std::vector<WaitingResult> results;
+                         {
+                             const std::lock_guard lock(telling->mutex);
+                             telling->is_safe = true;
+                             results.swap(telling->results);
+                         }
+                         self->tell(results);
+                     });
+    if (!pushed) return;
     place_.sequence++;
     place_.chain = chain;
     batch_ = {};
     first_ = 0;
+}
+
+void StoredKeeper::on_unwritten(const Error& error) {
+    if (error.code == ErrorCode::aborted) return;
+    const std::string why =
+        "the journal of world " + world_ + " is at odds with the store: " + error.message;
+    log_error("{}", why);
+    const std::lock_guard lock(mutex_);
+    broken_ = why;
 }
 
 bool StoredKeeper::wants_moment() const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/clock.h"
+#include "durability/crash_marks.h"
 #include "durability/journal_codec.h"
 #include "host/world_keeper.h"
 #include "persistence/store_writer.h"
@@ -60,10 +61,11 @@ private:
 class StoredKeeper : public WorldKeeper, public std::enable_shared_from_this<StoredKeeper> {
 public:
     StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
-                 CheckpointWriter& checkpoints, KeeperSettings settings);
+                 CheckpointWriter& checkpoints, CrashMark mark, KeeperSettings settings);
 
     std::optional<std::string> trouble() const override;
     void keep(KeptTick tick) override;
+    void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_moment() const override;
     void keep(WorldMoment moment) override;
@@ -75,20 +77,31 @@ private:
         Clock::time_point at;
     };
 
+    // Results are told when what they are results of is both shown and safe.
+    struct Telling {
+        std::mutex mutex;
+        bool is_safe = false;
+        std::vector<WaitingResult> results;
+    };
+
     void flush();
+    void tell(std::vector<WaitingResult>& results) const;
+    void on_unwritten(const Error& error);
     void forget_old(Taken newest);
 
     const std::string world_;
     const double hz_;
     StoreWriter& writer_;
     CheckpointWriter& checkpoints_;
+    const CrashMark mark_;
     const KeeperSettings settings_;
 
     // The world's thread's.
     JournalPlace place_;
     JournalBatch batch_;
     std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
-    std::vector<WaitingResult> results_;
+    // Of the newest entry; of the batch that is not handed over, if there is one.
+    std::shared_ptr<Telling> telling_ = std::make_shared<Telling>();
     double replay_ms_ = 0;  // since the last checkpoint
     bool changed_ = false;  // likewise: something was done
     Clock::time_point taken_at_ = Clock::now();

@@ -12,7 +12,6 @@
 #include "base/log.h"
 #include "durability/checkpoint_image.h"
 #include "durability/copied_world.h"
-#include "durability/recover_world.h"
 #include "persistence/sqlite_store.h"
 
 namespace jostle::server {
@@ -79,6 +78,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
       checkpoints_(std::make_unique<CheckpointWriter>()) {}
 
 WorldArchive::~WorldArchive() {
+    CrashMarks::count_fatal_signals(nullptr);
     checkpoints_.reset();
     writer_.reset();
 }
@@ -95,12 +95,16 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     const auto failed = [&](const Error& error) {
         return Error{error.code, settings.store + ": " + error.message};
     };
+    Result<std::unique_ptr<CrashMarks>> marks = CrashMarks::open(settings.store + ".marks");
+    if (!marks.ok()) return marks.error();
+    archive->marks_ = *std::move(marks);
     if (Status s = archive->read_notes(**store); !s.ok()) return failed(s.error());
     const Result<std::vector<StoredWorld>> worlds = (*store)->worlds();
     if (!worlds.ok()) return failed(worlds.error());
     // Keepers of worlds that are taken up know the writer: it comes first, and has nothing to do.
     WorldStore& there = **store;
     archive->writer_ = std::make_unique<StoreWriter>(*std::move(store), StoreWriterSettings{});
+    CrashMarks::count_fatal_signals(archive->marks_.get());
     archive->take_up_all(there, *worlds);
     return archive;
 }
@@ -170,11 +174,8 @@ void WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>
 Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& stored) {
     Result<WorldRecord> record = decode_world_record(stored.settings);
     if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found = recover_world(store, stored, *record, {.threads = threads_});
+    Result<RecoveredWorld> found = recover(store, stored, *record);
     if (!found.ok()) return found.error();
-    for (const std::string& remark : found->remarks)
-        log_error("world {} \"{}\": {}", stored.id, stored.name, remark);
-
     record->limits = limits_;
     found->world.set_limits(limits_);
     StoredWorld now{.id = stored.id,
@@ -203,6 +204,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
                              .checkpoints = *std::move(ticks)};
     changes.emplace_back(PutWorld{std::move(now)});
     if (Status s = store.write(changes); !s.ok()) return s.error();
+    marks_->of(stored.id).forget();
 
     std::vector<AbsentClient> absent = absent_of(found->world.image(found->tick));
     KeptWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
@@ -214,10 +216,45 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
     return kept;
 }
 
+// A tick that crashed twice in a row is done again without its commands; should the fault lie
+// further back, each crash more takes twice as many ticks.
+Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorld& stored,
+                                             const WorldRecord& record) {
+    const CrashMark mark = marks_->of(stored.id);
+    const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
+    const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
+    RecoveryOptions options{.threads = threads_};
+    options.admits = [&](const JournaledTick& tick) {
+        mark.begin(tick.tick);
+        const bool is_suspect = tick.tick <= last && last - tick.tick < ticks;
+        if (is_suspect && !tick.commands.empty()) set_aside(stored, tick);
+        return !is_suspect;
+    };
+    Result<RecoveredWorld> found = recover_world(store, stored, record, options);
+    mark.end();
+    if (!found.ok()) return found;
+    if (ticks > 0)
+        found->remarks.push_back("it crashed " + std::to_string(crashes) + " times in tick " +
+                                 std::to_string(last) + ": what was done in the last " +
+                                 std::to_string(ticks) + " ticks up to it is set aside");
+    for (const std::string& remark : found->remarks)
+        log_error("world {} \"{}\": {}", stored.id, stored.name, remark);
+    return found;
+}
+
+void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tick) {
+    log_error("world {} \"{}\": {} commands of tick {} are set aside", stored.id, stored.name,
+              tick.commands.size(), tick.tick);
+    writer_->push(PutNote{"aside " + stored.id + " " + std::to_string(tick.tick),
+                          encode_journal({{tick}, {}})},
+                  nullptr);
+}
+
 std::shared_ptr<WorldKeeper> WorldArchive::keeper_of(const WorldStart& start,
                                                      const JournalPlace& place) {
     return std::make_shared<StoredKeeper>(start.label.id, start.scene->hz, place, *writer_,
-                                          *checkpoints_, keeper_settings_);
+                                          *checkpoints_, marks_->of(start.label.id),
+                                          keeper_settings_);
 }
 
 // --- worlds that begin, end, and fail ---
@@ -249,6 +286,7 @@ Status WorldArchive::open(WorldStart& start) {
 
 void WorldArchive::drop(const std::string& id) {
     checkpoints_->wait(patience);
+    marks_->drop(id);
     if (!writer_->push(DropWorld{id}, nullptr) || !writer_->flush(patience))
         log_error("world {} may come back: that it was deleted could not be kept", id);
 }
@@ -272,10 +310,8 @@ Result<WorldStart> WorldArchive::again(const std::string& id) {
     const StoredWorld& world = stored->front();
     const Result<WorldRecord> record = decode_world_record(world.settings);
     if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found = recover_world(**copy, world, *record, {.threads = threads_});
+    Result<RecoveredWorld> found = recover(**copy, world, *record);
     if (!found.ok()) return found.error();
-    for (const std::string& remark : found->remarks)
-        log_error("world {} \"{}\": {}", world.id, world.name, remark);
     WorldStart start{.label = {world.id, world.name, record->owner},
                      .scene = record->scene,
                      .world = std::move(found->world),

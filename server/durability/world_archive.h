@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "config/config.h"
+#include "durability/crash_marks.h"
+#include "durability/recover_world.h"
 #include "durability/stored_keeper.h"
 #include "durability/world_record.h"
 #include "host/world_host.h"
@@ -31,7 +33,9 @@ struct KeptWorld {
 
 class WorldArchive : public WorldKeepers {
 public:
-    // What is there is read and taken up. Errors: the store cannot be opened (SqliteStore::open).
+    // What is there is read and taken up. From now on a fatal signal is counted for the worlds
+    // whose ticks run then, one archive a process. Errors: the store cannot be opened
+    // (SqliteStore::open).
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
                                                       std::function<void()> on_told);
@@ -65,11 +69,16 @@ private:
     Status read_notes(WorldStore& store);
     void take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
     Result<KeptWorld> take_up(WorldStore& store, const StoredWorld& stored);
+    // As it was, but for what crashes it.
+    Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
+                                   const WorldRecord& record);
+    void set_aside(const StoredWorld& stored, const JournaledTick& tick);
     std::shared_ptr<WorldKeeper> keeper_of(const WorldStart& start, const JournalPlace& place);
 
     const HostLimits limits_;
     const int threads_;
     const KeeperSettings keeper_settings_;
+    std::unique_ptr<CrashMarks> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
     std::vector<KeptWorld> kept_;

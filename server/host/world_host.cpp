@@ -175,8 +175,10 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const std::optional<Error> refusal = why_no_inputs(why);
     apply_commands(refusal, due);
     const bool allowed = why && steps_.begin_step();
+    const bool steps = !why || allowed;
+    if (keeper_) keeper_->keep({tick_, steps, world_.take_journal()});
     watch_.begin_step();
-    const bool stepped = (!why || allowed) && step(allowed);
+    const bool stepped = steps && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
@@ -190,7 +192,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const FramePtr shown = frame;
     const bool answered = !keeper_ || refusal;
     publish(std::move(frame), answered);
-    if (keeper_) keep_tick(stepped, shown->step_ms, answered);
+    if (keeper_) keep_shown(shown->step_ms, answered);
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
@@ -331,16 +333,12 @@ WorldMoment WorldHost::moment() const {
     return now;
 }
 
-void WorldHost::keep_tick(bool stepped, double step_ms, bool answered) {
+void WorldHost::keep_shown(double step_ms, bool answered) {
     if (std::exchange(step_interrupted_, false)) keeper_->on_interrupted();
-    KeptTick kept{.tick = tick_,
-                  .stepped = stepped,
-                  .step_ms = step_ms,
-                  .commands = world_.take_journal(),
-                  .results = {}};
+    std::vector<WaitingResult> results;
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
-        if (batch_[i].reply) kept.results.push_back({batch_[i].reply, std::move(results_[i])});
-    keeper_->keep(std::move(kept));
+        if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
+    keeper_->on_shown(step_ms, std::move(results));
     if (keeper_->wants_moment()) keeper_->keep(moment());
 }
 

@@ -144,8 +144,8 @@ private:
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
     void publish(std::shared_ptr<Frame> frame, bool answers);
-    // Hands what happened in this tick to who keeps it.
-    void keep_tick(bool stepped, double step_ms, bool answered);
+    // Hands the results of this tick, and now and then the world, to who keeps it.
+    void keep_shown(double step_ms, bool answered);
     WorldMoment moment() const;
     std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);

@@ -24,10 +24,8 @@ struct WaitingResult {
 
 struct KeptTick {
     std::uint32_t tick = 0;
-    bool stepped = true;
-    double step_ms = 0;                      // what it would take to do it again
+    bool steps = true;                       // false: the world stands still
     std::vector<JournaledCommand> commands;  // in the order in which they were applied
-    std::vector<WaitingResult> results;      // to be told when the tick is safe
 };
 
 // A world after a tick, taken in between two.
@@ -44,8 +42,11 @@ public:
 
     // Any thread: why nothing can be promised to outlive the process now; nothing: it can.
     virtual std::optional<std::string> trouble() const = 0;
-    // Each tick once, in order.
+    // Each tick once, in order, when its commands have been applied and before its step.
     virtual void keep(KeptTick tick) = 0;
+    // Its frame is out. `step_ms`: what it takes to do it again; the results are to be told when
+    // the tick is safe.
+    virtual void on_shown(double step_ms, std::vector<WaitingResult> results) = 0;
     // A step was cut short: what it came to cannot be computed again.
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "durability/journal_codec.h"
 #include "durability/recover_world.h"
 #include "host/world_directory.h"
 #include "jostle/physics/snapshot.h"
@@ -186,6 +187,37 @@ TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two
     auto store = SqliteStore::open(folder / "worlds.db", {}).value();
     EXPECT_EQ(store->checkpoint_ticks(id).value(), ticks);
     EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
+}
+
+TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    std::string id;
+    {
+        Process process(path);
+        const auto world = process.create("yard");
+        id = world->id();
+        Process::play(*world, 20, std::make_shared<ResultQueue>());
+        ASSERT_TRUE(process.archive->flush(5s));
+        process.die();
+    }
+    {
+        const auto marks = CrashMarks::open(path + ".marks").value();
+        for (int crash = 0; crash < 2; crash++) {
+            marks->of(id).begin(15);
+            marks->on_crash();
+        }
+    }
+    {
+        Process process(path);
+        EXPECT_EQ(process.worlds->find("yard")->frame()->tick, 21u);
+        process.die();
+    }
+    auto store = SqliteStore::open(path, {}).value();
+    const auto aside = store->note("aside " + id + " 15").value();
+    ASSERT_TRUE(aside.has_value());
+    EXPECT_EQ(decode_journal(*aside).value().ticks.at(0).commands.size(), 2u);
+    EXPECT_EQ(store->note("aside " + id + " 14").value(), std::nullopt);
 }
 
 TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {

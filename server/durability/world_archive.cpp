@@ -301,6 +301,23 @@ Result<std::unique_ptr<WorldStore>> WorldArchive::copy_of(const std::string& id,
     return std::unique_ptr<WorldStore>(*std::move(copy));
 }
 
+Result<ExportedScene> WorldArchive::scene_at(const std::string& id, std::uint32_t tick) {
+    const Result<std::unique_ptr<WorldStore>> copy = copy_of(id, tick);
+    if (!copy.ok()) return copy.error();
+    const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
+    if (!stored.ok()) return stored.error();
+    const Result<WorldRecord> record = decode_world_record(stored->front().settings);
+    if (!record.ok()) return record.error();
+    Result<RecoveredWorld> found =
+        recover_world(**copy, stored->front(), *record, {.last_tick = tick, .threads = threads_});
+    if (!found.ok()) return found.error();
+    if (found->tick != tick)
+        return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
+                                               " is not kept; the last one is " +
+                                               std::to_string(found->tick)};
+    return found->world.exported(*record->scene);
+}
+
 Result<WorldStart> WorldArchive::again(const std::string& id) {
     checkpoints_->wait(patience);
     const Result<std::unique_ptr<WorldStore>> copy = copy_of(id, 0xffffffff);

@@ -59,6 +59,7 @@ public:
 
     Status open(WorldStart& start) override;
     void drop(const std::string& id) override;
+    Result<ExportedScene> scene_at(const std::string& id, std::uint32_t tick) override;
     Result<WorldStart> again(const std::string& id) override;
     // Any thread: what is kept of a world, up to that tick.
     Result<std::unique_ptr<WorldStore>> copy_of(const std::string& id, std::uint32_t last_tick);

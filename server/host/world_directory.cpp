@@ -126,6 +126,14 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
     return out;
 }
 
+Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
+    if (!world.is_kept())
+        return Error{ErrorCode::failed_precondition,
+                     "the world is not kept, so only what it is now can be had; "
+                     "persistence.store says where worlds are kept"};
+    return settings_.keepers->scene_at(world.id(), tick);
+}
+
 std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name) {
     std::shared_ptr<WorldHost> world;
     {

@@ -32,6 +32,9 @@ public:
     // Before any other: a world that goes on.
     std::shared_ptr<WorldHost> adopt(WorldStart start);
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
+    // The world as it was after that tick. Takes as long as all that was done since the checkpoint
+    // before it. Errors: worlds are not kept here, or that tick is not.
+    Result<ExportedScene> scene_at(const WorldHost& world, std::uint32_t tick) const;
     // Stops the world; its clients notice. Null when there is none.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();

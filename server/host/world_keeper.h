@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/export_scene.h"
 #include "host/host_image.h"
 #include "host/journaled_command.h"
 #include "host/result_queue.h"
@@ -67,6 +68,8 @@ public:
     virtual Status open(WorldStart& start) = 0;
     // The world was stopped and is forgotten.
     virtual void drop(const std::string& id) = 0;
+    // The world as it was after that tick, as a scene. not_found: that is not kept.
+    virtual Result<ExportedScene> scene_at(const std::string& id, std::uint32_t tick) = 0;
     // A world that an error ended, as it was last kept.
     virtual Result<WorldStart> again(const std::string& id) = 0;
 };

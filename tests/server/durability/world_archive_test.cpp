@@ -12,6 +12,7 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
 #include "persistence/sqlite_store.h"
+#include "support/error_of.h"
 #include "support/random.h"
 #include "support/temp_folder.h"
 
@@ -187,6 +188,21 @@ TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two
     auto store = SqliteStore::open(folder / "worlds.db", {}).value();
     EXPECT_EQ(store->checkpoint_ticks(id).value(), ticks);
     EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
+}
+
+TEST(WorldArchive, a_moment_of_a_world_that_runs_can_be_had_as_a_scene) {
+    const test::TempFolder folder;
+    Process process(folder / "worlds.db");
+    const auto world = process.create("yard");
+    Process::play(*world, 40, std::make_shared<ResultQueue>());
+    ASSERT_TRUE(process.archive->flush(5s));
+    const std::size_t now = world->frame()->entities.size();
+    const auto then = process.worlds->scene_at(*world, 11).value();
+    EXPECT_LT(then.scene.bodies.size(), now);
+    EXPECT_EQ(process.worlds->scene_at(*world, 41).value().scene.bodies.size(), now);
+    EXPECT_TRUE(process.worlds->create("what-if", then.scene).ok());
+    EXPECT_EQ(test::error_of(process.worlds->scene_at(*world, 900)).message,
+              "tick 900 is not kept; the last one is 41");
 }
 
 TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands) {

@@ -85,10 +85,12 @@ WorldArchive::~WorldArchive() {
 
 Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettings& settings,
                                                          const HostLimits& limits, int threads,
-                                                         std::function<void()> on_told) {
+                                                         std::function<void()> on_told,
+                                                         const char* file_system) {
     Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(
-        settings.store,
-        {.durability = settings.level == "process" ? Durability::process : Durability::machine});
+        settings.store, {.durability = settings.level == "process" ? Durability::process
+                                                                   : Durability::machine,
+                         .file_system = file_system});
     if (!store.ok()) return store.error();
     std::unique_ptr<WorldArchive> archive(
         new WorldArchive(settings, limits, threads, std::move(on_told)));

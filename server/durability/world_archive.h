@@ -33,12 +33,13 @@ struct KeptWorld {
 
 class WorldArchive : public WorldKeepers {
 public:
-    // What is there is read and taken up. From now on a fatal signal is counted for the worlds
+    // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal signal is counted for the worlds
     // whose ticks run then, one archive a process. Errors: the store cannot be opened
     // (SqliteStore::open).
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
-                                                      std::function<void()> on_told);
+                                                      std::function<void()> on_told,
+                                                      const char* file_system = nullptr);
     ~WorldArchive() override;
 
     // Once: the worlds that go on, in the order of their creation. One that cannot be had back is

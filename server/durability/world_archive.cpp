@@ -88,9 +88,9 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
                                                          std::function<void()> on_told,
                                                          const char* file_system) {
     Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(
-        settings.store, {.durability = settings.level == "process" ? Durability::process
-                                                                   : Durability::machine,
-                         .file_system = file_system});
+        settings.store,
+        {.durability = settings.level == "process" ? Durability::process : Durability::machine,
+         .file_system = file_system});
     if (!store.ok()) return store.error();
     std::unique_ptr<WorldArchive> archive(
         new WorldArchive(settings, limits, threads, std::move(on_told)));

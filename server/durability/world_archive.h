@@ -33,9 +33,9 @@ struct KeptWorld {
 
 class WorldArchive : public WorldKeepers {
 public:
-    // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal signal is counted for the worlds
-    // whose ticks run then, one archive a process. Errors: the store cannot be opened
-    // (SqliteStore::open).
+    // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
+    // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
+    // store cannot be opened (SqliteStore::open).
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
                                                       std::function<void()> on_told,

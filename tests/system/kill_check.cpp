@@ -32,7 +32,7 @@ struct Plan {
     unsigned seed = 1;
     std::string scene = "sandbox", level = "process";
     std::vector<std::string> settings;
-    bool verbose = false;
+    bool gently = false, verbose = false;
 };
 
 // Which input of which client.
@@ -101,18 +101,21 @@ private:
 
 // What the store says in the end.
 struct Findings {
-    std::size_t told = 0, kept = 0, lost = 0, twice = 0;
+    std::size_t told = 0, kept = 0, lost = 0, twice = 0, left = 0;
     int checkpoints = 0, other_hashes = 0;
     std::uint32_t ticks = 0;
     bool same_end = false;
     std::vector<std::string> remarks;
 
     bool good() const {
-        return lost == 0 && twice == 0 && other_hashes == 0 && same_end && remarks.empty();
+        return lost == 0 && twice == 0 && left == 0 && other_hashes == 0 && same_end &&
+               remarks.empty();
     }
 };
 
-std::map<Numbered, int> inputs_in(server::WorldStore& store, const std::string& world) {
+// How often each input is there; counts clients who left, too: none did.
+std::map<Numbered, int> inputs_in(server::WorldStore& store, const std::string& world,
+                                  std::size_t& left) {
     std::map<Numbered, int> kept;
     for (std::uint64_t after = 0;;) {
         const auto entries = store.entries(world, after, 8 << 20).value();
@@ -121,8 +124,12 @@ std::map<Numbered, int> inputs_in(server::WorldStore& store, const std::string& 
             const std::string data = server::decompress(entry.data, 1 << 28).value();
             const server::JournalBatch batch = server::decode_journal(data).value();
             for (const server::JournaledTick& tick : batch.ticks)
-                for (const server::JournaledCommand& command : tick.commands)
+                for (const server::JournaledCommand& command : tick.commands) {
                     if (command.sequence != 0) kept[{command.client, command.sequence}]++;
+                    if (command.action &&
+                        std::holds_alternative<server::LeaveCommand>(*command.action))
+                        left++;
+                }
         }
         after = entries.back().sequence;
     }
@@ -133,7 +140,7 @@ Findings read_store(const std::string& path, const std::vector<std::unique_ptr<B
     const auto store = server::SqliteStore::open(path, {}).value();
     const server::StoredWorld stored = store->worlds().value().at(0);
     const auto record = server::decode_world_record(stored.settings).value();
-    const std::map<Numbered, int> kept = inputs_in(*store, stored.id);
+    const std::map<Numbered, int> kept = inputs_in(*store, stored.id, found.left);
     found.kept = kept.size();
     for (const auto& [input, times] : kept) found.twice += times > 1 ? 1 : 0;
     for (const auto& bot : bots) {
@@ -185,8 +192,9 @@ public:
             // Every fourth time while it may still be busy with what the kill before left.
             const bool early = random_() % 4 == 0;
             play_for(std::chrono::milliseconds(early ? random_() % 120 : 300 + random_() % 900));
-            server_->signal(SIGKILL);
-            if (!server_->wait(5s)) return fail("the server was killed and runs on");
+            server_->signal(plan_.gently ? SIGTERM : SIGKILL);
+            if (!play_until(20s, [&] { return !server_->runs(); }))
+                return fail("the server was ended and runs on");
             start(port_);
             if (!server_->runs()) return fail("the server did not come back");
             if (isatty(fileno(stderr)) || kill % 20 == 0)
@@ -265,11 +273,11 @@ private:
             "%d kills, %d bots, %u ticks, %d checkpoints\n"
             "inputs told of %zu, kept %zu, lost %zu, applied twice %zu, refused for want "
             "of a store %d\n"
-            "came back as who they were %llu times, as somebody else %d\n"
+            "came back as who they were %llu times, as somebody else %d, were taken for gone %zu\n"
             "an uninterrupted replay: %d checkpoints of another hash, the end is %s\n",
             plan_.kills, plan_.bots, found.ticks, found.checkpoints, found.told, found.kept,
             found.lost, found.twice, refused, static_cast<unsigned long long>(resumed), strangers,
-            found.other_hashes, found.same_end ? "the same" : "ANOTHER");
+            found.left, found.other_hashes, found.same_end ? "the same" : "ANOTHER");
         const bool good = found.good() && strangers == 0;
         std::printf("%s\n", good ? "nothing that was accepted is lost" : "FAILED");
         return good ? 0 : 1;
@@ -298,6 +306,7 @@ int main(int argc, char** argv) {
     app.add_option("--scene", plan.scene, "Where they play");
     app.add_option("--level", plan.level, "persistence.level: process or machine");
     app.add_option("--set", plan.settings, "KEY=VALUE, another setting of the server");
+    app.add_flag("--gently", plan.gently, "Ends it in order (SIGTERM) instead: an upgrade");
     app.add_flag("--verbose", plan.verbose, "The server's log, too");
     try {
         app.parse(argc, argv);

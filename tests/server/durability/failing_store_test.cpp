@@ -39,8 +39,8 @@ protected:
                         .received = Clock::now()});
             std::this_thread::sleep_for(5ms);
             for (const InputResult& result : results_->take()) {
-                const bool unkept = !result.status.ok() &&
-                                    result.status.error().code == ErrorCode::unavailable;
+                const bool unkept =
+                    !result.status.ok() && result.status.error().code == ErrorCode::unavailable;
                 (unkept ? refused_ : told_).insert(result.sequence);
             }
             if (done()) return true;
@@ -58,9 +58,8 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_within_two_seconds) {
     const std::string path = folder / "worlds.db";
     const HostLimits limits{.scene = {.bodies_max = 400}};
     {
-        auto archive = WorldArchive::open({.store = path}, limits, 1, nullptr,
-                                          test::failing_disk())
-                           .value();
+        auto archive =
+            WorldArchive::open({.store = path}, limits, 1, nullptr, test::failing_disk()).value();
         WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
         const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
         ASSERT_TRUE(play(*world, 20s, [&] { return told_.size() > 20; }));

@@ -9,6 +9,7 @@
 #include "broadphase.h"
 #include "feature_cost.h"
 #include "integrators/integrators.h"
+#include "kept.h"
 #include "modules.h"
 #include "network/network.h"
 #include "roads/roads.h"
@@ -26,6 +27,7 @@ Examples:
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
+  jostle-bench kept --bodies 5000
   jostle-bench modules
   jostle-bench network
   jostle-bench roads --help
@@ -48,6 +50,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
+    jostle::bench::add_kept(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
     jostle::bench::add_network(app, status);

@@ -22,16 +22,17 @@ Error not_a_checkpoint(const std::string& why) {
 
 }  // namespace
 
-Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment) {
-    Result<physics::World> copy = physics::World::create({});
-    if (!copy.ok()) return copy.error();
-    if (Status s = moment.bodies.restore(*copy); !s.ok()) return s.error();
-    const std::vector<std::byte> saved = physics::save(*copy);
-    ByteWriter to;
-    to.number(checkpoint_version);
-    to.text(encode_host_image(moment.image));
-    to.text({reinterpret_cast<const char*>(saved.data()), saved.size()});
-    return CheckpointImage{physics::state_hash(*copy), compress(to.take())};
+Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment, physics::World& spare) {
+    if (Status s = moment.bodies.restore(spare); !s.ok()) return s.error();
+    const std::vector<std::byte> saved = physics::save(spare);
+    ByteWriter head;
+    head.number(checkpoint_version);
+    head.text(encode_host_image(moment.image));
+    head.number(saved.size());
+    const std::string first = head.take();
+    const std::string_view pieces[] = {first,
+                                       {reinterpret_cast<const char*>(saved.data()), saved.size()}};
+    return CheckpointImage{physics::state_hash(spare), compress(pieces)};
 }
 
 Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {

@@ -47,6 +47,7 @@ bool CheckpointWriter::wait(Clock::duration patience) {
 }
 
 void CheckpointWriter::run() {
+    physics::World spare = physics::World::create().value();
     for (;;) {
         Job job;
         {
@@ -59,7 +60,7 @@ void CheckpointWriter::run() {
             jobs_.pop_front();
             busy_ = true;
         }
-        job();
+        job(spare);
     }
 }
 
@@ -186,8 +187,12 @@ void StoredKeeper::keep(WorldMoment moment) {
     checkpoint_waits_ = true;
     // The bodies are copied once, here, and turned into bytes elsewhere.
     auto shared = std::make_shared<WorldMoment>(std::move(moment));
-    checkpoints_.push([self = shared_from_this(), shared, taken, sequence] {
-        Result<CheckpointImage> image = encode_checkpoint(*shared);
+    checkpoints_.push([self = shared_from_this(), shared, taken, sequence](physics::World& spare) {
+        Result<CheckpointImage> image = encode_checkpoint(*shared, spare);
+        {
+            const std::lock_guard lock(self->mutex_);
+            self->spare_point_ = std::move(shared->bodies);
+        }
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
                       image.error().message);
@@ -206,6 +211,11 @@ void StoredKeeper::keep(WorldMoment moment) {
                                                });
         if (!pushed) self->checkpoint_waits_ = false;
     });
+}
+
+physics::RestorePoint StoredKeeper::spare_point() {
+    const std::lock_guard lock(mutex_);
+    return std::move(spare_point_);
 }
 
 void StoredKeeper::end(WorldMoment moment) {

@@ -39,7 +39,8 @@ struct JournalPlace {
 // Turns moments into checkpoints, one after the other, on a thread of its own.
 class CheckpointWriter {
 public:
-    using Job = std::function<void()>;
+    // `spare`: a world whose memory is used again and again.
+    using Job = std::function<void(physics::World& spare)>;
 
     CheckpointWriter();
     // Does what is still to be done.
@@ -70,6 +71,7 @@ public:
     bool wants_moment() const override;
     void keep(WorldMoment moment) override;
     void end(WorldMoment moment) override;
+    physics::RestorePoint spare_point() override;
 
 private:
     struct Taken {  // a checkpoint that is in the store
@@ -111,6 +113,7 @@ private:
     mutable std::mutex mutex_;
     std::optional<std::string> broken_;  // what is stored contradicts us
     std::deque<Taken> taken_;
+    physics::RestorePoint spare_point_;
 };
 
 }  // namespace jostle::server

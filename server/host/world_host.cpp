@@ -328,7 +328,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
 }
 
 WorldMoment WorldHost::moment() const {
-    WorldMoment now{.tick = tick_, .bodies = {}, .image = world_.image(tick_)};
+    WorldMoment now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
     now.bodies.keep(world_.world());
     return now;
 }

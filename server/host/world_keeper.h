@@ -53,6 +53,8 @@ public:
     // Whether the world as it is after this tick should be handed over.
     virtual bool wants_moment() const = 0;
     virtual void keep(WorldMoment moment) = 0;
+    // One that was used before, if there is one: it takes a quarter of the time.
+    virtual physics::RestorePoint spare_point() = 0;
     // The world will not go on in this process: its last moment.
     virtual void end(WorldMoment moment) = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -20,18 +21,29 @@ Error not_packed(const std::string& why) {
 
 }  // namespace
 
-std::string compress(std::string_view bytes) {
+std::string compress(std::span<const std::string_view> pieces) {
     const std::unique_ptr<ZSTD_CCtx, FreeWith<ZSTD_freeCCtx>> context(ZSTD_createCCtx());
     if (!context) throw std::bad_alloc();
+    std::size_t size = 0;
+    for (const std::string_view piece : pieces) size += piece.size();
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size =
-        ZSTD_compress2(context.get(), packed.data(), packed.size(), bytes.data(), bytes.size());
-    // With room for the worst case only memory can be short.
-    if (ZSTD_isError(size)) throw std::bad_alloc();
-    packed.resize(size);
-    packed.shrink_to_fit();
+    ZSTD_CCtx_setPledgedSrcSize(context.get(), size);
+    std::string packed;
+    std::string chunk(std::min(ZSTD_CStreamOutSize(), ZSTD_compressBound(size)), '\0');
+    const auto feed = [&](std::string_view piece, ZSTD_EndDirective end) {
+        ZSTD_inBuffer in{piece.data(), piece.size(), 0};
+        for (;;) {
+            ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
+            const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
+            // The sizes are right: only memory can be short.
+            if (ZSTD_isError(left)) throw std::bad_alloc();
+            packed.append(chunk.data(), out.pos);
+            if (end == ZSTD_e_end ? left == 0 : in.pos == in.size) return;
+        }
+    };
+    for (const std::string_view piece : pieces) feed(piece, ZSTD_e_continue);
+    feed({}, ZSTD_e_end);
     return packed;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,11 @@
 
 namespace jostle::server {
 
-std::string compress(std::string_view bytes);
+// All pieces, one after the other, as one.
+std::string compress(std::span<const std::string_view> pieces);
+inline std::string compress(std::string_view bytes) {
+    return compress(std::span(&bytes, 1));
+}
 // corrupt_data: they were not packed so, were changed, or are more than `bytes_max` unpacked. No
 // more memory is taken than that.
 Result<std::string> decompress(std::string_view packed, std::size_t bytes_max);

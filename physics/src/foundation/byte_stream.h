@@ -4,9 +4,11 @@
 // zeros and remembers.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -28,17 +30,57 @@ auto bits_of(T value) {
     }
 }
 
+// The number whose little-endian bytes are there, and back: a load or a store where the machine
+// itself is so.
+template <class Bits>
+Bits load_little_endian(const std::byte* at) {
+    Bits bits = 0;
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(&bits, at, sizeof bits);
+    } else {
+        std::uint64_t wide = 0;
+        for (std::size_t k = 0; k < sizeof bits; k++)
+            wide |= std::to_integer<std::uint64_t>(at[k]) << (8 * k);
+        bits = static_cast<Bits>(wide);
+    }
+    return bits;
+}
+template <class Bits>
+void store_little_endian(std::byte* at, Bits bits) {
+    if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(at, &bits, sizeof bits);
+    } else {
+        for (std::size_t k = 0; k < sizeof bits; k++)
+            at[k] = static_cast<std::byte>(static_cast<std::uint64_t>(bits) >> (8 * k));
+    }
+}
+
+// A world has millions of numbers of a few bytes: they gather in a small array, which the compiler
+// knows the end of, before they go to the vector.
 class ByteWriter {
 public:
     template <class T>
     void write(T value) {
         const auto bits = bits_of(value);
-        for (std::size_t k = 0; k < sizeof(bits); k++)
-            bytes_.push_back(static_cast<std::byte>(static_cast<std::uint64_t>(bits) >> (8 * k)));
+        if (used_ + sizeof(bits) > gathered_.size()) flush();
+        store_little_endian(&gathered_[used_], bits);
+        used_ += sizeof(bits);
     }
-    std::vector<std::byte>& bytes() { return bytes_; }
+    // What was written so far.
+    std::vector<std::byte>& bytes() {
+        flush();
+        return bytes_;
+    }
 
 private:
+    void flush() {
+        bytes_.insert(bytes_.end(), gathered_.begin(),
+                      gathered_.begin() + static_cast<std::ptrdiff_t>(used_));
+        used_ = 0;
+    }
+
+    std::array<std::byte, 4096> gathered_;
+    std::size_t used_ = 0;
     std::vector<std::byte> bytes_;
 };
 
@@ -55,10 +97,8 @@ public:
             at_ = bytes_.size();
             return bits;
         }
-        std::uint64_t wide = 0;
-        for (std::size_t k = 0; k < sizeof(bits); k++)
-            wide |= std::to_integer<std::uint64_t>(bytes_[at_++]) << (8 * k);
-        bits = static_cast<decltype(bits)>(wide);
+        bits = load_little_endian<decltype(bits)>(&bytes_[at_]);
+        at_ += sizeof(bits);
         return bits;
     }
     bool failed() const { return failed_; }

@@ -22,10 +22,13 @@ constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
 std::uint64_t checksum(std::span<const std::byte> bytes) {
     Hasher hasher;
     hasher.add(bytes.size());
-    for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    const std::size_t whole = bytes.size() / 8 * 8;
+    for (std::size_t at = 0; at < whole; at += 8)
+        hasher.add(load_little_endian<std::uint64_t>(&bytes[at]));
+    if (whole < bytes.size()) {
         std::uint64_t word = 0;
-        for (std::size_t k = 0; k < 8 && at + k < bytes.size(); k++)
-            word |= std::to_integer<std::uint64_t>(bytes[at + k]) << (8 * k);
+        for (std::size_t k = 0; whole + k < bytes.size(); k++)
+            word |= std::to_integer<std::uint64_t>(bytes[whole + k]) << (8 * k);
         hasher.add(word);
     }
     return hasher.value;
@@ -39,18 +42,19 @@ Error corrupt(std::string message) {
 
 std::vector<std::byte> save(const World& world) {
     Saver body;
+    body.out.write(magic);
+    body.out.write(version);
+    for (int k = 0; k < 2; k++) body.out.write(std::uint64_t{0});  // length and checksum: below
     // The list is shared with loading, so it takes references; saving changes nothing.
     auto& state = const_cast<WorldState&>(state_of(world));
     body.table.collect(state.shapes);
     body.table.write(body.out);
     visit_world(body, state);
-    ByteWriter out;
-    out.write(magic);
-    out.write(version);
-    out.write(static_cast<std::uint64_t>(body.out.bytes().size()));
-    out.write(checksum(body.out.bytes()));
-    out.bytes().insert(out.bytes().end(), body.out.bytes().begin(), body.out.bytes().end());
-    return std::move(out.bytes());
+    std::vector<std::byte>& bytes = body.out.bytes();
+    const std::span<const std::byte> rest = std::span(bytes).subspan(header_bytes);
+    store_little_endian(&bytes[12], static_cast<std::uint64_t>(rest.size()));
+    store_little_endian(&bytes[20], checksum(rest));
+    return std::move(bytes);
 }
 
 Result<World> load(std::span<const std::byte> bytes) {

@@ -13,7 +13,9 @@
 
 #include "datagram/content.h"
 #include "datagram/packet.h"
+#include "durability/checkpoint_image.h"
 #include "durability/journal_codec.h"
+#include "durability/world_record.h"
 #include "fuzz/reader.h"
 #include "fuzz/saved_world.h"
 #include "fuzz/seed_scenes.h"
@@ -511,6 +513,15 @@ void write_kept(const fs::path& folder) {
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
+    server::WorldMoment moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
+    moment.bodies.keep(world->world());
+    auto spare = physics::World::create().value();
+    seeds.add(server::encode_checkpoint(moment, spare).value().bytes);
+    seeds.add(server::encode_world_record(
+        {.owner = "ada",
+         .scene = std::make_shared<const scenes::SceneDescription>(*scenes::find_scene("stack")),
+         .limits = {},
+         .work_per_second = 1e6}));
 }
 
 void write_datagrams(const fs::path& folder) {

@@ -109,7 +109,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     WorldStore& there = **store;
     archive->writer_ = std::make_unique<StoreWriter>(*std::move(store), StoreWriterSettings{});
     CrashMarks::count_fatal_signals(archive->marks_.get());
-    archive->take_up_all(there, *worlds);
+    if (Status s = archive->take_up_all(there, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }
 
@@ -154,11 +154,16 @@ bool WorldArchive::flush(Clock::duration within) {
 
 // --- worlds that come back ---
 
-void WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds) {
+// One that is damaged holds up no other; a disk that is full or gone may be well again soon, and
+// then all of them are to come back.
+Status WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
         Result<KeptWorld> kept = Error{};
         writer_->visit([&](WorldStore&) { kept = take_up(store, stored); }, std::chrono::hours(1));
+        if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
+                           kept.error().code == ErrorCode::resource_exhausted))
+            return kept.error();
         if (!kept.ok()) {
             log_error(
                 "world {} \"{}\" cannot be had back; what there is of it stays in the store: "
@@ -173,6 +178,7 @@ void WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>
     }
     std::ranges::stable_sort(kept_, {},
                              [](const KeptWorld& kept) { return number_of(kept.start.label.id); });
+    return {};
 }
 
 Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& stored) {

@@ -35,7 +35,7 @@ class WorldArchive : public WorldKeepers {
 public:
     // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
     // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
-    // store cannot be opened (SqliteStore::open).
+    // store cannot be opened (SqliteStore::open), or not be written to now.
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
                                                       std::function<void()> on_told,
@@ -69,7 +69,7 @@ private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_told);
     Status read_notes(WorldStore& store);
-    void take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
+    Status take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
     Result<KeptWorld> take_up(WorldStore& store, const StoredWorld& stored);
     // As it was, but for what crashes it.
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,

@@ -22,8 +22,11 @@ Error not_packed(const std::string& why) {
 }  // namespace
 
 std::string compress(std::span<const std::string_view> pieces) {
-    const std::unique_ptr<ZSTD_CCtx, FreeWith<ZSTD_freeCCtx>> context(ZSTD_createCCtx());
+    // A tick packs a few hundred bytes: to make one takes longer than that.
+    thread_local const std::unique_ptr<ZSTD_CCtx, FreeWith<ZSTD_freeCCtx>> context(
+        ZSTD_createCCtx());
     if (!context) throw std::bad_alloc();
+    ZSTD_CCtx_reset(context.get(), ZSTD_reset_session_only);
     std::size_t size = 0;
     for (const std::string_view piece : pieces) size += piece.size();
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);

@@ -218,9 +218,9 @@ physics::RestorePoint StoredKeeper::spare_point() {
     return std::move(spare_point_);
 }
 
-void StoredKeeper::end(WorldMoment moment) {
-    if (trouble()) return;
-    keep(std::move(moment));
+void StoredKeeper::end(std::optional<WorldMoment> moment) {
+    flush();
+    if (moment && !trouble()) keep(*std::move(moment));
 }
 
 // On the writer's thread.

@@ -70,7 +70,7 @@ public:
     void on_interrupted() override { interrupted_ = true; }
     bool wants_moment() const override;
     void keep(WorldMoment moment) override;
-    void end(WorldMoment moment) override;
+    void end(std::optional<WorldMoment> moment) override;
     physics::RestorePoint spare_point() override;
 
 private:

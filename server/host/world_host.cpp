@@ -78,7 +78,8 @@ void WorldHost::stop() {
     close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
-    if (keeper_ && !failed() && !forgotten_ && !ended_) keeper_->end(moment());
+    if (keeper_ && !failed() && !forgotten_ && !ended_)
+        keeper_->end(cut_short_ ? std::nullopt : std::optional(moment()));
     ended_ = true;
 }
 
@@ -248,7 +249,7 @@ bool WorldHost::step(bool allowed) {
         warn_of_large_channels();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
-        step_interrupted_ = true;
+        (stopping_ ? cut_short_ : step_interrupted_) = true;
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
@@ -339,7 +340,7 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
         if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
     keeper_->on_shown(step_ms, std::move(results));
-    if (keeper_->wants_moment()) keeper_->keep(moment());
+    if (!cut_short_ && keeper_->wants_moment()) keeper_->keep(moment());
 }
 
 }  // namespace jostle::server

@@ -166,6 +166,7 @@ private:
     const std::shared_ptr<WorldKeeper> keeper_;
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;
+    bool cut_short_ = false;  // the last step, by the world's end
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_, leavers_taken_;
     std::vector<InputResult> results_;    // of batch_, one each

@@ -55,8 +55,9 @@ public:
     virtual void keep(WorldMoment moment) = 0;
     // One that was used before, if there is one: it takes a quarter of the time.
     virtual physics::RestorePoint spare_point() = 0;
-    // The world will not go on in this process: its last moment.
-    virtual void end(WorldMoment moment) = 0;
+    // The world will not go on in this process: its last moment; nothing when its last step was cut
+    // short by that, and is to be done again as a whole.
+    virtual void end(std::optional<WorldMoment> moment) = 0;
 };
 
 struct WorldStart;

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <thread>
 
 #include "durability/world_archive.h"
 #include "host/world_directory.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
+#include "jostle/scenes/lab.h"
 #include "jostle/scenes/scene_file.h"
 #include "persistence/sqlite_store.h"
 #include "support/error_of.h"
@@ -96,6 +98,34 @@ TEST(KeptWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
     ASSERT_TRUE(difference.has_value());
     EXPECT_EQ(difference->tick, 125u);
     EXPECT_NE(difference->field, "");
+}
+
+TEST(KeptWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as_a_whole) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
+    for (int life = 0; life < 6; life++) {
+        auto archive =
+            server::WorldArchive::open({.store = path, .level = "process", .history_hours = 1},
+                                       limits, 1, nullptr)
+                .value();
+        server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
+        for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
+        auto world = worlds.find("");
+        // Its steps take most of a tick: it is in one whenever somebody looks.
+        scenes::SceneDescription pile = scenes::lab_pile(2500);
+        pile.name = "pile";
+        if (!world) world = worlds.create("pile", pile).value();
+        const std::uint32_t tick = world->frame()->tick;
+        while (world->frame()->tick < tick + 4) std::this_thread::sleep_for(1ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(3 * life));
+        worlds.stop_all();
+        ASSERT_TRUE(archive->flush(10s));
+    }
+    auto world = KeptWorld::open(path, "pile").value();
+    const auto verified = world.verify().value();
+    EXPECT_EQ(verified.faults, std::vector<std::string>());
+    EXPECT_GT(verified.checkpoints, 1);
 }
 
 TEST(KeptWorld, a_checkpoint_that_says_another_world_is_named) {

@@ -180,9 +180,13 @@ public:
     explicit Check(const Plan& plan) : plan_(plan), random_(plan.seed) {}
 
     int run() {
-        start(0);
-        port_ = server_->grpc_port();
-        const std::string target = server_->grpc_address();
+        for (int tries = 0; tries < 20 && (!server_ || !server_->runs()); tries++) {
+            // Below those that the system gives to who connects: to a server that is away, one of
+            // these would be connected with itself.
+            port_ = static_cast<int>(20000 + random_() % 10000);
+            start(port_, true);
+        }
+        const std::string target = "127.0.0.1:" + std::to_string(port_);
         for (int k = 0; k < plan_.bots; k++)
             bots_.push_back(
                 std::make_unique<Bot>(loop_, target, plan_.seed * 1000 + static_cast<unsigned>(k)));
@@ -212,7 +216,7 @@ public:
 private:
     std::string store() const { return folder_.path + "/worlds.db"; }
 
-    void start(int port) {
+    void start(int port, bool wait = false) {
         std::vector<std::string> flags{"--listen", "127.0.0.1:" + std::to_string(port),
                                        "--http",   "127.0.0.1:0",
                                        "--scene",  plan_.scene,
@@ -227,7 +231,7 @@ private:
             flags.push_back(setting);
         }
         server_.reset();
-        server_ = std::make_unique<bench::ServerProcess>(JOSTLE_SERVER, flags, port == 0);
+        server_ = std::make_unique<bench::ServerProcess>(JOSTLE_SERVER, flags, wait);
         if (plan_.verbose) std::fputs(server_->log().c_str(), stderr);
     }
     template <class Predicate>

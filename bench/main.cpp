@@ -7,9 +7,9 @@
 #include "accuracy/accuracy.h"
 #include "accuracy/stability.h"
 #include "broadphase.h"
-#include "checkpoint.h"
 #include "feature_cost.h"
 #include "integrators/integrators.h"
+#include "kept.h"
 #include "modules.h"
 #include "network/network.h"
 #include "roads/roads.h"
@@ -25,9 +25,9 @@ Examples:
   jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
-  jostle-bench checkpoint --bodies 5000
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
+  jostle-bench kept --bodies 5000
   jostle-bench modules
   jostle-bench network
   jostle-bench roads --help
@@ -49,8 +49,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
-    jostle::bench::add_checkpoint(app, status);
     jostle::bench::add_features(app, status);
+    jostle::bench::add_kept(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
     jostle::bench::add_network(app, status);

@@ -68,6 +68,15 @@ if(JOSTLE_SANITIZE)
     endif()
 endif()
 
+# Sanitized by address it takes twice as long to compile when it is optimised, and what is tested so does not wait for it.
+function(jostle_unoptimised_when_sanitized)
+    if(JOSTLE_SANITIZE MATCHES address)
+        foreach(target ${ARGN})
+            target_compile_options(${target} PRIVATE -O0)
+        endforeach()
+    endif()
+endfunction()
+
 # A static library of ours: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...])
 function(jostle_library name)
     cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;INCLUDE" ${ARGN})

@@ -14,7 +14,7 @@ if(JOSTLE_SERVER)
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: linear_systems/
     find_package(OpenSSL 3.0 REQUIRED)    # tokens and certificates
     find_package(SQLite3 3.37 REQUIRED)   # worlds that outlive the process
-    find_package(zstd 1.5 REQUIRED)       # checkpoints
+    find_package(zstd REQUIRED)           # ... packed
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC)

@@ -138,6 +138,7 @@ Outcome step(Connection& server, const Wanted& wanted) {
 Outcome export_world(Connection& server, const Wanted& wanted) {
     v1::ExportWorldRequest request;
     request.set_world(wanted.world);
+    request.set_tick(wanted.tick);
     const auto answer = server.ask(&Admin::ExportWorld, request, std::chrono::seconds(60));
     if (!answer.ok()) return refused(answer.error());
     if (Status s = write_file(wanted.file, scene_file_text(answer->scene())); !s.ok())

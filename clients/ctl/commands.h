@@ -16,6 +16,7 @@ namespace jostle::ctl {
 struct Wanted {
     std::string world, name, scene, file, reason;
     std::uint32_t client = 0, steps = 1;
+    std::uint32_t tick = 0;  // 0: now
     double seconds = 5;
     bool json = false;
 };

@@ -23,6 +23,7 @@ Examples:
   jostlectl kick 17 --reason "please be kind"
   jostlectl pause arena && jostlectl step arena 60 && jostlectl resume arena
   jostlectl export arena arena.json                 as a scene file; "-" writes to the terminal
+  jostlectl export arena then.json --at 1234        ... as it was in that tick, where worlds are kept
   jostlectl profile arena arena.trace.json          5 s of ticks, for ui.perfetto.dev
   jostlectl drain                                   the server says goodbye and ends
   jostlectl clients --json | jq '.clients[] | select(.kbitPerSecond > 500)'
@@ -95,6 +96,7 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         add(app, flags, "export", "Writes a world as a scene file", ctl::export_world);
     add_world_argument(exported, flags);
     exported->add_option("FILE", w.file, "Where to; - is the terminal")->required();
+    exported->add_option("--at", w.tick, "As it was after this tick, if the server keeps it");
     CLI::App* const profile =
         add(app, flags, "profile", "Records where the time of a world's ticks goes", ctl::profile);
     add_world_argument(profile, flags);

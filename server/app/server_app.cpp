@@ -20,6 +20,7 @@
 #include "app/upkeep.h"
 #include "base/log.h"
 #include "config/exposure.h"
+#include "durability/world_archive.h"
 #include "gateway/admin_routes.h"
 #include "gateway/gateway.h"
 #include "gateway/http_routes.h"
@@ -38,6 +39,8 @@ namespace {
 
 // From the end of the drain: sockets, threads and worlds are taken down within this, or else.
 constexpr auto orderly_end_max = std::chrono::milliseconds(2500);
+// ... of which the last checkpoints may take so long. Without them the journal says all.
+constexpr auto kept_within = std::chrono::milliseconds(1800);
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -135,13 +138,26 @@ Status start_worlds(const Config& config, WorldDirectory& worlds) {
         };
         const std::size_t equals = wanted.find('=');
         const bool named = equals != std::string::npos;
+        if (named && worlds.find(wanted.substr(0, equals))) continue;  // it goes on
         const auto scene = scenes::load_scene(named ? wanted.substr(equals + 1) : wanted);
         if (!scene.ok()) return failed(scene.error());
+        if (!named && worlds.find(scene->name)) continue;
         if (const auto world = worlds.create(named ? wanted.substr(0, equals) : "", *scene);
             !world.ok())
             return failed(world.error());
     }
     return {};
+}
+
+// Worlds that were there go on, and who played in them may come back.
+void go_on(WorldArchive& archive, PlayContext& context) {
+    const Clock::time_point until =
+        Clock::now() + from_seconds(context.config.client.resume_seconds);
+    for (KeptWorld& kept : archive.take_worlds()) {
+        const auto world = context.worlds.adopt(std::move(kept.start));
+        for (const AbsentClient& absent : kept.absent)
+            expect_client(context, world, absent.client, absent.last_sequence, until);
+    }
 }
 
 // What tells this process's worlds from those of another one behind the same address.
@@ -226,16 +242,24 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     Wakers wakers;
     SessionDirectory sessions(config.world.clients_max, config.world.clients_per_address_max);
     raise_descriptor_limit();
-    WorldDirectory worlds(host_settings(config, wakers, metrics), config.world.worlds_max,
-                          process_word());
     const auto failed = [](const Error& error) {
         log_error("{}", error.message);
         return 1;
     };
+    WorldHostSettings hosts = host_settings(config, wakers, metrics);
+    std::unique_ptr<WorldArchive> archive;  // outlives the worlds
+    if (config.persistence.is_on()) {
+        auto opened_archive = WorldArchive::open(config.persistence, hosts.limits,
+                                                 hosts.physics_threads, [&] { wakers.wake(); });
+        if (!opened_archive.ok()) return failed(opened_archive.error());
+        archive = *std::move(opened_archive);
+        hosts.keepers = archive.get();
+        sessions.use_ids(archive->first_client(), [&](ClientId next) { archive->on_client(next); });
+    }
+    WorldDirectory worlds(hosts, config.world.worlds_max, process_word());
     if (!config.development.link.empty())
         log_warn("development.link makes the link to every client worse on purpose: {}",
                  config.development.link);
-    if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
     const auto opened = Gate::open(config);
@@ -259,10 +283,20 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                         .metrics = &metrics,
                         .rpc_metrics = &rpc_metrics,
                         .datagrams = datagrams ? &*datagrams : nullptr};
+    if (archive) {
+        context.resumes.use_secret(archive->secret());
+        go_on(*archive, context);
+    }
+    if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldControl control(context);
     const QueryControl queries(context);
     const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
-    const auto is_draining = [&] { return context.draining.load(); };
+    const auto why_not_ready = [&]() -> std::optional<std::string> {
+        if (context.draining) return "the server is going down";
+        const auto unkept = archive ? archive->trouble() : std::nullopt;
+        if (unkept) return "no input is taken, for it could not be kept: " + *unkept;
+        return std::nullopt;
+    };
     const auto trouble = [&]() -> std::optional<std::string> {
         const Clock::time_point now = Clock::now();
         if (!watch.all_tick(now)) return "a tick hangs";
@@ -272,13 +306,13 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
                              .allowed_hosts = config.allowed_hosts,
-                             .is_draining = is_draining,
+                             .why_not_ready = why_not_ready,
                              .trouble = trouble});
     AdminControl admin_control(context);
     const AdminRoutes admin_routes(
         admin_control, metrics,
         {.allowed_hosts = config.allowed_hosts,
-         .is_draining = is_draining,
+         .why_not_ready = why_not_ready,
          .trouble = trouble,
          .refresh = [&] { count_what_others_count(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
@@ -352,6 +386,8 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     grpc.stop();
     if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();
+    if (archive && !archive->flush(kept_within))
+        log_error("not all could be kept: {}", archive->trouble().value_or("the store is slow"));
     log_info("done");
     return 0;
 }

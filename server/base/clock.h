@@ -15,9 +15,12 @@ using Clock = std::chrono::steady_clock;
 // and with it the process or the machine: nobody else was late.
 inline constexpr auto pause_of_ours = std::chrono::milliseconds(500);
 
-// On the wire: microseconds of the server's monotonic clock.
+// On the wire: microseconds of the server's monotonic clock. That of the machine may have begun
+// after the first tick of a world that was kept: on the wire it began 35 years earlier.
 inline std::uint64_t to_us(Clock::time_point t) {
+    constexpr std::int64_t earlier = std::int64_t{1} << 50;
     return static_cast<std::uint64_t>(
+        earlier +
         std::chrono::duration_cast<std::chrono::microseconds>(t.time_since_epoch()).count());
 }
 

@@ -90,6 +90,9 @@ Status check(const Config& c) {
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
         {"stream.codec", c.stream.codec, 1, 2},
+        {"persistence.checkpoint_seconds", c.persistence.checkpoint_seconds, 1, 86400},
+        {"persistence.replay_seconds", c.persistence.replay_seconds, 0.01, 3600},
+        {"persistence.history_hours", c.persistence.history_hours, 0, 87600},
         {"datagrams.advertised_port", c.datagrams.advertised_port, 0, 65535},
         {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
         {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},
@@ -120,6 +123,10 @@ Status check(const Config& c) {
     if (c.scenes.empty()) return invalid_argument("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid_argument("scenes names more worlds than world.worlds_max");
+    static constexpr std::array kept = {"none", "process", "machine"};
+    if (std::find(kept.begin(), kept.end(), c.persistence.level) == kept.end())
+        return invalid_argument("persistence.level is \"" + c.persistence.level +
+                                "\"; it must be none, process or machine");
     if (const auto link = read_link_settings(c.development.link); !link.ok())
         return invalid_argument("development.link: " + link.error().message);
     return check_access(c);

@@ -132,6 +132,19 @@ struct DatagramSettings {
     bool operator==(const DatagramSettings&) const = default;
 };
 
+// What outlives the process (docs/persistence.md).
+struct PersistenceSettings {
+    std::string store;  // an SQLite file, made if there is none; empty: worlds end with the process
+    // "machine": what clients were told survives the end of the machine; "process": that of the
+    // process, however it ends; "none": as without a store.
+    std::string level = "machine";
+    double checkpoint_seconds = 60;  // a world that moves is written whole so often
+    double replay_seconds = 2;       // or when its steps since then took so long
+    double history_hours = 0;        // that can be gone back to; 0: the last two checkpoints
+
+    bool is_on() const { return !store.empty() && level != "none"; }
+};
+
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
@@ -157,6 +170,7 @@ struct Config {
     TlsSettings tls;
     AuthSettings auth;
     QuotaSettings quota;
+    PersistenceSettings persistence;
     DevelopmentSettings development;
     bool insecure = false;  // reachable by strangers without TLS or tokens, on purpose
 };

@@ -89,8 +89,8 @@ Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world)
 HttpResponse AdminRoutes::health(std::string_view path) const {
     if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    return settings_.is_draining() ? plain_text(503, "the server is going down\n")
-                                   : plain_text(200, "ready\n");
+    const auto why_not = settings_.why_not_ready();
+    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
 }
 
 HttpResponse AdminRoutes::metrics() const {

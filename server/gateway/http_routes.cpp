@@ -133,8 +133,8 @@ std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) c
 HttpResponse HttpRoutes::answer_health(std::string_view path) const {
     if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    return settings_.is_draining() ? plain_text(503, "the server is going down\n")
-                                   : plain_text(200, "ready\n");
+    const auto why_not = settings_.why_not_ready();
+    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
 }
 
 HttpResponse HttpRoutes::answer(const HttpRequest& request) const {

@@ -25,7 +25,7 @@ struct RouteSettings {
     std::vector<std::string> allowed_origins;
     // Own names besides IP addresses and localhost (identity/allowed_hosts.h).
     std::vector<std::string> allowed_hosts = {"*"};
-    std::function<bool()> is_draining;
+    std::function<std::optional<std::string>()> why_not_ready;  // nothing: it is
     // What is wrong with the server; nothing: it is well.
     std::function<std::optional<std::string>()> trouble;
 };

@@ -80,6 +80,7 @@ Status EntityRegistry::restore(const physics::World& world, const HostImage& ima
 
 void EntityRegistry::write(HostImage& image) const {
     image.next_id = next_id_;
+    image.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
         const EntityDescription& told = *entity.description;
         image.entities.push_back(

@@ -77,6 +77,11 @@ HostImage HostedWorld::image(std::uint32_t tick) const {
     return image;
 }
 
+void HostedWorld::set_limits(const HostLimits& limits) {
+    state_.limits = limits;
+    past_ = std::make_shared<FrameRing>(limits.past_ms_max, hz_);
+}
+
 Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
     std::uint32_t& last = last_sequences_[client];
     if (sequence <= last)

@@ -38,6 +38,9 @@ public:
     // All but the bodies; `tick` is the last one that was stepped.
     HostImage image(std::uint32_t tick) const;
 
+    // Before its first tick in this process.
+    void set_limits(const HostLimits& limits);
+
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
     // From now on what is applied is kept for take_journal().
@@ -79,12 +82,14 @@ public:
 private:
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
+          hz_(hz),
           past_(std::make_shared<FrameRing>(state_.limits.past_ms_max, hz)) {}
     Status act(const Command& command, InputResult& result);
 
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    double hz_;
     std::shared_ptr<FrameRing> past_;  // never null
     SceneIds ids_;
     double work_per_second_ = 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host/world_directory.h"
 
+#include <algorithm>
+#include <charconv>
+
 #include "base/log.h"
 
 namespace jostle::server {
@@ -59,12 +62,29 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
     if (fits.ok() && find_locked(name)) fits = name_taken(name);
     if (!fits.ok()) {
         worlds_.erase(number);
+        if (host.ok() && settings_.keepers) {
+            (*host)->forget();
+            (*host)->stop();
+            settings_.keepers->drop(id);
+        }
         return fits.error();
     }
     worlds_[number] = *host;
     log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,
              scene.hz, scene.bodies.size());
     return host;
+}
+
+std::shared_ptr<WorldHost> WorldDirectory::adopt(WorldStart start) {
+    const std::string& id = start.label.id;
+    const std::size_t end = std::min(id.find('-'), id.size());
+    std::uint32_t number = 0;
+    const bool is_id = end > 1 && id[0] == 'w' &&
+                       std::from_chars(id.data() + 1, id.data() + end, number).ec == std::errc();
+    const std::lock_guard lock(mutex_);
+    if (!is_id || worlds_.contains(number)) number = next_;
+    next_ = std::max(next_, number + 1);
+    return worlds_[number] = WorldHost::start(std::move(start), settings_);
 }
 
 // With what is about to be added to what there is.
@@ -106,6 +126,14 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
     return out;
 }
 
+Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
+    if (!world.is_kept())
+        return Error{ErrorCode::failed_precondition,
+                     "the world is not kept, so only what it is now can be had; "
+                     "persistence.store says where worlds are kept"};
+    return settings_.keepers->scene_at(world.id(), tick);
+}
+
 std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name) {
     std::shared_ptr<WorldHost> world;
     {
@@ -115,7 +143,9 @@ std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name)
         if (!world) return nullptr;
         std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
     }
+    world->forget();
     world->stop();
+    if (settings_.keepers) settings_.keepers->drop(world->id());
     log_info("world {} \"{}\" was deleted", world->id(), world->name());
     return world;
 }
@@ -136,7 +166,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
     Result<std::shared_ptr<WorldHost>> host =
-        before.size() < restarts_max ? start(failed->label(), failed->description())
+        before.size() < restarts_max ? start_again(*failed)
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
     const std::lock_guard lock(mutex_);
@@ -145,7 +175,9 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     if (host.ok()) {
         at->second = *host;
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();
-        log_warn("world {} \"{}\" was started anew from its scene", failed->id(), failed->name());
+        log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
+                 failed->is_kept() ? "goes on from what was kept of it"
+                                   : "was started anew from its scene");
     } else {
         worlds_.erase(at);
         restarts_.erase(number);
@@ -159,6 +191,18 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
     WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const {
     try {
         return WorldHost::start(std::move(label), std::move(scene), settings_);
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::resource_exhausted,
+                     std::string("the world cannot be built: ") + error.what()};
+    }
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::start_again(const WorldHost& failed) const {
+    if (!failed.is_kept()) return start(failed.label(), failed.description());
+    try {
+        Result<WorldStart> kept = settings_.keepers->again(failed.id());
+        if (!kept.ok()) return kept.error();
+        return WorldHost::start(*std::move(kept), settings_);
     } catch (const std::exception& error) {
         return Error{ErrorCode::resource_exhausted,
                      std::string("the world cannot be built: ") + error.what()};

@@ -29,7 +29,12 @@ public:
                                               const std::string& owner = {});
     // By id or name; empty: the first. Null when there is none.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
+    // Before any other: a world that goes on.
+    std::shared_ptr<WorldHost> adopt(WorldStart start);
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
+    // The world as it was after that tick. Takes as long as all that was done since the checkpoint
+    // before it. Errors: worlds are not kept here, or that tick is not.
+    Result<ExportedScene> scene_at(const WorldHost& world, std::uint32_t tick) const;
     // Stops the world; its clients notice. Null when there is none.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();
@@ -42,6 +47,7 @@ private:
 
     Result<std::shared_ptr<WorldHost>> start(
         WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const;
+    Result<std::shared_ptr<WorldHost>> start_again(const WorldHost& failed) const;
     Status check_totals(std::size_t bodies, double work) const;
     void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
                  Clock::time_point now);

@@ -24,33 +24,41 @@ Result<std::shared_ptr<WorldHost>> WorldHost::start(
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    return std::shared_ptr<WorldHost>(
-        new WorldHost(std::move(label), std::move(scene), settings, std::move(*world)));
+    WorldStart begin{std::move(label), std::move(scene), *std::move(world)};
+    if (settings.keepers)
+        if (Status s = settings.keepers->open(begin); !s.ok()) return s.error();
+    return start(std::move(begin), settings);
 }
 
-WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
-                     const WorldHostSettings& settings, HostedWorld world)
-    : label_(std::move(label)),
-      scene_(std::move(scene)),
+std::shared_ptr<WorldHost> WorldHost::start(WorldStart start, const WorldHostSettings& settings) {
+    return std::shared_ptr<WorldHost>(new WorldHost(std::move(start), settings));
+}
+
+WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
+    : label_(std::move(start.label)),
+      scene_(std::move(start.scene)),
       hz_(scene_->hz),
-      work_per_second_(world.work_per_second()),
+      work_per_second_(start.world.work_per_second()),
       gravity_(scene_->world.gravity),
-      epoch_(Clock::now()),
-      channel_kinds_(world.channel_kinds()),
+      epoch_(Clock::now() - from_seconds((start.tick - 1) / hz_)),
+      channel_kinds_(start.world.channel_kinds()),
       settings_(settings),
-      world_(std::move(world)),
+      world_(std::move(start.world)),
+      keeper_(std::move(start.keeper)),
+      tick_(start.tick),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
       early_(static_cast<std::size_t>(settings.command_queue_max)),
       watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
-    first->tick = tick_ = 1;
-    first->due = epoch_ + from_seconds(1 / hz_);
+    first->tick = tick_;
+    first->due = epoch_ + from_seconds(tick_ / hz_);
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
     world_.past().put(frame_);
+    if (keeper_) world_.keep_journal();
     if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
 
@@ -70,6 +78,9 @@ void WorldHost::stop() {
     close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
+    if (keeper_ && !failed() && !forgotten_ && !ended_)
+        keeper_->end(cut_short_ ? std::nullopt : std::optional(moment()));
+    ended_ = true;
 }
 
 void WorldHost::leave(ClientId client, bool keep_bodies) {
@@ -119,8 +130,8 @@ void WorldHost::interrupt(std::string reason) {
 }
 
 void WorldHost::run() {
-    // Tick 1 is the world as it was made; the clock counts from there.
-    TickClock clock(epoch_ + from_seconds(1 / hz_), hz_, settings_.catch_up_max);
+    // The first tick is the world as it was made; the clock counts from there.
+    TickClock clock(epoch_ + from_seconds(tick_ / hz_), hz_, settings_.catch_up_max);
     std::function<void()> wait = [&] {
         timer_->due.expires_at(clock.next_due());
         timer_->due.async_wait([&](const boost::system::error_code& error) {
@@ -162,10 +173,13 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     watch_.begin_tick(began);
     tick_++;
     const std::optional<std::string> why = paused();
-    apply_commands(why, due);
+    const std::optional<Error> refusal = why_no_inputs(why);
+    apply_commands(refusal, due);
     const bool allowed = why && steps_.begin_step();
+    const bool steps = !why || allowed;
+    if (keeper_) keeper_->keep({tick_, steps, world_.take_journal()});
     watch_.begin_step();
-    const bool stepped = (!why || allowed) && step(allowed);
+    const bool stepped = steps && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
@@ -177,7 +191,9 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     if (!stepped) frame->step_ms = 0;
     measure(*frame, began);
     const FramePtr shown = frame;
-    publish(std::move(frame));
+    const bool answered = !keeper_ || refusal;
+    publish(std::move(frame), answered);
+    if (keeper_) keep_shown(shown->step_ms, answered);
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
@@ -187,7 +203,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
 
 // What was asked since the last tick, in order of arrival, but for what is meant for a later one;
 // then who left. A leaver's own commands were pushed before, so those who left are taken first.
-void WorldHost::apply_commands(const std::optional<std::string>& paused, Clock::time_point due) {
+void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
     {
         const std::lock_guard lock(leave_mutex_);
         leavers_taken_.swap(leavers_);
@@ -195,16 +211,24 @@ void WorldHost::apply_commands(const std::optional<std::string>& paused, Clock::
     commands_.drain_into(batch_);
     early_.sort_out(batch_, tick_, leavers_taken_);
     results_.clear();
-    for (const Command& command : batch_) results_.push_back(answer(command, paused, due));
+    for (const Command& command : batch_) results_.push_back(answer(command, refusal, due));
     for (const Command& command : leavers_taken_) world_.apply(command, tick_);
     leavers_taken_.clear();
 }
 
-InputResult WorldHost::answer(const Command& command, const std::optional<std::string>& paused,
+std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& paused) const {
+    if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+    if (!keeper_) return std::nullopt;
+    const std::optional<std::string> trouble = keeper_->trouble();
+    if (!trouble) return std::nullopt;
+    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *trouble};
+}
+
+InputResult WorldHost::answer(const Command& command, const std::optional<Error>& refusal,
                               Clock::time_point due) {
     InputResult result{.sequence = command.sequence, .tick = tick_};
-    if (paused)
-        result.status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+    if (refusal)
+        result.status = *refusal;
     else
         result = world_.apply(command, tick_);
     const std::int64_t meant = command.tick == 0 ? tick_ : command.tick;
@@ -225,6 +249,7 @@ bool WorldHost::step(bool allowed) {
         warn_of_large_channels();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
+        (stopping_ ? cut_short_ : step_interrupted_) = true;
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
@@ -287,7 +312,7 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
     frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
 }
 
-void WorldHost::publish(std::shared_ptr<Frame> frame) {
+void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
     bool news = frame->changed_at == frame->tick || !batch_.empty();
@@ -297,10 +322,25 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
         old = std::exchange(frame_, std::move(frame));
     }
     // After the frame: who hears that a body was spawned finds it there.
-    for (std::size_t i = 0; i < batch_.size(); i++)
+    for (std::size_t i = 0; answers && i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
     news = news || events != old->events->count;
     if (settings_.on_frame) settings_.on_frame(news);
+}
+
+WorldMoment WorldHost::moment() const {
+    WorldMoment now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
+    now.bodies.keep(world_.world());
+    return now;
+}
+
+void WorldHost::keep_shown(double step_ms, bool answered) {
+    if (std::exchange(step_interrupted_, false)) keeper_->on_interrupted();
+    std::vector<WaitingResult> results;
+    for (std::size_t i = 0; !answered && i < batch_.size(); i++)
+        if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
+    keeper_->on_shown(step_ms, std::move(results));
+    if (!cut_short_ && keeper_->wants_moment()) keeper_->keep(moment());
 }
 
 }  // namespace jostle::server

@@ -19,6 +19,7 @@
 #include "host/step_allowance.h"
 #include "host/tick_clock.h"
 #include "host/tick_watch.h"
+#include "host/world_keeper.h"
 #include "host/world_visits.h"
 
 namespace jostle::server {
@@ -35,7 +36,8 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     int catch_up_max = 4;
     int physics_threads = 1;
-    bool own_thread = true;  // false: it ticks only when tick() is called
+    bool own_thread = true;           // false: it ticks only when tick() is called
+    WorldKeepers* keepers = nullptr;  // null: worlds end with the process
     // Called on the world's thread after each frame, with whether something happened in it; must
     // only wake somebody.
     std::function<void(bool news)> on_frame;
@@ -45,6 +47,15 @@ struct WorldHostSettings {
 struct WorldLabel {
     std::string id, name;
     std::string owner;  // subject of who created it; empty: the server itself
+};
+
+// A world that begins, or goes on after that tick.
+struct WorldStart {
+    WorldLabel label;
+    std::shared_ptr<const scenes::SceneDescription> scene;
+    HostedWorld world;
+    std::uint32_t tick = 1;
+    std::shared_ptr<WorldKeeper> keeper = nullptr;  // null: it ends with the process
 };
 
 class WorldHost {
@@ -59,6 +70,7 @@ public:
         return start(WorldLabel{std::move(id), std::move(name), {}},
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
+    static std::shared_ptr<WorldHost> start(WorldStart start, const WorldHostSettings& settings);
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.
@@ -83,6 +95,8 @@ public:
     bool failed() const { return failed_.load(std::memory_order_relaxed); }
     // Ends the thread, also in the midst of a long step; the last frame stays readable.
     void stop();
+    // Any thread: what it is at its end will not be asked for.
+    void forget() { forgotten_.store(true); }
     // A world without a thread of its own, one thread at a time: the tick that was due then.
     void tick(Clock::time_point due);
 
@@ -108,6 +122,8 @@ public:
     const std::string& scene() const { return scene_->name; }
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
+    // What clients did is still there after the process.
+    bool is_kept() const { return keeper_ != nullptr; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
     // When tick 0 would have been due, on the server's clock.
@@ -116,17 +132,21 @@ public:
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channel_kinds_; }
 
 private:
-    WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
-              const WorldHostSettings& settings, HostedWorld world);
+    WorldHost(WorldStart start, const WorldHostSettings& settings);
     void run();
     void tick_late(Clock::time_point due, std::uint32_t late_ticks);
-    void apply_commands(const std::optional<std::string>& paused, Clock::time_point due);
-    InputResult answer(const Command& command, const std::optional<std::string>& paused,
+    // `refusal`: why no input is applied.
+    void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
+    InputResult answer(const Command& command, const std::optional<Error>& refusal,
                        Clock::time_point due);
+    std::optional<Error> why_no_inputs(const std::optional<std::string>& paused) const;
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
-    // Shows the frame, then answers the inputs that are in it.
-    void publish(std::shared_ptr<Frame> frame);
+    // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
+    void publish(std::shared_ptr<Frame> frame, bool answers);
+    // Hands the results of this tick, and now and then the world, to who keeps it.
+    void keep_shown(double step_ms, bool answered);
+    WorldMoment moment() const;
     std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);
     void record_events();
@@ -143,8 +163,10 @@ private:
     const WorldHostSettings settings_;
 
     HostedWorld world_;  // the tick thread's own
+    const std::shared_ptr<WorldKeeper> keeper_;
     std::uint32_t tick_ = 0;
-    bool step_refused_ = false;
+    bool step_refused_ = false, step_interrupted_ = false;
+    bool cut_short_ = false;  // the last step, by the world's end
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_, leavers_taken_;
     std::vector<InputResult> results_;    // of batch_, one each
@@ -165,8 +187,9 @@ private:
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
-    std::atomic<bool> stopping_{false}, failed_{false};
+    std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false};
     std::mutex stop_mutex_;
+    bool ended_ = false;
     struct Timer;  // Asio's, kept out of this header
     std::unique_ptr<Timer> timer_;
     std::thread thread_;

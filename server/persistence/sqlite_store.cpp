@@ -16,7 +16,7 @@ namespace jostle::server {
 namespace {
 
 constexpr std::uint64_t application_id = 0x4a53544c;  // "JSTL"
-constexpr std::uint64_t schema_version = 1;
+constexpr std::uint64_t schema_version = 2;
 
 constexpr const char* schema = R"(
     CREATE TABLE world(
@@ -32,6 +32,11 @@ constexpr const char* schema = R"(
         hash INTEGER NOT NULL, sequence INTEGER NOT NULL, exact BLOB NOT NULL,
         portable BLOB NOT NULL, digest BLOB NOT NULL,
         PRIMARY KEY(world, tick));
+)";
+// Since version 2.
+constexpr const char* notes_schema = R"(
+    CREATE TABLE note(name BLOB PRIMARY KEY, value BLOB NOT NULL, digest BLOB NOT NULL)
+        WITHOUT ROWID;
 )";
 
 std::string_view view_of(const Digest& digest) {
@@ -53,6 +58,11 @@ Digest digest_of_row(const std::string& world, const Checkpoint& c) {
     const std::string numbers =
         std::to_string(c.tick) + " " + std::to_string(c.hash) + " " + std::to_string(c.sequence);
     const std::string_view pieces[] = {"checkpoint", world, numbers, c.exact, c.portable};
+    return digest_of(pieces);
+}
+
+Digest digest_of_row(const PutNote& note) {
+    const std::string_view pieces[] = {"note", note.name, note.value};
     return digest_of(pieces);
 }
 
@@ -83,6 +93,10 @@ public:
         read_checkpoint,
         list_entries,
         chain_of_entry,
+        cut_checkpoints,
+        cut_journal,
+        put_note,
+        read_note,
         kinds,
     };
 
@@ -98,7 +112,8 @@ public:
             "SELECT max(sequence) FROM journal WHERE world = ?1",
             "INSERT OR REPLACE INTO checkpoint VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)",
             "DELETE FROM checkpoint WHERE world = ?1 AND tick < ?2",
-            "DELETE FROM journal WHERE world = ?1 AND sequence < ?2",
+            "DELETE FROM journal WHERE world = ?1 AND sequence < "
+            "(SELECT sequence FROM checkpoint WHERE world = ?1 AND tick = ?2)",
             "SELECT id, name, epoch, engine, settings, digest FROM world ORDER BY id",
             "SELECT tick FROM checkpoint WHERE world = ?1 ORDER BY tick DESC",
             "SELECT tick, hash, sequence, exact, portable, digest FROM checkpoint "
@@ -106,6 +121,10 @@ public:
             "SELECT sequence, epoch, first_tick, last_tick, chain, data, digest FROM journal "
             "WHERE world = ?1 AND sequence > ?2 ORDER BY sequence",
             "SELECT chain FROM journal WHERE world = ?1 AND sequence = ?2",
+            "DELETE FROM checkpoint WHERE world = ?1 AND tick > ?2",
+            "DELETE FROM journal WHERE world = ?1 AND sequence > ?2",
+            "INSERT OR REPLACE INTO note VALUES(?1, ?2, ?3)",
+            "SELECT value, digest FROM note WHERE name = ?1",
         };
         for (const char* text : texts) {
             Result<SqliteStatement> made = database_.prepare(text);
@@ -170,9 +189,19 @@ public:
             .run();
     }
     Status operator()(const Trim& trim) {
-        Status done =
-            of(trim_checkpoints).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}).run();
-        return done.ok() ? of(trim_journal).bind(1, trim.world).bind(2, trim.sequence).run() : done;
+        for (const Kind kind : {trim_checkpoints, trim_journal})
+            if (Status s = of(kind).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}).run();
+                !s.ok())
+                return s;
+        return {};
+    }
+    Status operator()(const CutJournal& cut) {
+        Status done = of(cut_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
+        return done.ok() ? of(cut_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
+    }
+    Status operator()(const PutNote& note) {
+        const Digest digest = digest_of_row(note);
+        return of(put_note).bind(1, note.name).bind(2, note.value).bind(3, view_of(digest)).run();
     }
 
 private:
@@ -243,11 +272,13 @@ Status take_file(SqliteDatabase& database, Durability durability) {
                                  : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
         !s.ok())
         return s;
-    if (*tables != 0) return check_structure(database);
-    const std::string make = "BEGIN IMMEDIATE;" + std::string(schema) +
-                             "PRAGMA application_id = " + std::to_string(application_id) +
-                             ";PRAGMA user_version = " + std::to_string(schema_version) +
-                             ";COMMIT;";
+    if (*tables != 0)
+        if (Status s = check_structure(database); !s.ok() || *version == schema_version) return s;
+    // A store of version 1 has all but the notes.
+    const std::string make =
+        "BEGIN IMMEDIATE;" + std::string(*tables == 0 ? schema : "") + notes_schema +
+        "PRAGMA application_id = " + std::to_string(application_id) +
+        ";PRAGMA user_version = " + std::to_string(schema_version) + ";COMMIT;";
     return database.execute(make.c_str());
 }
 
@@ -375,6 +406,18 @@ Result<std::vector<JournalEntry>> SqliteStore::entries(const std::string& world,
         after = e.sequence;
         found.push_back(std::move(e));
     }
+}
+
+Result<std::optional<std::string>> SqliteStore::note(const std::string& name) {
+    SqliteStatement& read = database_->of(Database::read_note).bind(1, name);
+    const Result<bool> row = read.step();
+    if (!row.ok()) return row.error();
+    if (!*row) return std::optional<std::string>();
+    PutNote found{name, std::string(read.bytes(0))};
+    const bool whole = read.bytes(1) == view_of(digest_of_row(found));
+    read.reset();
+    if (!whole) return damaged("the note \"" + name + "\"");
+    return std::optional(std::move(found.value));
 }
 
 }  // namespace jostle::server

@@ -37,6 +37,7 @@ public:
     Result<Checkpoint> checkpoint(const std::string& world, std::uint32_t tick) override;
     Result<std::vector<JournalEntry>> entries(const std::string& world, std::uint64_t after,
                                               std::size_t bytes_max) override;
+    Result<std::optional<std::string>> note(const std::string& name) override;
 
 private:
     class Database;

@@ -53,6 +53,25 @@ bool StoreWriter::flush(Clock::duration patience) {
     return changed_.wait_for(lock, patience, [&] { return finished_ >= all; });
 }
 
+bool StoreWriter::visit(const std::function<void(WorldStore& store)>& look,
+                        Clock::duration patience) {
+    const Clock::time_point until = Clock::now() + patience;
+    std::unique_lock lock(mutex_);
+    if (!changed_.wait_until(lock, until, [&] { return !visit_; })) return false;
+    visit_ = &look;
+    changed_.notify_all();
+    const auto is_over = [&] { return visit_ != &look; };
+    if (changed_.wait_until(lock, until, is_over)) return true;
+    // One that was begun is waited for.
+    if (visiting_) {
+        changed_.wait(lock, is_over);
+        return true;
+    }
+    visit_ = nullptr;
+    changed_.notify_all();
+    return false;
+}
+
 std::optional<std::string> StoreWriter::failing() const {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
@@ -72,7 +91,17 @@ void StoreWriter::run() {
         std::deque<Waiting> group;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [&] { return !queue_.empty() || last_try_; });
+            changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || visit_; });
+            if (queue_.empty() && visit_) {
+                visiting_ = true;
+                lock.unlock();
+                (*visit_)(*store_);
+                lock.lock();
+                visiting_ = false;
+                visit_ = nullptr;
+                changed_.notify_all();
+                continue;
+            }
             if (queue_.empty()) return;
             group.swap(queue_);
         }

@@ -40,6 +40,9 @@ public:
 
     // Any thread; never waits for the store. False: too much waits, and the change was not taken.
     bool push(StoreChange change, Done done);
+    // Any thread: looks at the store on the writer's thread, after what was pushed before, and
+    // returns when that is over. False: the writer did not come to it within that time.
+    bool visit(const std::function<void(WorldStore& store)>& look, Clock::duration patience);
     // Any thread: waits until all that was pushed before has been written or refused. False: not
     // within that time.
     bool flush(Clock::duration patience);
@@ -68,6 +71,8 @@ private:
     std::deque<Waiting> queue_;
     std::size_t bytes_ = 0;  // in the queue and in what is being written
     std::uint64_t pushed_ = 0, finished_ = 0;
+    const std::function<void(WorldStore& store)>* visit_ = nullptr;  // one at a time
+    bool visiting_ = false;
     std::optional<std::string> failure_;
     std::optional<Clock::time_point> writing_since_;
     std::optional<Clock::time_point> last_try_;  // set: the writer ends then

@@ -61,13 +61,25 @@ struct PutCheckpoint {
     std::string world;
     Checkpoint checkpoint;
 };
-// What nobody needs any more: checkpoints before that tick, and entries before that sequence.
+// What nobody needs any more: checkpoints before the one of that tick, and entries before the last
+// one that is in it.
 struct Trim {
+    std::string world;
+    std::uint32_t tick = 0;
+};
+// The world is of another past: entries after that sequence, and checkpoints after that tick, are
+// not its own.
+struct CutJournal {
     std::string world;
     std::uint32_t tick = 0;
     std::uint64_t sequence = 0;
 };
-using StoreChange = std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim>;
+// Something of the server as a whole, under a name.
+struct PutNote {
+    std::string name, value;
+};
+using StoreChange =
+    std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim, CutJournal, PutNote>;
 
 // About how much memory it takes.
 std::size_t bytes_of(const StoreChange& change);

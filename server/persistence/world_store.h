@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ public:
     // many bytes of data otherwise. corrupt_data: also when one is missing between them.
     virtual Result<std::vector<JournalEntry>> entries(const std::string& world, std::uint64_t after,
                                                       std::size_t bytes_max) = 0;
+    // Nothing: no such note was put.
+    virtual Result<std::optional<std::string>> note(const std::string& name) = 0;
 };
 
 }  // namespace jostle::server

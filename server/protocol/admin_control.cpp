@@ -141,11 +141,21 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
     const Waiting waiting(waiting_);
     if (Status s = waiting.admitted(); !s.ok()) return s;
     ExportedScene exported;
+    if (request.tick() != 0) {
+        Result<ExportedScene> then = context_.worlds.scene_at(**world, request.tick());
+        if (!then.ok()) return then.error();
+        exported = *std::move(then);
+        response.set_tick(request.tick());
+        return answer_export(std::move(exported), response);
+    }
     const Status visited = (*world)->visits().make([&](HostedWorld& hosted) {
         exported = hosted.exported(*(*world)->description());
         response.set_tick((*world)->frame()->tick);
     });
-    if (!visited.ok()) return visited;
+    return visited.ok() ? answer_export(std::move(exported), response) : visited;
+}
+
+Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldResponse& response) {
     *response.mutable_scene() = scenes::to_message(exported.scene);
     for (std::string& sentence : exported.left_out) *response.add_left_out() = std::move(sentence);
     if (const std::size_t bytes = response.ByteSizeLong(); bytes > export_bytes_max)

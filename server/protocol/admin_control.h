@@ -55,6 +55,7 @@ public:
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 
 private:
+    static Status answer_export(ExportedScene exported, v1::ExportWorldResponse& response);
     PlayContext& context_;
     std::atomic<int> waiting_{0};
 };

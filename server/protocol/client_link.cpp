@@ -186,7 +186,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_seconds > 0)
-        seat_ = context_.resumes.open(client_);
+        seat_ = open_seat(*world);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
@@ -224,7 +224,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .resume_token = seat_ ? seat_->token : std::string(),
                     .resumed = lost != nullptr,
                     .continues = gone.has_value(),
-                    .last_sequence = last_sequence_,
+                    .last_sequence = confirmed(),
                     .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));
@@ -338,7 +338,9 @@ void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
     if (end_) return;
     end_ = std::move(status);
     end_time_ = now;
-    lost = lost && seat_ && !context_.draining;
+    // Who is there when the server goes down has not left a world that is kept.
+    const bool world_goes_on = feed_ && feed_->host().is_kept();
+    lost = seat_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
     if (client_ != 0)
         log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
     leave_world(lost ? std::optional(now) : std::nullopt);
@@ -398,9 +400,12 @@ void ClientLink::check_timeouts(Clock::time_point now) {
                       now, true);
     }
     if (feed_->host().failed()) {
-        const char* why = "a fault of the server ended the world; it starts anew from its scene";
+        const bool kept = feed_->host().is_kept();
+        const char* why =
+            kept ? "a fault of the server ended the world; it goes on from what was kept of it"
+                 : "a fault of the server ended the world; it starts anew from its scene";
         send(encode_notice(NoticeKind::world_restarted, why));
-        return finish(Error{ErrorCode::unavailable, why}, now);
+        return finish(Error{ErrorCode::unavailable, why}, now, kept);
     }
     if (feed_->host().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));

@@ -92,6 +92,11 @@ private:
     std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
     Result<ClientId> take_place(const WorldHost& world);
+    // The client need not say the inputs up to this one again, whatever becomes of us.
+    std::uint32_t confirmed() const {
+        return feed_->host().is_kept() ? kept_sequence_ : last_sequence_;
+    }
+    std::shared_ptr<ResumeSeat> open_seat(const WorldHost& world);
     void keep_place(Clock::time_point now);
     // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
     // nothing of what came by the stream.
@@ -160,6 +165,7 @@ private:
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // received
+    std::uint32_t kept_sequence_ = 0;   // answered, and so kept where anything is
     std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
     int dropped_ = 0;                   // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};

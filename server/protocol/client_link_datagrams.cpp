@@ -97,7 +97,7 @@ Private ClientLink::datagram_part() {
     Private own{.input_sequence = std::exchange(untold_sequence_, 0),
                 .echo_client_time_us = std::exchange(client_time_us_, 0)};
     own.input_margin_us = std::exchange(untold_margin_us_, 0);
-    own.input_received = last_sequence_;
+    own.input_received = confirmed();
     return own;
 }
 

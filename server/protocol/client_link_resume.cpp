@@ -16,13 +16,41 @@ namespace {
 // A link looks twenty times a second whether it is to give way.
 constexpr auto give_way_max = std::chrono::seconds(2);
 
+// A token that outlives the process is good for a day: a place is never kept so long.
+constexpr auto token_life = std::chrono::hours(24);
+
+// A world that an error ended may run again, as another host.
+std::shared_ptr<WorldHost> host_of(PlayContext& context, const LostClient& lost) {
+    const WorldHost& host = lost.feed->host();
+    return context.worlds.find(host.id());
+}
+
 void let_go(PlayContext& context, const LostClient& lost) {
     log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
     context.sessions.leave(lost.client);
-    lost.feed->host().leave(lost.client, context.config.client.keep_bodies_after_leave);
+    if (const auto host = host_of(context, lost))
+        host->leave(lost.client, context.config.client.keep_bodies_after_leave);
 }
 
 }  // namespace
+
+void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+                   std::uint32_t last_sequence, Clock::time_point until) {
+    context.sessions.enter_again(client, world->id(), {});
+    world->lose(client);
+    context.resumes.expect({.client = client,
+                            .feed = context.feeds.feed_of(world, context.config.stream.cell_m),
+                            .network = {},
+                            .subject = {},
+                            .result_queue = std::make_shared<ResultQueue>(),
+                            .results = {},
+                            .last_sequence = last_sequence,
+                            .kept_sequence = last_sequence,
+                            .baselines = {},
+                            .sent = {},
+                            .told_geometry = {}},
+                           until);
+}
 
 void end_lost_clients(PlayContext& context, Clock::time_point now) {
     for (const LostClient& lost : context.resumes.take_expired(now)) let_go(context, lost);
@@ -41,6 +69,17 @@ Result<ClientId> ClientLink::take_place(const WorldHost& world) {
     return context_.sessions.enter(world.id(), network);
 }
 
+std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
+    const ResumeToken who{.client = client_,
+                          .world = world.id(),
+                          .subject = watch_.subject(),
+                          .by_ticket = by_ticket_,
+                          .spectator = spectator_,
+                          .expires = std::chrono::floor<std::chrono::seconds>(
+                              std::chrono::system_clock::now() + token_life)};
+    return context_.resumes.open(client_, world.is_kept() ? &who : nullptr);
+}
+
 void ClientLink::keep_place(Clock::time_point now) {
     collect_results();
     feed_->host().lose(client_);
@@ -53,6 +92,7 @@ void ClientLink::keep_place(Clock::time_point now) {
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
+                    .kept_sequence = kept_sequence_,
                     .whole = goes_on_later(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_),
@@ -90,7 +130,14 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
         return true;
     }
     LostClient& lost = *claim.client;
+    if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
+        lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
+    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= give_way_max) {
+        context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
+        waiting_hello_ = hello;
+        return true;
+    }
     const Status may = world_is_there ? may_resume(hello, lost) : Status();
     if (!world_is_there || (!may.ok() && may.error().code == ErrorCode::not_found)) {
         context_.resumes.close(*claim.seat);
@@ -113,6 +160,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
 std::optional<std::vector<EntityId>> ClientLink::take_over(LostClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
+    kept_sequence_ = lost.kept_sequence;
     SentLog::Known known = lost.sent.known_at(frame, now);
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),

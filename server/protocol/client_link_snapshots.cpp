@@ -106,6 +106,8 @@ void ClientLink::collect_results() {
     std::vector<InputResult> fresh = result_queue_->take();
     for (const InputResult& result : fresh) {
         untold_sequence_ = std::max(untold_sequence_, result.sequence);
+        if (result.status.ok() || result.status.error().code != ErrorCode::unavailable)
+            kept_sequence_ = std::max(kept_sequence_, result.sequence);
         untold_margin_us_ = within_margins(result.margin_us.value_or(untold_margin_us_));
     }
     results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
@@ -123,8 +125,7 @@ Private ClientLink::own_part() {
     const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
     Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
     own.input_margin_us = within_margins(margin_us);
-    if (lane_ && last_sequence_ != told_received_)
-        own.input_received = told_received_ = last_sequence_;
+    if (lane_ && confirmed() != told_received_) own.input_received = told_received_ = confirmed();
     if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
     if (skipped != told_.snapshots_skipped)
         own.snapshots_skipped = told_.snapshots_skipped = skipped;

@@ -34,6 +34,11 @@ struct PlayContext {
     std::atomic<bool> closing{false};      // the drain is over: every conversation ends
 };
 
+// One that played when the process of before ended may come back until then; until it does it is
+// as one whose connection broke.
+void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+                   std::uint32_t last_sequence, Clock::time_point until);
+
 // Clients whose connection broke too long ago have left. Now and then; any thread.
 void end_lost_clients(PlayContext& context, Clock::time_point now);
 

@@ -20,12 +20,30 @@ bool are_equal(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client) {
+void ResumeDesk::use_secret(std::string secret) {
+    const std::lock_guard lock(mutex_);
+    secret_ = std::move(secret);
+}
+
+void ResumeDesk::expect(LostClient client, Clock::time_point until) {
+    auto seat = std::make_shared<ResumeSeat>();
+    seat->client = client.client;
+    const std::lock_guard lock(mutex_);
+    places_[seat->client] = {.seat = seat, .client = std::move(client), .until = until};
+}
+
+std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken* who) {
     auto seat = std::make_shared<ResumeSeat>();
     seat->client = client;
-    seat->token.resize(token_bytes);
-    if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
     const std::lock_guard lock(mutex_);
+    std::optional<std::string> sealed;
+    if (who && !secret_.empty()) sealed = seal_token(*who, secret_);
+    if (sealed) {
+        seat->token = *std::move(sealed);
+    } else {
+        seat->token.resize(token_bytes);
+        if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
+    }
     places_[client] = {.seat = seat, .client = std::nullopt};
     return seat;
 }
@@ -43,12 +61,32 @@ void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time
     at->second.until = until;
 }
 
+// From here on its seat is as any other.
+ResumeDesk::Place* ResumeDesk::find_expected(std::string_view token, WallTime now) {
+    if (secret_.empty()) return nullptr;
+    std::optional<ResumeToken> who = open_token(token, secret_, now);
+    if (!who) return nullptr;
+    const auto at = places_.find(who->client);
+    if (at == places_.end()) return nullptr;
+    Place& place = at->second;
+    if (!place.seat->token.empty() || !place.client) return nullptr;
+    LostClient& lost = *place.client;
+    if (lost.feed->host().id() != who->world) return nullptr;
+    place.seat->token = token;
+    lost.subject = std::move(who->subject);
+    lost.by_ticket = who->by_ticket;
+    lost.spectator = who->spectator;
+    return &place;
+}
+
 // All are compared, so that how long it takes tells nothing of which was close.
-ResumeDesk::Claim ResumeDesk::claim(std::string_view token) {
+ResumeDesk::Claim ResumeDesk::claim(std::string_view token, WallTime now) {
     const std::lock_guard lock(mutex_);
+    if (token.empty()) return {};
     Place* found = nullptr;
     for (auto& [client, place] : places_)
         if (are_equal(place.seat->token, token)) found = &place;
+    if (!found) found = find_expected(token, now);
     if (!found) return {};
     found->seat->is_wanted = !found->client;
     if (!found->client) return {.answer = Answer::not_yet, .seat = nullptr, .client = {}};

@@ -5,7 +5,8 @@
 // for a while: the client is lost, but has not left. A client that comes back before its old link
 // has noticed asks that link to give way. Any thread.
 //
-// Tokens are bytes of no meaning to clients.
+// Tokens are bytes of no meaning to clients: random ones, or, where worlds outlive the process,
+// sealed ones (resume_token.h), by which those come back who played when it ended.
 #pragma once
 
 #include <array>
@@ -22,6 +23,7 @@
 
 #include "base/clock.h"
 #include "host/result_queue.h"
+#include "protocol/resume_token.h"
 #include "protocol/sent_log.h"
 #include "protocol/world_feed.h"
 #include "replication/baseline_tracker.h"
@@ -38,12 +40,20 @@ struct LostClient {
     std::shared_ptr<ResultQueue> result_queue;
     std::vector<InputResult> results;  // not told yet
     std::uint32_t last_sequence = 0;   // of the inputs that came
+    std::uint32_t kept_sequence = 0;   // ... and were answered
     // Of a stream that tells of all of the world; else it begins anew.
     bool whole = false;
     BaselineTracker baselines;
     SentLog sent;
     std::set<std::uint64_t> told_geometry;
     std::uint64_t channel_kinds = 0;
+
+    // Its world was begun again: what it was told is of no use any longer.
+    void go_on_in(std::shared_ptr<WorldFeed> again) {
+        feed = std::move(again);
+        whole = false;
+        sent = {};
+    }
 };
 
 // One client's; held by its link.
@@ -57,8 +67,13 @@ class ResumeDesk {
 public:
     static constexpr std::size_t token_bytes = 16;
 
-    // Null: the operating system gave no random bytes.
-    std::shared_ptr<ResumeSeat> open(ClientId client);
+    // Before anybody comes: tokens are sealed with it.
+    void use_secret(std::string secret);
+    // One who played before this process began, at most until then.
+    void expect(LostClient client, Clock::time_point until);
+    // Null: the operating system gave no random bytes. `who`: for a token that outlives the process
+    // if it fits into one.
+    std::shared_ptr<ResumeSeat> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
     void close(const ResumeSeat& seat);
     void leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until);
@@ -71,7 +86,7 @@ public:
         Clock::time_point until{};         // here: when it would have left
     };
     // not_yet: its old link was told to give way; ask again in a moment.
-    Claim claim(std::string_view token);
+    Claim claim(std::string_view token, WallTime now = std::chrono::system_clock::now());
 
     // Those whose time is over: they have left.
     std::vector<LostClient> take_expired(Clock::time_point now);
@@ -86,7 +101,10 @@ private:
         Clock::time_point until{};
     };
 
+    Place* find_expected(std::string_view token, WallTime now);
+
     mutable std::mutex mutex_;
+    std::string secret_;  // empty: none
     std::map<ClientId, Place> places_;
 };
 

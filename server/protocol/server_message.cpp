@@ -18,6 +18,8 @@ v1::InputCode input_code_of(const Status& status) {
             return v1::INPUT_CODE_NOT_ALLOWED;
         case ErrorCode::resource_exhausted:
             return v1::INPUT_CODE_LIMIT;
+        case ErrorCode::unavailable:
+            return v1::INPUT_CODE_UNAVAILABLE;
         default:
             return v1::INPUT_CODE_INVALID;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "session/session_directory.h"
 
+#include <utility>
+
 namespace jostle::server {
 
 namespace {
@@ -11,6 +13,20 @@ void take_one(std::map<std::string, int>& counts, const std::string& key) {
 }
 
 }  // namespace
+
+void SessionDirectory::use_ids(ClientId first, std::function<void(ClientId next)> on_id) {
+    const std::lock_guard lock(mutex_);
+    next_ = first;
+    on_id_ = std::move(on_id);
+}
+
+void SessionDirectory::enter_again(ClientId client, const std::string& world_id,
+                                   const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    if (!sessions_.try_emplace(client, Session{world_id, network}).second) return;
+    of_world_[world_id]++;
+    of_network_[network]++;
+}
 
 Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network) {
     const std::lock_guard lock(mutex_);
@@ -26,6 +42,7 @@ Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std:
     sessions_[client] = {world_id, network};
     of_world_[world_id]++;
     of_network_[network]++;
+    if (on_id_) on_id_(next_);
     return client;
 }
 

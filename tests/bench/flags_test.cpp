@@ -119,22 +119,6 @@ TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
     EXPECT_EQ(run("--bodies 0", "rollback"), 2);
 }
 
-TEST_F(SpeedFlags, checkpoint_takes_one_to_bytes_and_back_and_writes_a_row_each) {
-    ASSERT_EQ(run("--bodies 20,60 --repetitions 2 --json " + file("c.json"), "checkpoint"), 0)
-        << output();
-    EXPECT_THAT(output(), HasSubstr("compress"));
-    const auto json = nlohmann::json::parse(read("c.json"));
-    EXPECT_EQ(json["benchmark"], "checkpoint");
-    ASSERT_EQ(json["rows"].size(), 2u);
-    const auto& row = json["rows"][1];
-    EXPECT_EQ(row["boxes"], 60);
-    EXPECT_GT(row["save_spare_ms"]["median"], 0);
-    EXPECT_GT(row["background_ms"]["low"], 0);
-    EXPECT_GT(row["saved_bytes"].get<int>(), 60 * 1000);
-    EXPECT_LT(row["compressed_bytes"].get<int>(), row["saved_bytes"].get<int>() / 2);
-    EXPECT_EQ(run("--bodies 0", "checkpoint"), 2);
-}
-
 TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) {
     const std::string two = "--feature nothing,joints --rounds 2 --steps 2 ";
     ASSERT_EQ(run(two + "--at-most 1000 --json " + file("f.json"), "features"), 0) << output();

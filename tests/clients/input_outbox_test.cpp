@@ -121,8 +121,19 @@ TEST_F(InputOutboxTest, a_client_that_comes_back_says_again_what_did_not_come_an
     EXPECT_FALSE(outbox.answered(3, now)) << "told again: the server does not know that it came";
     EXPECT_TRUE(outbox.answered(4, now));
     EXPECT_FALSE(outbox.answered(4, now));
-    EXPECT_TRUE(outbox.answered(11, now));
+    for (std::uint32_t sequence = 5; sequence <= 11; sequence++)
+        EXPECT_TRUE(outbox.answered(sequence, now));
     EXPECT_FALSE(outbox.has_open());
+}
+
+// A server that keeps its world answers an input when it is kept, and at once one that it refuses.
+TEST_F(InputOutboxTest, what_was_not_answered_is_said_again_though_a_later_one_was) {
+    outbox.keep(true);
+    push(3);
+    EXPECT_EQ(by_stream(), (Said{1, 3}));
+    EXPECT_TRUE(outbox.answered(3, now));
+    outbox.go_on_after(0, now);  // it was killed before it had kept anything
+    EXPECT_EQ(by_stream(), (Said{1, 3}));
 }
 
 TEST_F(InputOutboxTest, believes_no_server_that_has_more_than_was_said) {

@@ -49,7 +49,7 @@ struct Routes {
     const server::HttpRoutes routes{control,
                                     queries,
                                     {.web_root = WEB_ROOT,
-                                     .is_draining = [] { return false; },
+                                     .why_not_ready = [] { return std::optional<std::string>(); },
                                      .trouble = [] { return std::nullopt; }}};
 };
 

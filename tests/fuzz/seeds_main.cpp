@@ -13,6 +13,9 @@
 
 #include "datagram/content.h"
 #include "datagram/packet.h"
+#include "durability/checkpoint_image.h"
+#include "durability/journal_codec.h"
+#include "durability/world_record.h"
 #include "fuzz/reader.h"
 #include "fuzz/saved_world.h"
 #include "fuzz/seed_scenes.h"
@@ -29,9 +32,7 @@
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "modules/ragdoll_gltf/gltf_skeleton.h"
-#include "persistence/compressed.h"
 #include "protocol/client_link.h"
-#include "protocol/journal_codec.h"
 #include "support/tokens.h"
 #include "wire/channel_motion.h"
 #include "wire/golden.h"
@@ -502,18 +503,24 @@ void write_kept(const fs::path& folder) {
                                       server::ControlCommand{},
                                       server::LoseCommand{},
                                       server::LeaveCommand{true}};
-    std::vector<server::JournaledTick> journal;
+    server::JournalBatch journal{{}, {{2, 4}}};
     std::uint32_t tick = 0;
     for (const server::Action& action : actions) {
         tick++;
         world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
-        const std::string image = server::encode_host_image(world->image(tick));
-        seeds.add(image);
-        seeds.add(server::compress(image));
-        journal.push_back({tick, world->take_journal()});
-        seeds.add(server::encode_journal(std::span(&journal.back(), 1)));
+        seeds.add(server::encode_host_image(world->image(tick)));
+        journal.ticks.push_back({tick, world->take_journal()});
+        seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
+    server::WorldMoment moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
+    moment.bodies.keep(world->world());
+    seeds.add(server::encode_checkpoint(moment).value().bytes);
+    seeds.add(server::encode_world_record(
+        {.owner = "ada",
+         .scene = std::make_shared<const scenes::SceneDescription>(*scenes::find_scene("stack")),
+         .limits = {},
+         .work_per_second = 1e6}));
 }
 
 void write_datagrams(const fs::path& folder) {

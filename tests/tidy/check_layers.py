@@ -55,18 +55,20 @@ FLOORS = {
     "server/persistence": ["server/base"],
     "server/datagram": ["server/base", "server/config", "server/telemetry", "proto/datagram"],
     "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
+    "server/durability": ["server/base", "server/telemetry", "server/config", "server/persistence", "server/host", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "proto/datagram", "scenes/include", "generated"],
     "server/rpc": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
-    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
+    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/durability", "server/persistence", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/datagram", "proto/status", "generated"],
     "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
     "clients/recording": ["clients/cpp", "proto/wire", "generated"],
     "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
     "clients/replay": ["clients/cpp", "clients/recording", "clients/ctl", "proto/wire", "generated"],
+    "replay": ["clients/replay", "clients/recording", "clients/cpp", "server/durability", "server/persistence", "server/host", "server/base", "scenes/include", PUBLIC],
     "clients/bot": ["clients/cpp", "clients/flags", "generated"],
     "clients/flags": ["clients/cpp"],
     "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
@@ -75,13 +77,13 @@ FLOORS = {
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.
 WORLD = "jostle/physics/world.h"
-MAY_INCLUDE_WORLD = ("server/host",)
+MAY_INCLUDE_WORLD = ("server/host", "server/durability")
 # Only scenes/src/scene_* knows the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
-SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
+SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "replay", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "clients/recording/include", "clients/recording/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 

@@ -50,10 +50,11 @@ void InputOutbox::confirm(std::uint32_t received, Clock::time_point now) {
 }
 
 bool InputOutbox::answered(std::uint32_t sequence, Clock::time_point now) {
-    confirm(sequence, now);
     const auto at = std::ranges::lower_bound(unanswered_, sequence);
     if (at == unanswered_.end() || *at != sequence) return !went_on_;
     unanswered_.erase(at);
+    // One before it may wait until it is kept: should the server end, it is to be said again.
+    confirm(unanswered_.empty() ? last_said() : unanswered_.front() - 1, now);
     return true;
 }
 

@@ -36,8 +36,8 @@ public:
     std::uint32_t push(v1::Input input);
     // The server has all up to that number.
     void confirm(std::uint32_t received, Clock::time_point now);
-    // One was answered, and so all up to it have come. False: it was answered before, on the
-    // connection that broke.
+    // One was answered: it is done with when all before it are. False: it was answered before, on
+    // the connection that broke.
     bool answered(std::uint32_t sequence, Clock::time_point now);
 
     // Whether the server is not known to have all.

@@ -77,12 +77,6 @@ public:
         put_bits(next_, bits);
         next_ += sizeof bits;
     }
-    void write_bytes(std::span<const std::byte> bytes) {
-        if (bytes.empty()) return;
-        if (room_.size() - size() < bytes.size()) reserve(2 * room_.size() + bytes.size());
-        std::memcpy(next_, bytes.data(), bytes.size());
-        next_ += bytes.size();
-    }
     // Over what was written there before.
     template <class T>
     void write_at(std::size_t at, T value) {

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "jostle/physics/world.h"
-#include "persist/module_visitor.h"
+#include "persist/field_list.h"
 #include "persist/saved_world.h"
 #include "state/world_access.h"
 
@@ -71,18 +71,21 @@ Status RestorePoint::restore(World& world) const {
     return restore_modules(world, std::move(missing));
 }
 
-Result<std::vector<std::byte>> RestorePoint::save() const {
+Result<RestorePoint::Saved> RestorePoint::save() const {
     if (!kept_)
         return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
-    return saved_world(kept_->stores, [&](Saver& saver) {
-        auto count = static_cast<std::uint32_t>(kept_->modules.size());
-        saver.optional("modules", count, 10);
-        ModuleVisitor<Saver> visitor(saver);
-        for (Kept::ModuleState& module : kept_->modules) {
-            static_cast<StateVisitor&>(visitor).field("tag", module.tag);
-            saver.out.write_bytes(module.state);
-        }
-    });
+    ListenerStore modules;
+    for (const Kept::ModuleState& kept : kept_->modules) {
+        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+        if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
+        if (Status s = load_module(**made, kept.state); !s.ok()) return s.error();
+        modules.add(std::move(made).value());
+    }
+    SaverAndHash visitor;
+    begin_saved_world(visitor.saver, kept_->stores);
+    visit_stores(visitor, kept_->stores);
+    visit_modules(visitor, modules);
+    return Saved{end_saved_world(visitor.saver), visitor.hash.hasher.value};
 }
 
 // The modules of the world become those that were kept, in their order.

@@ -38,9 +38,7 @@ Error corrupt(std::string message) {
 
 }  // namespace
 
-std::vector<std::byte> saved_world(const WorldStores& stores,
-                                   const std::function<void(Saver&)>& write_modules) {
-    Saver saver;
+void begin_saved_world(Saver& saver, const WorldStores& stores) {
     ByteWriter& out = saver.out;
     out.reserve(expected_bytes(stores));
     out.write(magic);
@@ -49,8 +47,10 @@ std::vector<std::byte> saved_world(const WorldStores& stores,
     out.write(std::uint64_t{0});
     saver.table.collect(stores.shapes);
     saver.table.write(out);
-    visit_stores(saver, const_cast<WorldStores&>(stores));
-    write_modules(saver);
+}
+
+std::vector<std::byte> end_saved_world(Saver& saver) {
+    ByteWriter& out = saver.out;
     const std::span<const std::byte> rest = out.bytes().subspan(header_bytes);
     out.write_at(length_at, static_cast<std::uint64_t>(rest.size()));
     out.write_at(checksum_at, checksum(rest));
@@ -58,8 +58,12 @@ std::vector<std::byte> saved_world(const WorldStores& stores,
 }
 
 std::vector<std::byte> save(const World& world) {
+    // The list is shared with loading, so it takes references; saving changes nothing.
     auto& state = const_cast<WorldState&>(state_of(world));
-    return saved_world(state, [&](Saver& saver) { visit_modules(saver, state.listeners); });
+    Saver saver;
+    begin_saved_world(saver, state);
+    visit_world(saver, state);
+    return end_saved_world(saver);
 }
 
 Result<World> load(std::span<const std::byte> bytes) {

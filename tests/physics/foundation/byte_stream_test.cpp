@@ -26,21 +26,18 @@ TEST(ByteStream, puts_the_lowest_byte_first) {
         EXPECT_EQ(std::to_integer<int>(writer.bytes()[k]), expected[k]) << "byte " << k;
 }
 
-// Room is made as it is needed: 100,000 numbers and a block of 70,000 bytes come back in order.
+// Room is made as it is needed: 100,000 numbers come back in order.
 TEST(ByteStream, grows_and_starts_anew_when_all_was_taken) {
     ByteWriter writer;
-    const std::vector<std::byte> block(70'000, std::byte{9});
     writer.write(std::uint32_t{0});
     for (std::uint32_t k = 1; k < 100'000; k++) writer.write(k);
-    writer.write_bytes(block);
     writer.write_at(4, std::uint32_t{77});
-    ASSERT_EQ(writer.size(), 470'000u);
+    ASSERT_EQ(writer.size(), 400'000u);
     const std::vector<std::byte> bytes = writer.take();
-    ASSERT_EQ(bytes.size(), 470'000u);
+    ASSERT_EQ(bytes.size(), 400'000u);
     ByteReader reader(bytes);
     for (std::uint32_t k = 0; k < 100'000; k++)
         ASSERT_EQ(reader.read_bits<std::uint32_t>(), k == 1 ? 77 : k);
-    for (std::size_t k = 400'000; k < bytes.size(); k++) ASSERT_EQ(bytes[k], std::byte{9});
     EXPECT_EQ(writer.size(), 0u);
     writer.write(std::uint8_t{5});
     EXPECT_EQ(writer.take(), std::vector<std::byte>{std::byte{5}});

@@ -66,7 +66,7 @@ private:
                              queries_,
                              {.web_root = ".",
                               .allowed_origins = {},
-                              .is_draining = [] { return false; },
+                              .why_not_ready = [] { return std::optional<std::string>(); },
                               .trouble = [] { return std::nullopt; }}};
     std::atomic<bool> healthy_{true};
     GrpcServer grpc_{context_, {}, [this] { return healthy_.load(); }, {.port = 0}};

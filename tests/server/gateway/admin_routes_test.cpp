@@ -69,7 +69,12 @@ protected:
     AdminRoutes routes{control,
                        metrics,
                        {.allowed_hosts = {"ops.example.org"},
-                        .is_draining = [this] { return context.draining.load(); },
+                        .why_not_ready =
+                            [this] {
+                                return context.draining
+                                           ? std::optional<std::string>("the server is going down")
+                                           : std::nullopt;
+                            },
                         .trouble = [this] { return trouble; },
                         .refresh = [this] { refreshed++; }}};
 };

@@ -45,7 +45,12 @@ protected:
                       queries,
                       {.web_root = "/nonexistent",
                        .allowed_origins = {"https://play.example.org"},
-                       .is_draining = [this] { return context.draining.load(); },
+                       .why_not_ready =
+                           [this] {
+                               return context.draining
+                                          ? std::optional<std::string>("the server is going down")
+                                          : std::nullopt;
+                           },
                        .trouble = [this] { return trouble; }}};
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "server/persistence/failing_disk.h"
 
+#include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <thread>
 
 namespace jostle::test {
 namespace {
@@ -22,6 +24,7 @@ int write(sqlite3_file* file, const void* data, int size, sqlite3_int64 at) {
     sqlite3_file* const real = real_of(file);
     switch (fault.load()) {
         case DiskFault::none:
+        case DiskFault::slow:
             return real->pMethods->xWrite(real, data, size, at);
         case DiskFault::full:
             return SQLITE_FULL;
@@ -36,6 +39,9 @@ int write(sqlite3_file* file, const void* data, int size, sqlite3_int64 at) {
 }
 int sync(sqlite3_file* file, int flags) {
     sqlite3_file* const real = real_of(file);
+    DiskFault slow = DiskFault::slow;
+    if (fault.compare_exchange_strong(slow, DiskFault::none))
+        std::this_thread::sleep_for(std::chrono::milliseconds(2500));
     return fault == DiskFault::none ? real->pMethods->xSync(real, flags) : SQLITE_IOERR_FSYNC;
 }
 

@@ -15,6 +15,7 @@ enum class DiskFault {
     error,  // each write and sync fails
     full,   // there is no space
     torn,   // the next write puts down half of its bytes and fails, and so do those after it
+    slow,   // the next sync takes two and a half seconds, and then all is well
 };
 
 // Registers it when first called. Its name is what sqlite3_open_v2 takes.

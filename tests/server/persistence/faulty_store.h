@@ -58,6 +58,7 @@ public:
                                                       std::size_t) override {
         return nothing();
     }
+    Result<std::optional<std::string>> note(const std::string&) override { return nothing(); }
 
 private:
     static Error nothing() { return {ErrorCode::unavailable, "this store is only written to"}; }

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "persistence/journal_chain.h"
 #include "server/persistence/failing_disk.h"
 #include "server/persistence/journals.h"
 #include "support/error_of.h"
@@ -113,7 +114,7 @@ TEST(SqliteStore, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
     ASSERT_TRUE(store->write(small_history(journal, "sea")).ok());
-    ASSERT_TRUE(write(*store, {Trim{"sea", 100, 10}}).ok());
+    ASSERT_TRUE(write(*store, {Trim{"sea", 100}}).ok());
     EXPECT_EQ(*store->checkpoint_ticks("sea"), std::vector<std::uint32_t>{100});
     EXPECT_EQ(store->entries("sea", 10, 1 << 20)->size(), 2u);
     EXPECT_EQ(error_of(store->entries("sea", 5, 1 << 20)).message,
@@ -162,7 +163,50 @@ TEST(SqliteStore, files_of_others_are_refused_with_their_names) {
     EXPECT_EQ(error_of(SqliteStore::open(folder / "later.db", {})).message,
               folder /
                   "later.db: it was written by a later version of Jostle (schema 9; this one "
-                  "knows 1)");
+                  "knows 2)");
+}
+
+TEST(SqliteStore, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
+    const test::TempFolder folder;
+    const std::string path = folder / "old.db";
+    const StoreChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
+    EXPECT_TRUE(opened(path)->write(world).ok());
+    sqlite3* old = nullptr;
+    sqlite3_open(path.c_str(), &old);
+    sqlite3_exec(old, "DROP TABLE note; PRAGMA user_version = 1", nullptr, nullptr, nullptr);
+    sqlite3_close(old);
+
+    const StoreChange note[] = {PutNote{"secret", std::string("a\0b", 3)}};
+    {
+        const auto store = opened(path);
+        EXPECT_EQ(store->worlds().value().at(0).name, "yard");
+        EXPECT_EQ(store->note("secret").value(), std::nullopt);
+        EXPECT_TRUE(store->write(note).ok());
+    }
+    EXPECT_EQ(opened(path)->note("secret").value(), std::string("a\0b", 3));
+}
+
+TEST(SqliteStore, what_is_cut_from_a_journal_can_be_written_otherwise) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    Chain chain{};
+    const auto entry = [&](std::uint64_t sequence, const std::string& data) {
+        const auto tick = static_cast<std::uint32_t>(sequence);
+        chain = next_chain(chain, data);
+        return AppendEntry{"w1", {sequence, 1, tick, tick, chain, data}};
+    };
+    std::vector<StoreChange> changes{PutWorld{{.id = "w1"}}, entry(1, "a")};
+    const Chain after_one = chain;
+    changes.insert(changes.end(), {entry(2, "b"), entry(3, "c"), PutCheckpoint{"w1", {.tick = 1}},
+                                   PutCheckpoint{"w1", {.tick = 3}}});
+    EXPECT_TRUE(store->write(changes).ok());
+    chain = after_one;
+    const StoreChange other[] = {CutJournal{"w1", 2, 1}, entry(2, "B")};
+    EXPECT_TRUE(store->write(other).ok());
+    EXPECT_EQ(store->checkpoint_ticks("w1").value(), std::vector<std::uint32_t>{1});
+    const auto entries = store->entries("w1", 0, 100).value();
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[1].data, "B");
 }
 
 // All that a store says of a history.

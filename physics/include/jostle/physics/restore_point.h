@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -47,9 +48,13 @@ public:
     // does not know (not_found).
     Status restore(World& world) const;
 
-    // The bytes that save(world) (snapshot.h) would have been at keep(). An empty point is refused
-    // (failed_precondition).
-    Result<std::vector<std::byte>> save() const;
+    // What save(world) and state_hash(world) (snapshot.h) were at keep(). Takes hardly longer than
+    // the hash alone. Refused like restore().
+    struct Saved {
+        std::vector<std::byte> bytes;
+        std::uint64_t hash = 0;
+    };
+    Result<Saved> save() const;
 
 private:
     Status restore_modules(World& world, std::vector<std::unique_ptr<Module>> missing) const;

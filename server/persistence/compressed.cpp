@@ -12,7 +12,7 @@
 namespace jostle::server {
 namespace {
 
-// The fastest: level 3 saves another tenth and takes twice the time.
+// Level 3 takes half as long again for what a world is saved as, and is no smaller.
 constexpr int level = 1;
 
 Error not_packed(const std::string& why) {

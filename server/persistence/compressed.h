@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes packed by zstd (RFC 8878), which is fast enough for a journal and halves a checkpoint. A
-// checksum goes with them. Pure functions; any thread.
+// Bytes packed by zstd (RFC 8878), which is fast enough for a journal and takes a third of a
+// checkpoint. A checksum goes with them. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>

@@ -48,8 +48,8 @@ public:
     // does not know (not_found).
     Status restore(World& world) const;
 
-    // What save(world) and state_hash(world) (snapshot.h) were at keep(). Takes hardly longer than
-    // the hash alone. Refused like restore().
+    // What save(world) and state_hash(world) (snapshot.h) were at keep(), without a world to
+    // restore it into. Refused like restore().
     struct Saved {
         std::vector<std::byte> bytes;
         std::uint64_t hash = 0;

@@ -136,7 +136,7 @@ void WorldHost::run() {
         timer_->due.expires_at(clock.next_due());
         timer_->due.async_wait([&](const boost::system::error_code& error) {
             if (error || stopping_.load(std::memory_order_relaxed)) return;
-            for (int left = clock.due(Clock::now()); left > 0; left--)
+            for (int left = clock.due(Clock::now()); left > 0 && !stopping_; left--)
                 tick_late(clock.begin_tick(), clock.late_ticks());
             wait();
         });
@@ -242,7 +242,11 @@ InputResult WorldHost::answer(const Command& command, const std::optional<Error>
 bool WorldHost::step(bool allowed) {
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
-    if (stopping_ || (paused() && !allowed)) return false;
+    // The journal has a step there.
+    if (stopping_ || (paused() && !allowed)) {
+        (stopping_ ? cut_short_ : step_interrupted_) = true;
+        return false;
+    }
     if (const auto stepped = world_.step(1 / hz_, tick_ + 1); stepped.ok()) {
         record_events();
         warn_of_quarantine();

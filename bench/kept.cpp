@@ -22,7 +22,7 @@ The scene: spheres, boxes and capsules poured between walls (scene d of 'speed' 
 checkpoint as a server takes it (docs/persistence.md).
 
 Columns, ms of processor time, median of the repetitions: moment (the tick's thread: RestorePoint::keep() and who owns what),
-encode (another thread: restore into a spare world, save(), hash, zstd; of which save, hash and pack beside), decode (unpack, load(),
+encode (another thread: RestorePoint::save() with its hash, and zstd; save(), state_hash() and zstd by themselves beside), decode (unpack, load(),
 compare the hash); MB packed; and one step of the same world.
 
 Examples:
@@ -60,25 +60,20 @@ void time(std::vector<double>& into, Work&& work) {
     into.push_back(1e3 * (cpu_seconds() - began));
 }
 
-// Memory is used again, as a server does.
-struct Spare {
-    physics::World world = must(physics::World::create());
-    physics::RestorePoint point;
-};
-
-void repeat_once(server::HostedWorld& world, std::uint32_t tick, Spare& spare, Times& times) {
+void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::RestorePoint& spare,
+                 Times& times) {
     time(times.step, [&] {
         if (Status s = world.step(1.0 / 60, tick); !s.ok())
             throw std::runtime_error(s.error().message);
     });
-    server::WorldMoment moment{.tick = tick, .bodies = std::move(spare.point), .image = {}};
+    server::WorldMoment moment{.tick = tick, .bodies = std::move(spare), .image = {}};
     time(times.moment, [&] {
         moment.image = world.image(tick);
         moment.bodies.keep(world.world());
     });
     server::CheckpointImage image;
-    time(times.encode, [&] { image = must(server::encode_checkpoint(moment, spare.world)); });
-    spare.point = std::move(moment.bodies);
+    time(times.encode, [&] { image = must(server::encode_checkpoint(moment)); });
+    spare = std::move(moment.bodies);
     std::vector<std::byte> saved;
     time(times.save, [&] { saved = physics::save(world.world()); });
     time(times.hash, [&] { times.same &= physics::state_hash(world.world()) == image.hash; });
@@ -106,7 +101,7 @@ Times measure(int bodies, int repetitions) {
                     .first_step_seconds_max = 1e3};
     server::HostedWorld world = must(server::HostedWorld::create(scene, limits, 1));
     Times times;
-    Spare spare;
+    physics::RestorePoint spare;  // its memory is used again, as a server does
     std::uint32_t tick = 1;
     for (int k = 0; k < 200; k++)
         if (Status s = world.step(1.0 / 60, ++tick); !s.ok())

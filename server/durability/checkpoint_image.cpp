@@ -22,17 +22,17 @@ Error not_a_checkpoint(const std::string& why) {
 
 }  // namespace
 
-Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment, physics::World& spare) {
-    if (Status s = moment.bodies.restore(spare); !s.ok()) return s.error();
-    const std::vector<std::byte> saved = physics::save(spare);
+Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment) {
+    const Result<physics::RestorePoint::Saved> saved = moment.bodies.save();
+    if (!saved.ok()) return saved.error();
     ByteWriter head;
     head.number(checkpoint_version);
     head.text(encode_host_image(moment.image));
-    head.number(saved.size());
+    head.number(saved->bytes.size());
     const std::string first = head.take();
-    const std::string_view pieces[] = {first,
-                                       {reinterpret_cast<const char*>(saved.data()), saved.size()}};
-    return CheckpointImage{physics::state_hash(spare), compress(pieces)};
+    const std::string_view pieces[] = {
+        first, {reinterpret_cast<const char*>(saved->bytes.data()), saved->bytes.size()}};
+    return CheckpointImage{saved->hash, compress(pieces)};
 }
 
 Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {

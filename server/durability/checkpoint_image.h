@@ -17,9 +17,8 @@ struct CheckpointImage {
     std::uint64_t hash = 0;  // of the state of the bodies
     std::string bytes;
 };
-// Takes tens of milliseconds for thousands of bodies: not for a tick's thread. `spare`: any world;
-// one that was used before takes less time.
-Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment, physics::World& spare);
+// Takes tens of milliseconds for thousands of bodies: not for a tick's thread.
+Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment);
 
 struct SavedMoment {
     physics::World bodies;

@@ -47,7 +47,6 @@ bool CheckpointWriter::wait(Clock::duration patience) {
 }
 
 void CheckpointWriter::run() {
-    physics::World spare = physics::World::create().value();
     for (;;) {
         Job job;
         {
@@ -60,7 +59,7 @@ void CheckpointWriter::run() {
             jobs_.pop_front();
             busy_ = true;
         }
-        job(spare);
+        job();
     }
 }
 
@@ -187,8 +186,8 @@ void StoredKeeper::keep(WorldMoment moment) {
     checkpoint_waits_ = true;
     // The bodies are copied once, here, and turned into bytes elsewhere.
     auto shared = std::make_shared<WorldMoment>(std::move(moment));
-    checkpoints_.push([self = shared_from_this(), shared, taken, sequence](physics::World& spare) {
-        Result<CheckpointImage> image = encode_checkpoint(*shared, spare);
+    checkpoints_.push([self = shared_from_this(), shared, taken, sequence] {
+        Result<CheckpointImage> image = encode_checkpoint(*shared);
         {
             const std::lock_guard lock(self->mutex_);
             self->spare_point_ = std::move(shared->bodies);

@@ -39,8 +39,7 @@ struct JournalPlace {
 // Turns moments into checkpoints, one after the other, on a thread of its own.
 class CheckpointWriter {
 public:
-    // `spare`: a world whose memory is used again and again.
-    using Job = std::function<void(physics::World& spare)>;
+    using Job = std::function<void()>;
 
     CheckpointWriter();
     // Does what is still to be done.

@@ -49,9 +49,7 @@ WorldMoment moment_of(const HostedWorld& world, std::uint32_t tick) {
 
 Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                                  std::uint64_t sequence) {
-    Result<physics::World> spare = physics::World::create();
-    if (!spare.ok()) return spare.error();
-    Result<CheckpointImage> image = encode_checkpoint(moment_of(world, tick), *spare);
+    Result<CheckpointImage> image = encode_checkpoint(moment_of(world, tick));
     if (!image.ok()) return image.error();
     return Checkpoint{.tick = tick,
                       .hash = image->hash,

@@ -3,13 +3,12 @@
 // The header of a saved world, made right again after the bytes were changed, as a forger would.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 
-#include "foundation/hash.h"
+#include "persist/checksum.h"
 
 namespace jostle::fuzz {
 
@@ -20,15 +19,11 @@ inline void restamp(std::span<std::byte> saved) {
     if (saved.size() < saved_header_bytes) return;
     const std::span<const std::byte> rest = saved.subspan(saved_header_bytes);
     const std::uint64_t length = rest.size();
-    physics::Hasher hasher;
-    hasher.add(length);
-    for (std::size_t at = 0; at < rest.size(); at += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, rest.data() + at, std::min<std::size_t>(8, rest.size() - at));
-        hasher.add(word);
-    }
+    std::uint32_t version = 0;
+    std::memcpy(&version, saved.data() + 8, 4);
+    const std::uint64_t checksum = physics::checksum_of_version(version, rest);
     std::memcpy(saved.data() + 12, &length, 8);
-    std::memcpy(saved.data() + 20, &hasher.value, 8);
+    std::memcpy(saved.data() + 20, &checksum, 8);
 }
 
 }  // namespace jostle::fuzz

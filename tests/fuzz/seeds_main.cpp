@@ -515,8 +515,7 @@ void write_kept(const fs::path& folder) {
     seeds.add(server::encode_journal(journal));
     server::WorldMoment moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
     moment.bodies.keep(world->world());
-    auto spare = physics::World::create().value();
-    seeds.add(server::encode_checkpoint(moment, spare).value().bytes);
+    seeds.add(server::encode_checkpoint(moment).value().bytes);
     seeds.add(server::encode_world_record(
         {.owner = "ada",
          .scene = std::make_shared<const scenes::SceneDescription>(*scenes::find_scene("stack")),

@@ -130,6 +130,10 @@ COVERED_BY = {
     "persist/field_list.h":
         (["physics/persist/save_load_test.cpp", "physics/persist/state_hash_test.cpp", "physics/persist/divergence_test.cpp"],
          "its four visitors: save, load, hash and first difference"),
+    "persist/hash_visitor.h":
+        (["physics/persist/state_hash_test.cpp", "physics/persist/restore_point_test.cpp"], "of a world, and of a kept moment"),
+    "persist/saved_world.h":
+        (["physics/persist/save_load_test.cpp", "physics/persist/restore_point_test.cpp"], "of a world, and of a kept moment"),
     "persist/module_visitor.h":
         (["physics/persist/module_state_test.cpp"], "modules saved, loaded, hashed, compared and restored"),
     "persist/shared_geometry.cpp":

@@ -4,13 +4,13 @@
 // zeros and remembers.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace jostle::physics {
@@ -30,58 +30,70 @@ auto bits_of(T value) {
     }
 }
 
-// The number whose little-endian bytes are there, and back: a load or a store where the machine
-// itself is so.
+// The bits in their order on every machine: little endian.
 template <class Bits>
-Bits load_little_endian(const std::byte* at) {
-    Bits bits = 0;
+void put_bits(std::byte* to, Bits bits) {
     if constexpr (std::endian::native == std::endian::little) {
-        std::memcpy(&bits, at, sizeof bits);
+        std::memcpy(to, &bits, sizeof bits);
     } else {
-        std::uint64_t wide = 0;
         for (std::size_t k = 0; k < sizeof bits; k++)
-            wide |= std::to_integer<std::uint64_t>(at[k]) << (8 * k);
-        bits = static_cast<Bits>(wide);
+            to[k] = static_cast<std::byte>(static_cast<std::uint64_t>(bits) >> (8 * k));
     }
-    return bits;
 }
 template <class Bits>
-void store_little_endian(std::byte* at, Bits bits) {
+Bits get_bits(const std::byte* from) {
     if constexpr (std::endian::native == std::endian::little) {
-        std::memcpy(at, &bits, sizeof bits);
+        Bits bits;
+        std::memcpy(&bits, from, sizeof bits);
+        return bits;
     } else {
-        for (std::size_t k = 0; k < sizeof bits; k++)
-            at[k] = static_cast<std::byte>(static_cast<std::uint64_t>(bits) >> (8 * k));
+        std::uint64_t wide = 0;
+        for (std::size_t k = 0; k < sizeof(Bits); k++)
+            wide |= std::to_integer<std::uint64_t>(from[k]) << (8 * k);
+        return static_cast<Bits>(wide);
     }
 }
 
-// A world has millions of numbers of a few bytes: they gather in a small array, which the compiler
-// knows the end of, before they go to the vector.
+// Millions of numbers go through write(): it looks at nothing but whether there is room.
 class ByteWriter {
 public:
-    template <class T>
-    void write(T value) {
-        const auto bits = bits_of(value);
-        if (used_ + sizeof(bits) > gathered_.size()) flush();
-        store_little_endian(&gathered_[used_], bits);
-        used_ += sizeof(bits);
+    ByteWriter() = default;
+    ByteWriter(const ByteWriter&) = delete;
+    ByteWriter& operator=(const ByteWriter&) = delete;
+
+    // Room for so many in all; more is made when it is needed.
+    void reserve(std::size_t bytes) {
+        if (bytes <= room_.size()) return;
+        const std::size_t written = size();
+        room_.resize(bytes);
+        next_ = room_.data() + written;
+        end_ = room_.data() + room_.size();
     }
-    // What was written so far.
-    std::vector<std::byte>& bytes() {
-        flush();
-        return bytes_;
+    template <class T>
+    [[gnu::always_inline]] void write(T value) {
+        const auto bits = bits_of(value);
+        if (end_ - next_ < static_cast<std::ptrdiff_t>(sizeof bits)) [[unlikely]]
+            reserve(2 * room_.size() + 256);
+        put_bits(next_, bits);
+        next_ += sizeof bits;
+    }
+    // Over what was written there before.
+    template <class T>
+    void write_at(std::size_t at, T value) {
+        put_bits(room_.data() + at, bits_of(value));
+    }
+    std::size_t size() const { return static_cast<std::size_t>(next_ - room_.data()); }
+    std::span<const std::byte> bytes() const { return {room_.data(), size()}; }
+    // All that was written; the writer is empty then.
+    std::vector<std::byte> take() {
+        room_.resize(size());
+        next_ = end_ = nullptr;
+        return std::exchange(room_, {});
     }
 
 private:
-    void flush() {
-        bytes_.insert(bytes_.end(), gathered_.begin(),
-                      gathered_.begin() + static_cast<std::ptrdiff_t>(used_));
-        used_ = 0;
-    }
-
-    std::array<std::byte, 4096> gathered_;
-    std::size_t used_ = 0;
-    std::vector<std::byte> bytes_;
+    std::vector<std::byte> room_;                 // written up to next_
+    std::byte *next_ = nullptr, *end_ = nullptr;  // of it
 };
 
 class ByteReader {
@@ -91,14 +103,14 @@ public:
     // The bits of a T, as bits_of makes them.
     template <class T>
     auto read_bits() {
-        decltype(bits_of(T{})) bits = 0;
-        if (bytes_.size() - at_ < sizeof(bits)) {
+        using Bits = decltype(bits_of(T{}));
+        if (bytes_.size() - at_ < sizeof(Bits)) {
             failed_ = true;
             at_ = bytes_.size();
-            return bits;
+            return Bits{0};
         }
-        bits = load_little_endian<decltype(bits)>(&bytes_[at_]);
-        at_ += sizeof(bits);
+        const Bits bits = get_bits<Bits>(bytes_.data() + at_);
+        at_ += sizeof bits;
         return bits;
     }
     bool failed() const { return failed_; }

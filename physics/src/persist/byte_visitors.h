@@ -21,7 +21,7 @@
 
 namespace jostle::physics {
 
-inline constexpr std::uint32_t saved_world_version = 16;
+inline constexpr std::uint32_t saved_world_version = 17;
 
 struct Saver {
     static constexpr bool kLoading = false;
@@ -32,7 +32,7 @@ struct Saver {
     void enter(std::size_t) {}
     void leave() {}
     template <class T>
-    void field(std::string_view, T& value) {
+    [[gnu::always_inline]] void field(std::string_view, T& value) {
         out.write(value);
     }
     template <class T>
@@ -72,14 +72,14 @@ struct Loader {
     void enter(std::string_view name) { path.enter(name); }
     void enter(std::size_t index) { path.enter(index); }
     void leave() { path.leave(); }
-    void fail(std::string_view field, std::string_view what) {
+    [[gnu::noinline, gnu::cold]] void fail(std::string_view field, std::string_view what) {
         if (error.empty())
             error = path.text(field) + " " + std::string(what) + " (at byte " +
                     std::to_string(header_bytes + in.at()) + ")";
     }
 
     template <class T>
-    void field(std::string_view name, T& value) {
+    [[gnu::always_inline]] void field(std::string_view name, T& value) {
         if (!error.empty()) return;
         const auto bits = in.read_bits<T>();
         if (in.failed()) return fail(name, "is missing: the data ends before it");

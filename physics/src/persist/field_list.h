@@ -517,9 +517,9 @@ void visit_fields(V& v, FieldDef& field) {
 }
 
 // What a world has only if something was added to it from outside: force fields, answers of
-// listeners, modules.
+// listeners.
 template <class V>
-void visit_doors(V& v, WorldState& world) {
+void visit_doors(V& v, WorldStores& world) {
     v.unhashed("time", world.time, 10);
     auto fields = world.fields.ids.size();
     v.optional("fields", fields, 10);
@@ -543,11 +543,11 @@ void visit_doors(V& v, WorldState& world) {
         });
         v.leave();
     }
-    visit_modules(v, world.listeners);
 }
 
+// All but the modules, which come after it.
 template <class V>
-void visit_world(V& v, WorldState& world) {
+void visit_stores(V& v, WorldStores& world) {
     v.enter("world");
     visit(v, "gravity", world.def.gravity);
     v.field("substeps", world.def.substeps);
@@ -624,6 +624,12 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     visit_doors(v, world);
+}
+
+template <class V>
+void visit_world(V& v, WorldState& world) {
+    visit_stores(v, world);
+    visit_modules(v, world.listeners);
 }
 
 }  // namespace jostle::physics

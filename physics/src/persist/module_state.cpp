@@ -77,7 +77,7 @@ void StateVisitor::field(std::string_view name, std::string& value) {
 std::vector<std::byte> save_module(Module& module) {
     Saver saver;
     visit_state(saver, module);
-    return std::move(saver.out.bytes());
+    return saver.out.take();
 }
 
 Status load_module(Module& module, std::span<const std::byte> bytes) {

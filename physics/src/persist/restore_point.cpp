@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include "jostle/physics/world.h"
+#include "persist/field_list.h"
+#include "persist/saved_world.h"
 #include "state/world_access.h"
 
 namespace jostle::physics {
@@ -67,6 +69,23 @@ Status RestorePoint::restore(World& world) const {
     state.wake_requests.clear();
     state.changes_at_rest++;
     return restore_modules(world, std::move(missing));
+}
+
+Result<RestorePoint::Saved> RestorePoint::save() const {
+    if (!kept_)
+        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+    ListenerStore modules;
+    for (const Kept::ModuleState& kept : kept_->modules) {
+        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+        if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
+        if (Status s = load_module(**made, kept.state); !s.ok()) return s.error();
+        modules.add(std::move(made).value());
+    }
+    SaverAndHash visitor;
+    begin_saved_world(visitor.saver, kept_->stores);
+    visit_stores(visitor, kept_->stores);
+    visit_modules(visitor, modules);
+    return Saved{end_saved_world(visitor.saver), visitor.hash.hasher.value};
 }
 
 // The modules of the world become those that were kept, in their order.

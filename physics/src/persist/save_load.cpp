@@ -2,12 +2,13 @@
 //
 // World to bytes and back: a header (magic, version, length, hash of the rest), then the field
 // list.
-#include "foundation/hash.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/physics/world.h"
 #include "persist/byte_visitors.h"
+#include "persist/checksum.h"
 #include "persist/derive.h"
 #include "persist/field_list.h"
+#include "persist/saved_world.h"
 #include "state/validate.h"
 #include "state/world_access.h"
 
@@ -17,21 +18,18 @@ namespace {
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
 // docs/format_changes.md has one line for each. Older ones lack what is optional in the field list.
 constexpr std::uint32_t version = saved_world_version, oldest_version = 8;
-constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
+constexpr std::size_t length_at = 8 + 4, checksum_at = length_at + 8,
+                      header_bytes = checksum_at + 8;
 
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-    Hasher hasher;
-    hasher.add(bytes.size());
-    const std::size_t whole = bytes.size() / 8 * 8;
-    for (std::size_t at = 0; at < whole; at += 8)
-        hasher.add(load_little_endian<std::uint64_t>(&bytes[at]));
-    if (whole < bytes.size()) {
-        std::uint64_t word = 0;
-        for (std::size_t k = 0; whole + k < bytes.size(); k++)
-            word |= std::to_integer<std::uint64_t>(bytes[whole + k]) << (8 * k);
-        hasher.add(word);
-    }
-    return hasher.value;
+// About as many bytes as a world takes: what there are thousands of has fewer bytes than in memory.
+std::size_t expected_bytes(const WorldStores& world) {
+    std::size_t lanes = 0;
+    for (const ColourSet& set : world.graph.sets) lanes += static_cast<std::size_t>(set.contacts);
+    return 4096 + world.bodies.cold.size() * (sizeof(BodyCold) + sizeof(BodyWarm)) +
+           world.shapes.shapes.size() * sizeof(ShapeRecord) +
+           world.joints.joints.size() * sizeof(Joint) +
+           world.contacts.contacts.size() * sizeof(Contact) +
+           world.contacts.bounds.size() * sizeof(SeparationBound) + lanes * sizeof(SavedContact);
 }
 
 Error corrupt(std::string message) {
@@ -40,21 +38,32 @@ Error corrupt(std::string message) {
 
 }  // namespace
 
+void begin_saved_world(Saver& saver, const WorldStores& stores) {
+    ByteWriter& out = saver.out;
+    out.reserve(expected_bytes(stores));
+    out.write(magic);
+    out.write(version);
+    out.write(std::uint64_t{0});  // length and checksum: known in the end
+    out.write(std::uint64_t{0});
+    saver.table.collect(stores.shapes);
+    saver.table.write(out);
+}
+
+std::vector<std::byte> end_saved_world(Saver& saver) {
+    ByteWriter& out = saver.out;
+    const std::span<const std::byte> rest = out.bytes().subspan(header_bytes);
+    out.write_at(length_at, static_cast<std::uint64_t>(rest.size()));
+    out.write_at(checksum_at, checksum(rest));
+    return out.take();
+}
+
 std::vector<std::byte> save(const World& world) {
-    Saver body;
-    body.out.write(magic);
-    body.out.write(version);
-    for (int k = 0; k < 2; k++) body.out.write(std::uint64_t{0});  // length and checksum: below
     // The list is shared with loading, so it takes references; saving changes nothing.
     auto& state = const_cast<WorldState&>(state_of(world));
-    body.table.collect(state.shapes);
-    body.table.write(body.out);
-    visit_world(body, state);
-    std::vector<std::byte>& bytes = body.out.bytes();
-    const std::span<const std::byte> rest = std::span(bytes).subspan(header_bytes);
-    store_little_endian(&bytes[12], static_cast<std::uint64_t>(rest.size()));
-    store_little_endian(&bytes[20], checksum(rest));
-    return std::move(bytes);
+    Saver saver;
+    begin_saved_world(saver, state);
+    visit_world(saver, state);
+    return end_saved_world(saver);
 }
 
 Result<World> load(std::span<const std::byte> bytes) {
@@ -75,7 +84,7 @@ Result<World> load(std::span<const std::byte> bytes) {
         return corrupt("its header says " + std::to_string(length) + " bytes follow, there are " +
                        std::to_string(header.left()));
     const std::span<const std::byte> rest = bytes.subspan(header_bytes);
-    if (checksum(rest) != expected)
+    if (checksum_of_version(found_version, rest) != expected)
         return corrupt("its checksum does not match: bytes were changed");
 
     auto state = std::make_unique<WorldState>();

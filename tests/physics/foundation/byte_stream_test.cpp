@@ -26,6 +26,23 @@ TEST(ByteStream, puts_the_lowest_byte_first) {
         EXPECT_EQ(std::to_integer<int>(writer.bytes()[k]), expected[k]) << "byte " << k;
 }
 
+// Room is made as it is needed: 100,000 numbers come back in order.
+TEST(ByteStream, grows_and_starts_anew_when_all_was_taken) {
+    ByteWriter writer;
+    writer.write(std::uint32_t{0});
+    for (std::uint32_t k = 1; k < 100'000; k++) writer.write(k);
+    writer.write_at(4, std::uint32_t{77});
+    ASSERT_EQ(writer.size(), 400'000u);
+    const std::vector<std::byte> bytes = writer.take();
+    ASSERT_EQ(bytes.size(), 400'000u);
+    ByteReader reader(bytes);
+    for (std::uint32_t k = 0; k < 100'000; k++)
+        ASSERT_EQ(reader.read_bits<std::uint32_t>(), k == 1 ? 77 : k);
+    EXPECT_EQ(writer.size(), 0u);
+    writer.write(std::uint8_t{5});
+    EXPECT_EQ(writer.take(), std::vector<std::byte>{std::byte{5}});
+}
+
 // IEEE 754: 1 is 3f800000 as a float; minus zero and numbers that are none keep their bits.
 TEST(ByteStream, keeps_every_bit_of_a_float) {
     EXPECT_EQ(bits_of(1.0f), 0x3f800000u);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <tuple>
 
-#include "foundation/hash.h"
+#include "persist/checksum.h"
 #include "support/test_scenes.h"
 
 namespace jostle::test {
@@ -30,12 +30,6 @@ const Bytes& sample() {
     return bytes;
 }
 
-std::uint64_t word_at(const Bytes& bytes, std::size_t at) {
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < 8 && at + k < bytes.size(); k++)
-        word |= std::to_integer<std::uint64_t>(bytes[at + k]) << (8 * k);
-    return word;
-}
 void set_word(Bytes& bytes, std::size_t at, std::uint64_t word) {
     for (std::size_t k = 0; k < 8; k++) bytes[at + k] = static_cast<std::byte>(word >> (8 * k));
 }
@@ -43,11 +37,9 @@ void set_word(Bytes& bytes, std::size_t at, std::uint64_t word) {
 // Makes length and checksum of the header right again, as a forger would.
 void restamp(Bytes& bytes) {
     const std::size_t size = bytes.size() - header_bytes;
-    Hasher hasher;
-    hasher.add(size);
-    for (std::size_t at = 0; at < size; at += 8) hasher.add(word_at(bytes, header_bytes + at));
+    const auto version = static_cast<std::uint32_t>(word_at(bytes, 8));
     set_word(bytes, 12, size);
-    set_word(bytes, 20, hasher.value);
+    set_word(bytes, 20, checksum_of_version(version, std::span(bytes).subspan(header_bytes)));
 }
 
 void expect_refused(const Bytes& bytes, const char* word) {

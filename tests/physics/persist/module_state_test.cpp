@@ -104,6 +104,20 @@ TEST(ModuleState, goes_back_with_a_restore_point) {
     EXPECT_TRUE(world.modules().empty());
 }
 
+TEST(ModuleState, is_in_the_bytes_of_a_restore_point_as_in_those_of_its_world) {
+    World world = pushed_world();
+    run(world, 0.2);
+    RestorePoint point;
+    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was kept yet";
+    point.keep(world);
+    const std::vector<std::byte> then = save(world);
+    run(world, 0.2);
+    const RestorePoint::Saved saved = must(point.save());
+    EXPECT_TRUE(saved.bytes == then);
+    EXPECT_EQ(saved.hash, state_hash(must(load(then))));
+    EXPECT_NE(saved.hash, state_hash(world));
+}
+
 struct Unknown : Module {
     std::string_view tag() const override { return "unheard_of"; }
     void visit(StateVisitor&) override {}

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "state/validate.h"
 #include "state/world_access.h"
 #include "support/test_scenes.h"
@@ -103,6 +105,29 @@ TEST_P(Rollback, works_at_any_number_of_threads) {
     must(point.restore(other));
     run(other, 1);
     EXPECT_EQ(state_hash(world), state_hash(other)) << first_difference(world, other).value_or("");
+}
+
+// What a server does for a checkpoint: the world goes on while another thread makes bytes of it.
+TEST_P(Rollback, is_saved_by_another_thread_while_the_world_goes_on) {
+    World world = GetParam().make(1);
+    run(world, 1);
+    const std::vector<std::byte> expected = save(world);
+    const std::uint64_t hash = state_hash(world);
+    RestorePoint point = kept(world);
+    RestorePoint::Saved saved;
+    World spare = make_world();
+    std::thread background([&] {
+        saved = must(point.save());
+        must(point.restore(spare));
+    });
+    for (int step = 0; step < 60; step++) play(world, step);
+    background.join();
+    EXPECT_TRUE(saved.bytes == expected)
+        << saved.bytes.size() << " bytes against " << expected.size();
+    EXPECT_EQ(saved.hash, hash);
+    EXPECT_TRUE(save(spare) == expected);
+    World loaded = must(load(saved.bytes));
+    EXPECT_EQ(play_on(loaded, 0, 60).hashes.back(), state_hash(world));
 }
 
 INSTANTIATE_TEST_SUITE_P(scenes, Rollback, testing::ValuesIn(test_scenes()),

@@ -10,9 +10,13 @@
 //     before.restore(world).expect();   // the same bits as at keep()
 //
 // Thread rule: keep() counts as a const call of the world, restore() as a non-const one (world.h).
-// One thread at a time uses a point.
+// One thread at a time uses a point. It shares nothing with its world but geometry, which nobody
+// changes: another thread may save() it, or restore() it into a world of its own, while the kept
+// world goes on.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -43,6 +47,14 @@ public:
     // repeated. An empty point is refused (failed_precondition), and a module that this program
     // does not know (not_found).
     Status restore(World& world) const;
+
+    // What save(world) and state_hash(world) (snapshot.h) were at keep(), without a world to
+    // restore it into. Refused like restore().
+    struct Saved {
+        std::vector<std::byte> bytes;
+        std::uint64_t hash = 0;
+    };
+    Result<Saved> save() const;
 
 private:
     Status restore_modules(World& world, std::vector<std::unique_ptr<Module>> missing) const;

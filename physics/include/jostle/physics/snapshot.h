@@ -19,7 +19,7 @@ namespace jostle::physics {
 
 class World;
 
-std::vector<std::byte> save(const World& world);
+std::vector<std::byte> save(const World& world);  // of a kept moment: RestorePoint::save()
 
 // Foreign bytes are checked in full: mark, version, length, checksum, each field, and whether the
 // fields agree. An error (corrupt_data) says what was wrong and in which field. The world has one

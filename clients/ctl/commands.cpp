@@ -78,7 +78,10 @@ Outcome list_worlds(Connection& server, const Wanted& wanted) {
 Outcome create_world(Connection& server, const Wanted& wanted) {
     v1::CreateWorldRequest request;
     request.set_name(wanted.name);
-    if (wanted.file.empty())
+    if (!wanted.from.empty()) {
+        request.mutable_moment()->set_world(wanted.from);
+        request.mutable_moment()->set_tick(wanted.tick);
+    } else if (wanted.file.empty())
         request.set_scene_name(wanted.scene);
     else if (Status s = read_scene(wanted.file, *request.mutable_scene()); !s.ok())
         return misuse(s.error());
@@ -153,6 +156,16 @@ Outcome export_world(Connection& server, const Wanted& wanted) {
     v1::ExportWorldResponse without_scene = *answer;
     without_scene.clear_scene();
     return {.text = json_text(without_scene)};
+}
+
+Outcome rewind(Connection& server, const Wanted& wanted) {
+    v1::RewindWorldRequest request;
+    request.set_world(wanted.world);
+    request.set_tick(wanted.tick);
+    const auto answer = server.ask(&Admin::RewindWorld, request, std::chrono::seconds(60));
+    return said(answer, wanted,
+                shown(wanted.world) + " is as it was after tick " + std::to_string(wanted.tick) +
+                    "; ticks go on from " + (answer.ok() ? std::to_string(answer->tick()) : ""));
 }
 
 Outcome drain(Connection& server, const Wanted& wanted) {

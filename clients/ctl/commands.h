@@ -15,6 +15,7 @@ namespace jostle::ctl {
 // All that flags can say about any command.
 struct Wanted {
     std::string world, name, scene, file, reason;
+    std::string from;  // a world of which the new one is a moment
     std::uint32_t client = 0, steps = 1;
     std::uint32_t tick = 0;  // 0: now
     double seconds = 5;
@@ -36,6 +37,7 @@ Outcome pause(Connection& server, const Wanted& wanted);
 Outcome resume(Connection& server, const Wanted& wanted);
 Outcome step(Connection& server, const Wanted& wanted);
 Outcome export_world(Connection& server, const Wanted& wanted);
+Outcome rewind(Connection& server, const Wanted& wanted);
 Outcome drain(Connection& server, const Wanted& wanted);
 Outcome profile(Connection& server, const Wanted& wanted);
 

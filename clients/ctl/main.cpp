@@ -70,10 +70,19 @@ void add_world_commands(CLI::App& app, Flags& flags) {
     create->add_option("NAME", w.name, "Its name; the scene's when not given");
     auto* const scene = create->add_option("--scene", w.scene, "A scene of the server's catalogue");
     auto* const file = create->add_option("--file", w.file, "A scene file; - reads standard input");
-    scene->excludes(file);
-    create->callback([&flags, scene, file] {
-        if (scene->count() + file->count() == 0)
-            throw CLI::RequiredError("world create: --scene NAME or --file FILE");
+    auto* const from =
+        create->add_option("--from", w.from, "A world that the server keeps, as it was at --at");
+    auto* const at =
+        create->add_option("--at", w.tick, "The tick after which that was")->needs(from);
+    from->needs(at);
+    scene->excludes(file)->excludes(from);
+    file->excludes(from);
+    create->callback([&flags, scene, file, from] {
+        if (scene->count() + file->count() + from->count() == 0)
+            throw CLI::RequiredError(
+                "world create: --scene NAME, --file FILE, or --from WORLD --at TICK");
+        if (from->count() != 0 && flags.wanted.name.empty())
+            throw CLI::RequiredError("world create --from: NAME");
         flags.command = ctl::create_world;
     });
     add_world_argument(
@@ -87,6 +96,12 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         if (command == &ctl::pause)
             sub->add_option("--reason", w.reason, "Told to who sends inputs, at most 100 bytes");
     }
+    CLI::App* const rewind =
+        add(app, flags, "rewind", "Takes a world back to an earlier tick; its clients come along",
+            ctl::rewind);
+    add_world_argument(rewind, flags);
+    rewind->add_option("--to", w.tick, "The tick; worlds --json has kept_since, the first")
+        ->required();
     CLI::App* const step = add(app, flags, "step", "Steps a paused world", ctl::step);
     add_world_argument(step, flags);
     step->add_option("STEPS", w.steps, "How many, 1 to 1000")

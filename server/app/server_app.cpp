@@ -260,7 +260,6 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (!config.development.link.empty())
         log_warn("development.link makes the link to every client worse on purpose: {}",
                  config.development.link);
-    WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
     const auto opened = Gate::open(config);
     if (!opened.ok()) return failed(opened.error());
@@ -283,6 +282,11 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                         .metrics = &metrics,
                         .rpc_metrics = &rpc_metrics,
                         .datagrams = datagrams ? &*datagrams : nullptr};
+    worlds.on_goes_on(
+        [&](const std::shared_ptr<WorldHost>& world, const std::vector<ClientId>& clients) {
+            settle_clients(context, *world, clients);
+        });
+    WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
     if (archive) {
         context.resumes.use_secret(archive->secret());
         go_on(*archive, context);

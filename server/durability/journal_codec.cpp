@@ -14,7 +14,8 @@ namespace {
 
 using physics::Vec3;
 
-constexpr std::uint64_t journal_version = 2;
+// docs/format_changes.md. Version 2 has no rewinds.
+constexpr std::uint64_t journal_version = 3, oldest_version = 2;
 constexpr std::uint64_t only_counted = 255;  // in place of a kind
 
 // One function for each kind of action says what it consists of; it is written with one of these
@@ -171,6 +172,21 @@ Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
     return {};
 }
 
+Status read_rewind(JournalReader& reader, JournalBatch& batch) {
+    bool there = false;
+    reader(there);
+    if (!there) return {};
+    Rewind& rewind = batch.rewind.emplace();
+    reader(rewind.tick), reader(rewind.to);
+    if (!reader.from.ok()) return not_a_journal("ends too early");
+    if (rewind.to >= rewind.tick)
+        return not_a_journal("goes back from tick " + std::to_string(rewind.tick) + " to " +
+                             std::to_string(rewind.to));
+    if (!batch.ticks.empty() || !batch.stood.empty())
+        return not_a_journal("goes back in the midst of other ticks");
+    return {};
+}
+
 }  // namespace
 
 std::string encode_journal(const JournalBatch& batch) {
@@ -180,17 +196,23 @@ std::string encode_journal(const JournalBatch& batch) {
     writer.to.number(batch.stood.size());
     for (const TickRange& range : batch.stood)
         writer.to.number(range.first), writer.to.number(range.last);
+    writer(batch.rewind.has_value());
+    if (batch.rewind) writer(batch.rewind->tick), writer(batch.rewind->to);
     return writer.to.take();
 }
 
 Result<JournalBatch> decode_journal(std::string_view bytes) {
     JournalReader reader{ByteReader(bytes), {}};
-    if (const std::uint64_t version = reader.from.number(); version != journal_version)
+    const std::uint64_t version = reader.from.number();
+    if (version < oldest_version || version > journal_version)
         return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
+                             std::to_string(oldest_version) + " to " +
                              std::to_string(journal_version));
     JournalBatch batch;
     if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
     if (Status s = read_stood(reader, batch.stood); !s.ok()) return s.error();
+    if (version >= 3)
+        if (Status s = read_rewind(reader, batch); !s.ok()) return s.error();
     if (!reader.from.ok()) return not_a_journal("ends too early");
     if (!reader.from.at_end()) return not_a_journal("goes on after its end");
     return batch;

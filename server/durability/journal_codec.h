@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +21,20 @@ struct TickRange {
     bool operator==(const TickRange&) const = default;
 };
 
+// In that tick the world became what it was after an earlier one.
+struct Rewind {
+    std::uint32_t tick = 0, to = 0;
+
+    bool operator==(const Rewind&) const = default;
+};
+
 struct JournalBatch {
     // In rising order; those in which nothing was done are left out.
     std::vector<JournaledTick> ticks;
     // In rising order: the world was not stepped in them, as when it is paused.
     std::vector<TickRange> stood;
+    // Then it is all that the batch has.
+    std::optional<Rewind> rewind = {};
 };
 
 std::string encode_journal(const JournalBatch& batch);

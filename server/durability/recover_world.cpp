@@ -110,6 +110,10 @@ private:
                                                       " is of ticks " +
                                                       std::to_string(entry.first_tick) + " to " +
                                                       std::to_string(entry.last_tick)});
+        if (batch->rewind) {
+            if (options_.last_tick && world.tick >= *options_.last_tick) return false;
+            if (Status s = go_back(*batch->rewind, entry, world); !s.ok()) return lost(s.error());
+        }
         auto tick = batch->ticks.begin();
         auto stood = batch->stood.begin();
         while (world.tick < entry.last_tick) {
@@ -125,6 +129,29 @@ private:
         world.sequence = entry.sequence;
         world.chain = entry.chain;
         return true;
+    }
+
+    Status go_back(const Rewind& rewind, const JournalEntry& entry, RecoveredWorld& world) {
+        const std::string from_to = "tick " + std::to_string(rewind.tick) + " went back to tick " +
+                                    std::to_string(rewind.to);
+        if (rewind.tick != entry.first_tick || rewind.tick != entry.last_tick)
+            return Error{ErrorCode::corrupt_data, from_to + " in an entry of others"};
+        if (options_.rewinds_max == 0)
+            return Error{ErrorCode::resource_exhausted,
+                         from_to + ": too many such lie within one another"};
+        Result<RecoveredWorld> then = recover_world(store_, stored_, record_,
+                                                    {.last_tick = rewind.to,
+                                                     .threads = options_.threads,
+                                                     .rewinds_max = options_.rewinds_max - 1,
+                                                     .admits = options_.admits});
+        if (!then.ok()) return Error{then.error().code, from_to + ": " + then.error().message};
+        if (then->tick != rewind.to)
+            return Error{ErrorCode::not_found, from_to + ", which is not kept any longer"};
+        then->world.follow(world.world);
+        world.world = std::move(then->world);
+        world.tick = rewind.tick;
+        if (options_.after_tick) options_.after_tick(world.world, world.tick);
+        return {};
     }
 
     void do_again(HostedWorld& world, const JournaledTick& tick, bool stands) {

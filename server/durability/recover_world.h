@@ -30,6 +30,7 @@ struct RecoveryOptions {
     std::optional<std::uint32_t> checkpoint = {};  // by its tick; nothing: the newest whole one
     std::optional<std::uint32_t> last_tick = {};   // nothing: as far as the journal goes
     int threads = 1;
+    int rewinds_max = 16;  // that lie within one another
     // Before each tick that is done again. False: its commands are counted and not done.
     std::function<bool(const JournaledTick& tick)> admits = nullptr;
     std::function<void(const HostedWorld& world, std::uint32_t tick)> after_tick = nullptr;

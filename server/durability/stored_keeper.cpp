@@ -87,6 +87,11 @@ std::optional<std::string> StoredKeeper::trouble() const {
     return writer_.failing();
 }
 
+std::uint32_t StoredKeeper::oldest_tick() const {
+    const std::lock_guard lock(mutex_);
+    return taken_.empty() ? 0 : taken_.front().tick;
+}
+
 void StoredKeeper::keep(KeptTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {

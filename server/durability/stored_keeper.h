@@ -64,6 +64,7 @@ public:
                  CheckpointWriter& checkpoints, CrashMark mark, KeeperSettings settings);
 
     std::optional<std::string> trouble() const override;
+    std::uint32_t oldest_tick() const override;
     void keep(KeptTick tick) override;
     void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }

@@ -12,6 +12,9 @@
 #include "base/log.h"
 #include "durability/checkpoint_image.h"
 #include "durability/copied_world.h"
+#include "durability/journal_codec.h"
+#include "persistence/compressed.h"
+#include "persistence/journal_chain.h"
 #include "persistence/sqlite_store.h"
 
 namespace jostle::server {
@@ -30,15 +33,13 @@ PutNote clients_note_of(ClientId first_free) {
 }
 
 std::vector<AbsentClient> absent_of(const HostImage& image) {
-    std::map<ClientId, std::uint32_t> clients;
-    for (const auto& counted : image.counted) clients[counted.client] = counted.sequence;
-    for (const auto& owned : image.owned) clients.try_emplace(owned.client);
-    for (const auto& held : image.held) clients.try_emplace(held.client);
-    for (const auto& driven : image.driven) clients.try_emplace(driven.client);
     std::vector<AbsentClient> absent;
-    for (const auto& [client, sequence] : clients)
-        if (client != 0) absent.push_back({client, sequence});
+    for (const auto& [client, sequence] : clients_of(image)) absent.push_back({client, sequence});
     return absent;
+}
+
+Error slow() {
+    return {ErrorCode::unavailable, "the store does not answer; try again in a moment"};
 }
 
 WorldMoment moment_of(const HostedWorld& world, std::uint32_t tick) {
@@ -301,15 +302,14 @@ void WorldArchive::drop(const std::string& id) {
 
 Result<std::unique_ptr<WorldStore>> WorldArchive::copy_of(const std::string& id,
                                                           std::uint32_t last_tick) {
-    Result<std::unique_ptr<CopiedWorld>> copy =
-        Error{ErrorCode::unavailable, "the store does not answer; try again in a moment"};
+    Result<std::unique_ptr<CopiedWorld>> copy = slow();
     writer_->visit([&](WorldStore& store) { copy = CopiedWorld::of(store, id, 2, last_tick); },
                    patience);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStore>(*std::move(copy));
 }
 
-Result<ExportedScene> WorldArchive::scene_at(const std::string& id, std::uint32_t tick) {
+Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t tick) {
     const Result<std::unique_ptr<WorldStore>> copy = copy_of(id, tick);
     if (!copy.ok()) return copy.error();
     const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
@@ -323,28 +323,75 @@ Result<ExportedScene> WorldArchive::scene_at(const std::string& id, std::uint32_
         return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
                                                " is not kept; the last one is " +
                                                std::to_string(found->tick)};
-    return found->world.exported(*record->scene);
+    found->world.set_limits(limits_);
+    return std::move(found->world);
+}
+
+Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
+    checkpoints_->wait(patience);
+    Result<std::unique_ptr<CopiedWorld>> copy = slow();
+    Result<std::vector<std::uint32_t>> ticks = slow();
+    writer_->visit(
+        [&](WorldStore& store) {
+            copy = CopiedWorld::of(store, id, 2);
+            ticks = store.checkpoint_ticks(id);
+        },
+        patience);
+    if (!copy.ok()) return copy.error();
+    if (!ticks.ok()) return ticks.error();
+    const StoredWorld stored = (*copy)->worlds().value().front();
+    Result<WorldRecord> record = decode_world_record(stored.settings);
+    if (!record.ok()) return record.error();
+    Result<RecoveredWorld> found = recover(**copy, stored, *record);
+    if (!found.ok()) return found.error();
+    std::ranges::reverse(*ticks);
+    return Last{stored, *std::move(record), *std::move(found), *std::move(ticks)};
+}
+
+WorldStart WorldArchive::start_of(Last last) {
+    WorldStart start{.label = {last.stored.id, last.stored.name, last.record.owner},
+                     .scene = last.record.scene,
+                     .world = std::move(last.found.world),
+                     .tick = last.found.tick};
+    start.keeper = keeper_of(start, {.epoch = last.stored.epoch,
+                                     .sequence = last.found.sequence,
+                                     .chain = last.found.chain,
+                                     .checkpoints = std::move(last.checkpoints)});
+    return start;
 }
 
 Result<WorldStart> WorldArchive::again(const std::string& id) {
-    checkpoints_->wait(patience);
-    const Result<std::unique_ptr<WorldStore>> copy = copy_of(id, 0xffffffff);
-    if (!copy.ok()) return copy.error();
-    const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
-    if (!stored.ok()) return stored.error();
-    const StoredWorld& world = stored->front();
-    const Result<WorldRecord> record = decode_world_record(world.settings);
-    if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found = recover(**copy, world, *record);
-    if (!found.ok()) return found.error();
-    WorldStart start{.label = {world.id, world.name, record->owner},
-                     .scene = record->scene,
-                     .world = std::move(found->world),
-                     .tick = found->tick};
-    start.keeper = keeper_of(start, {.epoch = world.epoch,
-                                     .sequence = found->sequence,
-                                     .chain = found->chain,
-                                     .checkpoints = {found->checkpoint}});
+    Result<Last> last = last_of(id);
+    if (!last.ok()) return last.error();
+    return start_of(*std::move(last));
+}
+
+// The journal only grows: it says that the world went back, and a checkpoint says to what. Both are
+// handed over like any tick; should they be lost with the process, the world did not go back.
+Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
+                                        HostedWorld then) {
+    Result<Last> last = last_of(id);
+    if (!last.ok()) return last.error();
+    RecoveredWorld& found = last->found;
+    then.follow(found.world);
+    found.world = std::move(then);
+    found.tick++;
+    JournalEntry entry{
+        .sequence = ++found.sequence,
+        .epoch = last->stored.epoch,
+        .first_tick = found.tick,
+        .last_tick = found.tick,
+        .data = compress(encode_journal(
+            {.ticks = {}, .stood = {}, .rewind = Rewind{.tick = found.tick, .to = tick}}))};
+    found.chain = entry.chain = next_chain(found.chain, entry.data);
+    Result<Checkpoint> checkpoint = checkpoint_of(found.world, found.tick, found.sequence);
+    if (!checkpoint.ok()) return checkpoint.error();
+    if (!writer_->push(AppendEntry{id, std::move(entry)}, nullptr))
+        return Error{ErrorCode::unavailable, "the store does not keep up; try again in a moment"};
+    const bool pushed = writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
+    if (pushed) last->checkpoints.push_back(found.tick);
+    WorldStart start = start_of(*std::move(last));
+    if (!pushed) start.keeper->on_interrupted();  // it asks for one in its first tick
     return start;
 }
 

@@ -60,8 +60,9 @@ public:
 
     Status open(WorldStart& start) override;
     void drop(const std::string& id) override;
-    Result<ExportedScene> scene_at(const std::string& id, std::uint32_t tick) override;
+    Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
     Result<WorldStart> again(const std::string& id) override;
+    Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld then) override;
     // Any thread: what is kept of a world, up to that tick.
     Result<std::unique_ptr<WorldStore>> copy_of(const std::string& id, std::uint32_t last_tick);
 
@@ -74,6 +75,15 @@ private:
     // As it was, but for what crashes it.
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
                                    const WorldRecord& record);
+    // One of this process that runs no more.
+    struct Last {
+        StoredWorld stored;
+        WorldRecord record;
+        RecoveredWorld found;
+        std::vector<std::uint32_t> checkpoints;  // rising
+    };
+    Result<Last> last_of(const std::string& id);
+    WorldStart start_of(Last last);
     void set_aside(const StoredWorld& stored, const JournaledTick& tick);
     std::shared_ptr<WorldKeeper> keeper_of(const WorldStart& start, const JournalPlace& place);
 

@@ -220,7 +220,7 @@ HttpResponse HttpRoutes::create_world(const HttpRequest& request, const Asker& a
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
-    const Status status = worlds_.create(message, response, asker.who.subject);
+    const Status status = worlds_.create(message, response, asker.who, asker.address);
     const v1::WorldInfo& made = response.world();
     worlds_.gate().record(asker.who,
                           {asker.row->call, {made.id(), made.name(), made.owner()}, asker.address},

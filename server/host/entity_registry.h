@@ -5,6 +5,7 @@
 // HostedWorld; one thread.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ public:
     // the world does not have.
     Status restore(const physics::World& world, const HostImage& image);
     void write(HostImage& image) const;
+    // Ids that another one gave are not given again.
+    void skip_ids_of(const EntityRegistry& other) { next_id_ = std::max(next_id_, other.next_id_); }
     // One that is there. Its body can still be looked up until the step after the next has begun.
     void remove(EntityId id);
     // The world stepped: its events name bodies that were there before, and no older ones.

@@ -83,6 +83,17 @@ Error not_an_image(const std::string& why) {
 
 }  // namespace
 
+std::map<ClientId, std::uint32_t> clients_of(const HostImage& image) {
+    std::map<ClientId, std::uint32_t> clients;
+    for (const HostImage::Counted& counted : image.counted)
+        clients[counted.client] = counted.sequence;
+    for (const HostImage::Owned& owned : image.owned) clients.try_emplace(owned.client);
+    for (const HostImage::Held& held : image.held) clients.try_emplace(held.client);
+    for (const HostImage::Driven& driven : image.driven) clients.try_emplace(driven.client);
+    clients.erase(0);
+    return clients;
+}
+
 std::string encode_host_image(const HostImage& image) {
     ImageWriter writer;
     writer.to.number(image_version);

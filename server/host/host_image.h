@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,9 @@ struct HostImage {
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;
 };
+
+// Who played, and the last of the inputs of each that were counted.
+std::map<ClientId, std::uint32_t> clients_of(const HostImage& image);
 
 std::string encode_host_image(const HostImage& image);
 // corrupt_data: the bytes are not such an image.

@@ -77,6 +77,16 @@ HostImage HostedWorld::image(std::uint32_t tick) const {
     return image;
 }
 
+void HostedWorld::follow(const HostedWorld& later) {
+    last_sequences_ = later.last_sequences_;
+    state_.entities.skip_ids_of(later.state_.entities);
+}
+
+void HostedWorld::let_all_go() {
+    for (const auto& [client, sequence] : clients_of(image(0)))
+        apply({.client = client, .action = LeaveCommand{.keep_bodies = true}, .reply = nullptr}, 0);
+}
+
 void HostedWorld::set_limits(const HostLimits& limits) {
     state_.limits = limits;
     past_ = std::make_shared<FrameRing>(limits.past_ms_max, hz_);

@@ -38,6 +38,10 @@ public:
     // All but the bodies; `tick` is the last one that was stepped.
     HostImage image(std::uint32_t tick) const;
 
+    // Takes the place of a later one: ids that were given and inputs that were counted stay so.
+    void follow(const HostedWorld& later);
+    // All clients are gone, and their bodies stay.
+    void let_all_go();
     // Before its first tick in this process.
     void set_limits(const HostLimits& limits);
 
@@ -74,6 +78,7 @@ public:
     }
 
     const physics::World& world() const { return state_.world; }
+    std::size_t entities() const { return state_.entities.size(); }
     // Where its frames go, for what clients saw. Any thread.
     FrameRing& past() const { return *past_; }
     // As estimated when it was created (scene_budget.h).

@@ -34,12 +34,23 @@ Error name_taken(const std::string& name) {
     return {ErrorCode::already_exists, "there is a world \"" + name + "\" already"};
 }
 
+// Memory may not suffice: that refuses this world and ends nothing else.
+template <class Work>
+auto built(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::resource_exhausted,
+                     std::string("the world cannot be built: ") + error.what()};
+    }
+}
+
 }  // namespace
 
-Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
-                                                          const scenes::SceneDescription& scene,
-                                                          const std::string& owner) {
-    const std::string name = wanted.empty() ? scene.name : wanted;
+template <class Start>
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string& name,
+                                                               const std::string& owner,
+                                                               std::size_t bodies, Start start) {
     std::uint32_t number;
     {
         const std::lock_guard lock(mutex_);
@@ -49,13 +60,15 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
                          "the server holds " + std::to_string(worlds_max_) +
                              " worlds, the most allowed; delete one first"};
         if (Status s = check_name(name); !s.ok()) return s.error();
-        if (Status s = check_totals(scene.bodies.size(), 0); !s.ok()) return s.error();
+        if (Status s = check_totals(bodies, 0); !s.ok()) return s.error();
         number = next_++;
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
     }
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
-    auto host = start({id, name, owner}, std::make_shared<const scenes::SceneDescription>(scene));
+    const Result<std::shared_ptr<WorldHost>> host = built([&] {
+        return start(WorldLabel{id, name, owner});
+    });
     const std::lock_guard lock(mutex_);
     // Another call may have taken the name, or the room, meanwhile.
     Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
@@ -70,8 +83,38 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
         return fits.error();
     }
     worlds_[number] = *host;
-    log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,
-             scene.hz, scene.bodies.size());
+    return host;
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
+                                                          const scenes::SceneDescription& scene,
+                                                          const std::string& owner) {
+    const std::string name = wanted.empty() ? scene.name : wanted;
+    auto host = create_with(name, owner, scene.bodies.size(), [&](WorldLabel label) {
+        return WorldHost::start(std::move(label),
+                                std::make_shared<const scenes::SceneDescription>(scene), settings_);
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", (*host)->id(), name,
+                 scene.name, scene.hz, scene.bodies.size());
+    return host;
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string& name,
+                                                               const WorldHost& world,
+                                                               std::uint32_t tick,
+                                                               const std::string& owner) {
+    Result<HostedWorld> then = world_at(world, tick);
+    if (!then.ok()) return then.error();
+    then->let_all_go();
+    const std::size_t bodies = then->entities();
+    auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
+        return WorldHost::begin({std::move(label), world.description(), *std::move(then), tick},
+                                settings_);
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" goes on from tick {} of world {} with {} bodies", (*host)->id(),
+                 name, tick, world.id(), bodies);
     return host;
 }
 
@@ -126,12 +169,65 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
     return out;
 }
 
-Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
+Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32_t tick) const {
     if (!world.is_kept())
         return Error{ErrorCode::failed_precondition,
                      "the world is not kept, so only what it is now can be had; "
                      "persistence.store says where worlds are kept"};
-    return settings_.keepers->scene_at(world.id(), tick);
+    return built([&] { return settings_.keepers->world_at(world.id(), tick); });
+}
+
+Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
+    Result<HostedWorld> then = world_at(world, tick);
+    if (!then.ok()) return then.error();
+    return then->exported(*world.description());
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<WorldHost>& world,
+                                                          std::uint32_t tick) {
+    Result<HostedWorld> then = world_at(*world, tick);  // the world runs on meanwhile
+    if (!then.ok()) return then.error();
+    if (!world->stop_to_go_on())
+        return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
+    Status done;
+    Result<GoesOn> again = built([&]() -> Result<GoesOn> {
+        Result<WorldStart> start = settings_.keepers->rewind(world->id(), tick, *std::move(then));
+        if (!start.ok()) return start.error();
+        start->paused = world->paused();
+        return go_on(*std::move(start));
+    });
+    if (!again.ok()) {
+        done = again.error();
+        again = start_again(*world);
+    }
+    if (!again.ok()) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
+        log_error("world {} \"{}\" is given up; what is kept of it stays in the store: {}",
+                  world->id(), world->name(), again.error().message);
+        return again.error();
+    }
+    if (!put_in_place(world, *again))
+        return Error{ErrorCode::not_found, "the world was deleted meanwhile"};
+    if (!done.ok()) return done.error();
+    log_info("world {} \"{}\" is as it was after tick {}", world->id(), world->name(), tick);
+    return again->host;
+}
+
+bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, const GoesOn& again) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto at = std::ranges::find_if(
+            worlds_, [&](const auto& entry) { return entry.second == stopped; });
+        if (at == worlds_.end()) {
+            again.host->forget();
+            again.host->stop();
+            return false;
+        }
+        at->second = again.host;
+    }
+    if (on_goes_on_) on_goes_on_(again.host, again.clients);
+    return true;
 }
 
 std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name) {
@@ -165,48 +261,47 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::vector<Clock::time_point>& before = restarts_[number];
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
-    Result<std::shared_ptr<WorldHost>> host =
-        before.size() < restarts_max ? start_again(*failed)
+    const Result<GoesOn> again = before.size() < restarts_max
+                                     ? start_again(*failed)
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
-    const std::lock_guard lock(mutex_);
-    const auto at = worlds_.find(number);
-    if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
-    if (host.ok()) {
-        at->second = *host;
+    if (again.ok()) {
+        if (!put_in_place(failed, *again)) return;
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();
         log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
                  failed->is_kept() ? "goes on from what was kept of it"
                                    : "was started anew from its scene");
-    } else {
-        worlds_.erase(at);
-        restarts_.erase(number);
-        log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
-                  host.error().message);
+        return;
     }
+    const std::lock_guard lock(mutex_);
+    const auto at = worlds_.find(number);
+    if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
+    worlds_.erase(at);
+    restarts_.erase(number);
+    log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
+              again.error().message);
 }
 
-// Memory may not suffice: that refuses this world and ends nothing else.
-Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
-    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const {
-    try {
-        return WorldHost::start(std::move(label), std::move(scene), settings_);
-    } catch (const std::exception& error) {
-        return Error{ErrorCode::resource_exhausted,
-                     std::string("the world cannot be built: ") + error.what()};
-    }
+Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& failed) const {
+    return built([&]() -> Result<GoesOn> {
+        if (failed.is_kept()) {
+            Result<WorldStart> kept = settings_.keepers->again(failed.id());
+            if (!kept.ok()) return kept.error();
+            kept->paused = failed.paused();
+            return go_on(*std::move(kept));
+        }
+        auto host = WorldHost::start(failed.label(), failed.description(), settings_);
+        if (!host.ok()) return host.error();
+        return GoesOn{*std::move(host), {}};
+    });
 }
 
-Result<std::shared_ptr<WorldHost>> WorldDirectory::start_again(const WorldHost& failed) const {
-    if (!failed.is_kept()) return start(failed.label(), failed.description());
-    try {
-        Result<WorldStart> kept = settings_.keepers->again(failed.id());
-        if (!kept.ok()) return kept.error();
-        return WorldHost::start(*std::move(kept), settings_);
-    } catch (const std::exception& error) {
-        return Error{ErrorCode::resource_exhausted,
-                     std::string("the world cannot be built: ") + error.what()};
-    }
+WorldDirectory::GoesOn WorldDirectory::go_on(WorldStart start) const {
+    GoesOn again;
+    for (const auto& [client, sequence] : clients_of(start.world.image(start.tick)))
+        again.clients.push_back(client);
+    again.host = WorldHost::start(std::move(start), settings_);
+    return again;
 }
 
 void WorldDirectory::stop_all() {

@@ -24,10 +24,14 @@ Result<std::shared_ptr<WorldHost>> WorldHost::start(
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    WorldStart begin{std::move(label), std::move(scene), *std::move(world)};
+    return begin({std::move(label), std::move(scene), *std::move(world)}, settings);
+}
+
+Result<std::shared_ptr<WorldHost>> WorldHost::begin(WorldStart start,
+                                                    const WorldHostSettings& settings) {
     if (settings.keepers)
-        if (Status s = settings.keepers->open(begin); !s.ok()) return s.error();
-    return start(std::move(begin), settings);
+        if (Status s = settings.keepers->open(start); !s.ok()) return s.error();
+    return WorldHost::start(std::move(start), settings);
 }
 
 std::shared_ptr<WorldHost> WorldHost::start(WorldStart start, const WorldHostSettings& settings) {
@@ -41,6 +45,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       work_per_second_(start.world.work_per_second()),
       gravity_(scene_->world.gravity),
       epoch_(Clock::now() - from_seconds((start.tick - 1) / hz_)),
+      first_tick_(start.tick),
       channel_kinds_(start.world.channel_kinds()),
       settings_(settings),
       world_(std::move(start.world)),
@@ -48,6 +53,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       tick_(start.tick),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
       early_(static_cast<std::size_t>(settings.command_queue_max)),
+      paused_(std::move(start.paused)),
       watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
@@ -81,6 +87,17 @@ void WorldHost::stop() {
     if (keeper_ && !failed() && !forgotten_ && !ended_)
         keeper_->end(cut_short_ ? std::nullopt : std::optional(moment()));
     ended_ = true;
+}
+
+bool WorldHost::stop_to_go_on() {
+    {
+        const std::lock_guard lock(stop_mutex_);
+        if (stopped()) return false;
+        goes_on_elsewhere_.store(true);  // before anybody sees that it stopped
+        stopping_.store(true);
+    }
+    stop();
+    return true;
 }
 
 void WorldHost::leave(ClientId client, bool keep_bodies) {

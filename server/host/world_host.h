@@ -56,6 +56,7 @@ struct WorldStart {
     HostedWorld world;
     std::uint32_t tick = 1;
     std::shared_ptr<WorldKeeper> keeper = nullptr;  // null: it ends with the process
+    std::optional<std::string> paused = {};         // why
 };
 
 class WorldHost {
@@ -71,6 +72,9 @@ public:
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
     static std::shared_ptr<WorldHost> start(WorldStart start, const WorldHostSettings& settings);
+    // One that is new to whoever keeps worlds.
+    static Result<std::shared_ptr<WorldHost>> begin(WorldStart start,
+                                                    const WorldHostSettings& settings);
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.
@@ -95,6 +99,11 @@ public:
     bool failed() const { return failed_.load(std::memory_order_relaxed); }
     // Ends the thread, also in the midst of a long step; the last frame stays readable.
     void stop();
+    // stop(), and another host will go on with it: its clients are to come back. False: it was
+    // stopped already.
+    bool stop_to_go_on();
+    // Any thread: whether it ended so.
+    bool goes_on_elsewhere() const { return goes_on_elsewhere_.load(); }
     // Any thread: what it is at its end will not be asked for.
     void forget() { forgotten_.store(true); }
     // A world without a thread of its own, one thread at a time: the tick that was due then.
@@ -124,6 +133,10 @@ public:
     double hz() const { return hz_; }
     // What clients did is still there after the process.
     bool is_kept() const { return keeper_ != nullptr; }
+    // The one after which this host began.
+    std::uint32_t first_tick() const { return first_tick_; }
+    // Any thread: the first tick that can be had again; 0: none can.
+    std::uint32_t kept_since() const { return keeper_ ? keeper_->oldest_tick() : 0; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
     // When tick 0 would have been due, on the server's clock.
@@ -159,6 +172,7 @@ private:
     const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
     const Clock::time_point epoch_;
+    const std::uint32_t first_tick_;
     const std::vector<physics::ChannelKind> channel_kinds_;
     const WorldHostSettings settings_;
 
@@ -187,7 +201,8 @@ private:
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
-    std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false};
+    std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false},
+        goes_on_elsewhere_{false};
     std::mutex stop_mutex_;
     bool ended_ = false;
     struct Timer;  // Asio's, kept out of this header

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "host/export_scene.h"
 #include "host/host_image.h"
 #include "host/journaled_command.h"
 #include "host/result_queue.h"
@@ -43,6 +42,8 @@ public:
 
     // Any thread: why nothing can be promised to outlive the process now; nothing: it can.
     virtual std::optional<std::string> trouble() const = 0;
+    // Any thread: the world can be had as it was after this tick and later ones.
+    virtual std::uint32_t oldest_tick() const = 0;
     // Each tick once, in order, when its commands have been applied and before its step.
     virtual void keep(KeptTick tick) = 0;
     // Its frame is out. `step_ms`: what it takes to do it again; the results are to be told when
@@ -60,6 +61,7 @@ public:
     virtual void end(std::optional<WorldMoment> moment) = 0;
 };
 
+class HostedWorld;
 struct WorldStart;
 
 // Of all worlds of a process. Any thread.
@@ -71,10 +73,14 @@ public:
     virtual Status open(WorldStart& start) = 0;
     // The world was stopped and is forgotten.
     virtual void drop(const std::string& id) = 0;
-    // The world as it was after that tick, as a scene. not_found: that is not kept.
-    virtual Result<ExportedScene> scene_at(const std::string& id, std::uint32_t tick) = 0;
-    // A world that an error ended, as it was last kept.
+    // The world as it was after that tick. not_found: that is not kept.
+    virtual Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) = 0;
+    // A world that was stopped, or that an error ended, as it was last kept.
     virtual Result<WorldStart> again(const std::string& id) = 0;
+    // The same, but in its next tick it becomes `then`, which is what world_at() gave of that tick:
+    // ticks, ids and inputs are counted on, and what was done in between is kept.
+    virtual Result<WorldStart> rewind(const std::string& id, std::uint32_t tick,
+                                      HostedWorld then) = 0;
 };
 
 }  // namespace jostle::server

@@ -155,6 +155,19 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
     return visited.ok() ? answer_export(std::move(exported), response) : visited;
 }
 
+Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
+                                  v1::RewindWorldResponse& response) {
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const Waiting waiting(waiting_);
+    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const auto again = context_.worlds.rewind(*world, request.tick());
+    if (!again.ok()) return again.error();
+    log_info("world {} was taken back to tick {} by an operator", (*again)->id(), request.tick());
+    response.set_tick((*again)->first_tick());
+    return {};
+}
+
 Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldResponse& response) {
     *response.mutable_scene() = scenes::to_message(exported.scene);
     for (std::string& sentence : exported.left_out) *response.add_left_out() = std::move(sentence);

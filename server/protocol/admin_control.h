@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // AdminService without a transport: what rpc/admin_service and the operators' port both answer
-// with. Who may call it is the transport's to know. Any thread; step_world(), export_world() and
-// profile() wait for a world and hold the thread up to half a minute, so only a few are let in at a
-// time.
+// with. Who may call it is the transport's to know. Any thread; step_world(), export_world(),
+// rewind_world() and profile() wait for a world and hold the thread up to half a minute, so only a
+// few are let in at a time.
 #pragma once
 
 #include <atomic>
@@ -22,6 +22,8 @@ class ListClientsRequest;
 class ListClientsResponse;
 class ProfileRequest;
 class ProfileResponse;
+class RewindWorldRequest;
+class RewindWorldResponse;
 class SetPausedRequest;
 class SetPausedResponse;
 class StepWorldRequest;
@@ -51,6 +53,7 @@ public:
     Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
+    Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
     Status drain(const v1::DrainRequest& request, v1::DrainResponse& response);
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 

@@ -354,8 +354,12 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
         keep_place(*lost);
     } else {
         if (seat_) context_.resumes.close(*seat_);
+        // In this order: whoever goes on with the world elsewhere looks who is there
+        // (put_in_place).
         context_.sessions.leave(client_);
-        feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
+        const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(feed_->host().id());
+        (goes_on ? *goes_on : feed_->host())
+            .leave(client_, context_.config.client.keep_bodies_after_leave);
     }
     client_ = 0;
     lane_.reset();
@@ -406,6 +410,11 @@ void ClientLink::check_timeouts(Clock::time_point now) {
                  : "a fault of the server ended the world; it starts anew from its scene";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, kept);
+    }
+    if (feed_->host().goes_on_elsewhere()) {
+        const char* why = "the world is taken back to an earlier tick";
+        send(encode_notice(NoticeKind::world_restarted, why));
+        return finish(Error{ErrorCode::unavailable, why}, now, true);
     }
     if (feed_->host().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));

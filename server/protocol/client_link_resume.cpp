@@ -15,6 +15,8 @@ namespace {
 
 // A link looks twenty times a second whether it is to give way.
 constexpr auto give_way_max = std::chrono::seconds(2);
+// A world that goes on elsewhere is there again within this, or its clients ask again.
+constexpr auto world_back_max = std::chrono::seconds(10);
 
 // A token that outlives the process is good for a day: a place is never kept so long.
 constexpr auto token_life = std::chrono::hours(24);
@@ -50,6 +52,15 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
                             .sent = {},
                             .told_geometry = {}},
                            until);
+}
+
+void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
+    for (const ClientId client : clients) {
+        if (context.sessions.has(client))
+            world.lose(client);
+        else
+            world.leave(client, context.config.client.keep_bodies_after_leave);
+    }
 }
 
 void end_lost_clients(PlayContext& context, Clock::time_point now) {
@@ -133,7 +144,8 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
         lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
-    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= give_way_max) {
+    const auto patience = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
+    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= patience) {
         context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
         waiting_hello_ = hello;
         return true;

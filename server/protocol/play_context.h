@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 
 #include "config/config.h"
 #include "datagram/datagram_port.h"
@@ -38,6 +39,10 @@ struct PlayContext {
 // as one whose connection broke.
 void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until);
+
+// Those who played when a world was kept that goes on as another host: who is there still lets go
+// of what it held, and who is not has left.
+void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients);
 
 // Clients whose connection broke too long ago have left. Now and then; any thread.
 void end_lost_clients(PlayContext& context, Clock::time_point now);

@@ -6,6 +6,7 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/world.pb.h"
+#include "protocol/peer.h"
 
 namespace jostle::server {
 
@@ -24,6 +25,7 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_step_ms_mean(frame->tick_ms_mean);
     info.set_paused(world.paused().value_or(""));
     info.set_owner(world.owner());
+    info.set_kept_since(world.kept_since());
 }
 
 Error no_such_world(const std::string& world) {
@@ -39,7 +41,7 @@ Error going_down() {
 Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request) {
     if (request.has_scene()) return scenes::from_message(request.scene());
     if (!request.has_scene_name()) {
-        return Error{ErrorCode::invalid_argument, "give scene_name or scene"};
+        return Error{ErrorCode::invalid_argument, "give scene_name, scene or moment"};
     }
     if (auto scene = scenes::find_scene(request.scene_name())) return *std::move(scene);
     return Error{ErrorCode::not_found,
@@ -69,14 +71,33 @@ Status WorldControl::get(const v1::GetWorldRequest& request, v1::GetWorldRespons
 }
 
 Status WorldControl::create(const v1::CreateWorldRequest& request,
-                            v1::CreateWorldResponse& response, const std::string& owner) {
+                            v1::CreateWorldResponse& response, const Identity& who,
+                            const std::string& address) {
     if (context_.draining) return going_down();
-    const Result<scenes::SceneDescription> scene = scene_of(request);
-    if (!scene.ok()) return scene.error();
-    const auto world = context_.worlds.create(request.name(), *scene, owner);
+    const auto world = create_from(request, who, address);
     if (!world.ok()) return world.error();
     describe(*response.mutable_world(), **world, context_.sessions);
     return {};
+}
+
+Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWorldRequest& request,
+                                                             const Identity& who,
+                                                             const std::string& address) {
+    if (!request.has_moment()) {
+        const Result<scenes::SceneDescription> scene = scene_of(request);
+        if (!scene.ok()) return scene.error();
+        return context_.worlds.create(request.name(), *scene, who.subject);
+    }
+    const v1::Moment& moment = request.moment();
+    if (moment.world().empty())
+        return Error{ErrorCode::invalid_argument, "moment.world is missing: name the world"};
+    const auto world = context_.worlds.find(moment.world());
+    if (!world) return no_such_world(moment.world());
+    if (Status s = context_.gate.admit(
+            who, {"jostle.v1.WorldService/JoinWorld", asked_world(*world), address});
+        !s.ok())
+        return s.error();
+    return context_.worlds.create_from(request.name(), *world, moment.tick(), who.subject);
 }
 
 Status WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse&) {

@@ -39,9 +39,9 @@ public:
 
     Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
     Status get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
-    // `owner`: the subject of whoever asks.
+    // It belongs to whoever asks, from that address.
     Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response,
-                  const std::string& owner);
+                  const Identity& who, const std::string& address);
     Status remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
     // The ticket is that of whoever asks, from that address.
     Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,
@@ -53,6 +53,9 @@ public:
     Gate& gate() const { return context_.gate; }
 
 private:
+    Result<std::shared_ptr<WorldHost>> create_from(const v1::CreateWorldRequest& request,
+                                                   const Identity& who, const std::string& address);
+
     PlayContext& context_;
     PlayAddresses addresses_;
 };

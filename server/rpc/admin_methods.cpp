@@ -58,6 +58,8 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::step_world),
         world_call(control, worlds, "ExportWorld", CallWork::waits, Audit::no,
                    &AdminControl::export_world),
+        world_call(control, worlds, "RewindWorld", CallWork::waits, Audit::yes,
+                   &AdminControl::rewind_world),
         world_call(control, worlds, "Profile", CallWork::waits, Audit::no, &AdminControl::profile),
     };
 }

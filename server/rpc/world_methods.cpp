@@ -12,7 +12,7 @@ constexpr std::size_t scene_request = 4 * 1024 * 1024;
 
 Status create(WorldControl& control, const CallContext& context,
               const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response) {
-    if (Status s = control.create(request, response, context.who.subject);
+    if (Status s = control.create(request, response, context.who, context.address);
         !s.ok() || !context.is_too_late())
         return s;
     // The caller has given up on a world that it does not know of: it would run for nobody.

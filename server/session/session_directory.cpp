@@ -55,6 +55,11 @@ void SessionDirectory::leave(ClientId client) {
     sessions_.erase(at);
 }
 
+bool SessionDirectory::has(ClientId client) const {
+    const std::lock_guard lock(mutex_);
+    return sessions_.contains(client);
+}
+
 int SessionDirectory::clients() const {
     const std::lock_guard lock(mutex_);
     return static_cast<int>(sessions_.size());

@@ -28,6 +28,7 @@ public:
     Result<ClientId> enter(const std::string& world_id, const std::string& network);
     void leave(ClientId client);
 
+    bool has(ClientId client) const;
     int clients() const;
     int clients_in(const std::string& world_id) const;
 

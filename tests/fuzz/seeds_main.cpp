@@ -513,6 +513,7 @@ void write_kept(const fs::path& folder) {
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
+    seeds.add(server::encode_journal({.ticks = {}, .stood = {}, .rewind = server::Rewind{90, 30}}));
     server::WorldMoment moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
     moment.bodies.keep(world->world());
     seeds.add(server::encode_checkpoint(moment).value().bytes);

@@ -3,8 +3,11 @@
 // Kills a server again and again while bots play, and then reads its store: each input that a bot
 // was told of must be there, none twice, and the world must be what it would have been without a
 // single kill.
+#include <grpcpp/create_channel.h>
+
 #include <CLI/CLI.hpp>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <map>
@@ -17,6 +20,8 @@
 #include "durability/recover_world.h"
 #include "jostle/client/client.h"
 #include "jostle/physics/snapshot.h"
+#include "jostle/v1/admin.grpc.pb.h"
+#include "jostle/v1/world.grpc.pb.h"
 #include "persistence/compressed.h"
 #include "persistence/sqlite_store.h"
 #include "processes/server_process.h"
@@ -32,7 +37,7 @@ struct Plan {
     unsigned seed = 1;
     std::string scene = "sandbox", level = "process";
     std::vector<std::string> settings;
-    bool gently = false, verbose = false;
+    bool gently = false, rewinds = false, verbose = false;
 };
 
 // Which input of which client.
@@ -196,6 +201,7 @@ public:
             // Every fourth time while it may still be busy with what the kill before left.
             const bool early = random_() % 4 == 0;
             play_for(std::chrono::milliseconds(early ? random_() % 120 : 300 + random_() % 900));
+            if (plan_.rewinds && !rewind()) return fail("the world was not taken back");
             server_->signal(plan_.gently ? SIGTERM : SIGKILL);
             if (!play_until(20s, [&] { return !server_->runs(); }))
                 return fail("the server was ended and runs on");
@@ -233,6 +239,48 @@ private:
         server_.reset();
         server_ = std::make_unique<bench::ServerProcess>(JOSTLE_SERVER, flags, wait);
         if (plan_.verbose) std::fputs(server_->log().c_str(), stderr);
+    }
+    // To any tick that is kept; bots play on meanwhile. Half of the times the server is killed
+    // before they are all back.
+    bool rewind() {
+        const auto channel = grpc::CreateChannel("127.0.0.1:" + std::to_string(port_),
+                                                 grpc::InsecureChannelCredentials());
+        const auto ask = [](auto&& call) {
+            grpc::ClientContext context;
+            context.set_wait_for_ready(true);
+            context.set_deadline(std::chrono::system_clock::now() + 20s);
+            return call(context);
+        };
+        v1::ListWorldsResponse worlds;
+        if (!ask([&](grpc::ClientContext& context) {
+                 return v1::WorldService::NewStub(channel)->ListWorlds(&context, {}, &worlds);
+             }).ok())
+            return false;
+        const v1::WorldInfo& world = worlds.worlds(0);
+        // What nobody did anything in may be kept only a second later.
+        const std::uint32_t last = std::max(world.kept_since(), std::max(world.tick(), 90u) - 90);
+        v1::RewindWorldRequest request;
+        request.set_world(world.id());
+        request.set_tick(world.kept_since() +
+                         static_cast<std::uint32_t>(random_()) % (last - world.kept_since() + 1));
+        grpc::Status status;
+        std::atomic<bool> answered = false;
+        std::jthread asker([&] {
+            v1::RewindWorldResponse response;
+            status = ask([&](grpc::ClientContext& context) {
+                return v1::AdminService::NewStub(channel)->RewindWorld(&context, request,
+                                                                       &response);
+            });
+            answered = true;
+        });
+        play_until(25s, [&] { return answered.load(); });
+        asker.join();
+        if (!status.ok())
+            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(), world.kept_since(),
+                         world.tick(), status.error_message().c_str());
+        if (random_() % 2 == 0)
+            play_until(20s, [&] { return all([](const Bot& b) { return b.is_connected(); }); });
+        return status.ok();
     }
     template <class Predicate>
     bool all(Predicate&& holds) const {
@@ -311,6 +359,7 @@ int main(int argc, char** argv) {
     app.add_option("--level", plan.level, "persistence.level: process or machine");
     app.add_option("--set", plan.settings, "KEY=VALUE, another setting of the server");
     app.add_flag("--gently", plan.gently, "Ends it in order (SIGTERM) instead: an upgrade");
+    app.add_flag("--rewind", plan.rewinds, "Before each kill an operator takes the world back");
     app.add_flag("--verbose", plan.verbose, "The server's log, too");
     try {
         app.parse(argc, argv);

@@ -1,6 +1,7 @@
 // The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
 // one more body, draws shapes of every kind and a module's lines, asks what is under the pointer, looks at the solver, reads events,
-// foresees what it drags over a slow link, plays a recording, drives a car, a character and a boat.
+// foresees what it drags over a slow link, plays a recording, comes back to a server that was killed, drives a car, a character
+// and a boat.
 // Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
 // shapes. Exit status 1 when something does not hold.
 
@@ -13,6 +14,7 @@ import { chromium } from 'playwright-core';
 import { playing } from './playing.mjs';
 import { predicting } from './predicting.mjs';
 import { replaying } from './replaying.mjs';
+import { restarting } from './restarting.mjs';
 import { shapesScene } from './shapes_scene.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -214,6 +216,13 @@ try {
 
   await predicting({ page, url: `http://127.0.0.1:${ports.http}`, until, expect });
   await replaying({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, shoot: screenshot && shoot });
+
+  // Its errors are those of a server that is away.
+  const others = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  others.setDefaultTimeout(PATIENCE_S * 1000);
+  const shootOthers = (what) => others.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
+  await restarting({ page: others, server, folder, webRoot, until, expect, shoot: screenshot && shootOthers });
+  await others.close();
 
   // Last, and made only now: its waves cost the server more than all the others.
   const harbour = await post('/api/worlds', { name: 'harbour', sceneName: 'harbour' });

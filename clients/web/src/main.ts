@@ -384,6 +384,14 @@ Object.defineProperty(window, 'jostle', {
     get snapshots() {
       return connection.snapshots;
     },
+    /** Who the server says that we are; 0: nobody yet. */
+    get client() {
+      return connection.welcome?.clientId ?? 0;
+    },
+    /** How often it came back as who it was. */
+    get resumed() {
+      return connection.resumed;
+    },
     get decodeErrors() {
       return connection.decodeErrors;
     },

@@ -34,8 +34,9 @@ struct BendOfPrincipal {
 // is, because no principal moment is less than the difference of the other two.
 template <class Bend>
 EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
+    // A spin that is no number is put right after the step (quarantine): here it is one part.
     const double wished = length(w) * absolute(dt) * 4;
-    const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
+    const int parts = wished >= 1 ? static_cast<int>(minimum(wished, 4000)) + 1 : 1;
     const double h = dt / parts;
     EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {

@@ -128,6 +128,30 @@ TEST_F(CtlTest, an_exported_world_is_hosted_again) {
     EXPECT_TRUE(complains("is no scene file")) << err;
 }
 
+TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
+    EXPECT_EQ(run("rewind stack --to 1"), 1);
+    EXPECT_TRUE(complains("persistence.store says where worlds are kept")) << err;
+    const ServerProcess kept{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
+                              "127.0.0.1:0", "--set", "persistence.store=" + file("worlds.db")}};
+    const std::string at = kept.grpc_address();
+    ASSERT_EQ(run("world create what-if --from stack --at 1", at), 0) << err;
+    EXPECT_TRUE(says("\"what-if\" runs with 11 bodies")) << out;
+    ASSERT_EQ(run("--json worlds", at), 0);
+    EXPECT_EQ(json()["worlds"][0]["keptSince"], 1);
+    const unsigned before = json()["worlds"][0]["tick"];
+    ASSERT_EQ(run("rewind stack --to 1", at), 0) << err;
+    EXPECT_TRUE(says("stack is as it was after tick 1; ticks go on from ")) << out;
+    ASSERT_EQ(run("--json worlds", at), 0);
+    EXPECT_GT(json()["worlds"][0]["tick"], before) << "ticks never go back";
+    EXPECT_EQ(run("rewind stack --to 4000000000", at), 1);
+    EXPECT_TRUE(complains("tick 4000000000 is not kept; the last one is")) << err;
+    EXPECT_EQ(run("world create what-if --from stack --at 1", at), 1);
+    EXPECT_TRUE(complains("there is a world \"what-if\" already")) << err;
+    EXPECT_EQ(run("world create --from stack --at 1", at), 2);
+    EXPECT_EQ(run("world create why --from nowhere --at 1", at), 1);
+    EXPECT_TRUE(complains("there is no world \"nowhere\"")) << err;
+}
+
 TEST_F(CtlTest, a_profile_is_written_for_a_trace_viewer) {
     ASSERT_EQ(run("profile stack " + file("t.json") + " --seconds 1"), 0) << err;
     EXPECT_TRUE(says("ui.perfetto.dev")) << out;
@@ -149,7 +173,7 @@ TEST_F(CtlTest, wrong_flags_exit_with_2_and_say_what_is_wrong) {
     EXPECT_EQ(run("kick"), 2);
     EXPECT_EQ(run("kick ann"), 2);
     EXPECT_EQ(run("world create arena"), 2);
-    EXPECT_TRUE(complains("--scene NAME or --file FILE")) << err;
+    EXPECT_TRUE(complains("--scene NAME, --file FILE, or --from WORLD --at TICK")) << err;
     EXPECT_EQ(run("profile stack x --seconds 31"), 2);
     EXPECT_EQ(run("--cert a.pem worlds"), 2);
     EXPECT_TRUE(complains("--cert and --key go together")) << err;

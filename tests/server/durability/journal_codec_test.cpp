@@ -98,6 +98,24 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
     EXPECT_LT(bytes.size(), 600u * 200) << "two hundred bytes a command at most";
 }
 
+TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_knew_of_none) {
+    const std::string bytes =
+        encode_journal({.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 90, .to = 30}});
+    EXPECT_EQ(decode_journal(bytes).value().rewind, (Rewind{.tick = 90, .to = 30}));
+    EXPECT_EQ(error_of(decode_journal(encode_journal(
+                           {.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
+                  .message,
+              "what is kept of the commands of a world goes back from tick 9 to 9");
+    EXPECT_EQ(error_of(decode_journal(encode_journal(
+                           {.ticks = {}, .stood = {{8, 9}}, .rewind = Rewind{9, 3}})))
+                  .code,
+              ErrorCode::corrupt_data);
+    const char before[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 stood still
+    const JournalBatch old = decode_journal({before, sizeof before}).value();
+    EXPECT_EQ(old.stood, (std::vector<TickRange>{{3, 4}}));
+    EXPECT_FALSE(old.rewind);
+}
+
 TEST(JournalCodec, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
@@ -106,7 +124,7 @@ TEST(JournalCodec, bytes_that_are_cut_or_changed_are_refused_or_read_within_boun
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "what is kept of the commands of a world goes on after its end");
     EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "what is kept of the commands of a world is of version 7; this server reads 2");
+              "what is kept of the commands of a world is of version 7; this server reads 2 to 3");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

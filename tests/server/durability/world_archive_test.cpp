@@ -20,6 +20,7 @@ namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
+using test::error_of;
 
 HostLimits limits() {
     return {.scene = {.bodies_max = 400}, .bodies_owned_max = 30};
@@ -201,8 +202,108 @@ TEST(WorldArchive, a_moment_of_a_world_that_runs_can_be_had_as_a_scene) {
     EXPECT_LT(then.scene.bodies.size(), now);
     EXPECT_EQ(process.worlds->scene_at(*world, 41).value().scene.bodies.size(), now);
     EXPECT_TRUE(process.worlds->create("what-if", then.scene).ok());
-    EXPECT_EQ(test::error_of(process.worlds->scene_at(*world, 900)).message,
+    EXPECT_EQ(error_of(process.worlds->scene_at(*world, 900)).message,
               "tick 900 is not kept; the last one is 41");
+}
+
+// Two players, 80 ticks, taken back to tick 41 and played on: ticks, ids and inputs count on.
+TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    std::uint64_t at_the_end = 0;
+    std::uint32_t last_tick = 0;
+    {
+        Process process(folder / "worlds.db", {.history_hours = 1});
+        const auto first = process.create("yard");
+        Process::play(*first, 40, reply);
+        const std::uint64_t then = hash_of(*first);
+        const std::uint32_t back_to = first->frame()->tick;
+        const EntityId then_id = first->frame()->entities.back().id;
+        first->resume();
+        Process::play(*first, 40, reply);
+        const std::uint32_t played = first->frame()->tick;
+        const EntityId last_id = first->frame()->entities.back().id;
+        const std::uint64_t later = hash_of(*first);
+        const std::uint32_t newest = first->frame()->tick;
+        first->resume();
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_EQ(error_of(process.worlds->rewind(first, 900)).code, ErrorCode::not_found);
+        EXPECT_FALSE(first->stopped()) << "it goes on when that is not kept";
+
+        std::vector<ClientId> told;
+        process.worlds->on_goes_on(
+            [&](const auto&, const std::vector<ClientId>& clients) { told = clients; });
+        const auto again = process.worlds->rewind(first, back_to).value();
+        EXPECT_EQ(told, (std::vector<ClientId>{1, 2}));
+        EXPECT_TRUE(first->goes_on_elsewhere());
+        EXPECT_EQ(process.worlds->find("yard"), again);
+        EXPECT_EQ(again->id(), first->id());
+        EXPECT_EQ(again->first_tick(), newest + 1);
+        EXPECT_EQ(hash_of(*again), then);
+        again->resume();
+        EXPECT_EQ(error_of(process.worlds->rewind(first, back_to)).code, ErrorCode::aborted)
+            << "of a host that runs no more";
+
+        const auto late = std::make_shared<ResultQueue>();
+        again->push({.client = 1, .sequence = played, .action = ReleaseCommand{}, .reply = late});
+        again->tick(Clock::now());
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_FALSE(late->take().at(0).status.ok()) << "it was counted before";
+        Process::play(*again, 30, reply);
+        EXPECT_GT(again->frame()->entities.back().id, last_id);
+        for (const auto& entity : again->frame()->entities)
+            EXPECT_TRUE(entity.id <= then_id || entity.id > last_id) << entity.id;
+        last_tick = again->frame()->tick;
+        at_the_end = hash_of(*again);
+        again->resume();
+        ASSERT_TRUE(process.archive->flush(5s));
+        // What was done in between is still there, and so one can come back to it.
+        const auto undone = process.worlds->rewind(again, newest).value();
+        EXPECT_EQ(hash_of(*undone), later);
+        undone->resume();
+        const auto redone = process.worlds->rewind(undone, last_tick).value();
+        EXPECT_EQ(hash_of(*redone), at_the_end);
+        process.die();
+    }
+    // From the first checkpoint, through all three, as from the last.
+    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    const StoredWorld stored = store->worlds().value().at(0);
+    const WorldRecord record = decode_world_record(stored.settings).value();
+    for (const std::uint32_t checkpoint : store->checkpoint_ticks(stored.id).value()) {
+        const RecoveredWorld found =
+            recover_world(*store, stored, record, {.checkpoint = checkpoint}).value();
+        EXPECT_TRUE(found.remarks.empty()) << found.remarks.front();
+        EXPECT_EQ(state_hash(found.world.world()), at_the_end) << "from " << checkpoint;
+    }
+}
+
+TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
+    const test::TempFolder folder;
+    std::string id;
+    std::uint64_t hash = 0;
+    std::uint32_t tick = 0;
+    {
+        Process process(folder / "worlds.db");
+        const auto yard = process.create("yard");
+        Process::play(*yard, 40, std::make_shared<ResultQueue>());
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_EQ(yard->kept_since(), 1u);
+        EXPECT_EQ(error_of(process.worlds->create_from("yard", *yard, 31)).code,
+                  ErrorCode::already_exists);
+        const auto what_if = process.worlds->create_from("what-if", *yard, 31, "ada").value();
+        EXPECT_EQ(what_if->frame()->tick, 31u);
+        EXPECT_EQ(what_if->owner(), "ada");
+        EXPECT_TRUE(process.worlds->remove("yard"));
+        Process::play(*what_if, 10, std::make_shared<ResultQueue>());
+        id = what_if->id();
+        tick = what_if->frame()->tick;
+        hash = hash_of(*what_if);
+        ASSERT_TRUE(process.archive->flush(5s));
+        process.die();
+    }
+    EXPECT_EQ(kept_in(folder / "worlds.db", tick).hash, hash);
+    Process process(folder / "worlds.db");
+    EXPECT_NE(process.worlds->find(id), nullptr);
 }
 
 TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands) {

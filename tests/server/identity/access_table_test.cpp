@@ -139,8 +139,8 @@ TEST(AccessTable, rights_are_these) {
         {"admin",
          {"jostle.v1.AdminService/ListClients", "jostle.v1.AdminService/Kick",
           "jostle.v1.AdminService/SetPaused", "jostle.v1.AdminService/StepWorld",
-          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/Drain",
-          "jostle.v1.AdminService/Profile", "GET /debug/profile"}},
+          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/RewindWorld",
+          "jostle.v1.AdminService/Drain", "jostle.v1.AdminService/Profile", "GET /debug/profile"}},
     };
     std::size_t count = 0;
     for (const auto& [rights, calls] : expected) {

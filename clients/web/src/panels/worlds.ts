@@ -1,4 +1,5 @@
-// Which worlds there are: join, make from a scene, delete. Talks JSON to /api/worlds.
+// Which worlds there are: join, make from a scene or from what another one was a while ago, delete. Talks JSON to
+// /api/worlds.
 
 import { withToken } from '../token';
 
@@ -9,6 +10,9 @@ interface WorldInfo {
   bodies: number;
   awake: number;
   clients: number;
+  hz: number;
+  tick: number;
+  keptSince: number; // 0: it ends with its process
 }
 interface Listing {
   worlds: WorldInfo[];
@@ -75,13 +79,16 @@ export class WorldsPanel {
 
   private draw({ worlds, scenes }: Listing): void {
     this.panel.replaceChildren(element('h2', 'Worlds'));
-    for (const world of worlds) this.panel.append(this.worldRow(world));
+    for (const world of worlds) {
+      this.panel.append(this.worldRow(world));
+      if (world.keptSince > 0) this.panel.append(this.pastRow(world, worlds));
+    }
     this.panel.append(element('h2', 'New world from a scene'));
     for (const scene of scenes) {
       const row = element('button', '', 'scene');
       row.type = 'button';
       row.append(element('strong', scene.name), element('span', scene.description));
-      row.onclick = () => this.run(() => this.create(scene.name, worlds));
+      row.onclick = () => this.run(() => this.create(scene.name, { sceneName: scene.name }, worlds));
       this.panel.append(row);
     }
   }
@@ -116,15 +123,42 @@ export class WorldsPanel {
     return row;
   }
 
-  private async create(scene: string, worlds: WorldInfo[]): Promise<void> {
-    // The scene's own name, or the first number that is free.
+  /** What if: a slider over the ticks that are kept, and a button that opens one as a world of its own. */
+  private pastRow(world: WorldInfo, worlds: WorldInfo[]): HTMLElement {
+    const row = element('div', '', 'past');
+    // What nobody did anything in is kept a second later.
+    const newest = Math.max(world.keptSince, world.tick - Math.ceil(world.hz));
+    const slider = element('input');
+    Object.assign(slider, { type: 'range', min: String(world.keptSince), max: String(newest), value: String(newest) });
+    slider.setAttribute('aria-label', `Tick of ${world.name}`);
+    const words = element('output');
+    const open = element('button', 'What if');
+    open.type = 'button';
+    open.title = 'Opens this moment as a world of its own';
+    open.onclick = () => {
+      const tick = Number(slider.value);
+      const moment = { world: world.id, tick };
+      void this.run(() => this.create(`${world.name}-at-${tick}`, { moment }, worlds));
+    };
+    const tell = () => {
+      const ago = (world.tick - Number(slider.value)) / world.hz;
+      words.textContent = `tick ${slider.value}, ${ago.toFixed(1)} s ago`;
+    };
+    slider.oninput = tell;
+    tell();
+    row.append(slider, words, open);
+    return row;
+  }
+
+  /** Of that name, or with the first number that is free. */
+  private async create(wanted: string, source: object, worlds: WorldInfo[]): Promise<void> {
     const taken = new Set(worlds.map((world) => world.name));
-    let name = scene;
-    for (let n = 2; taken.has(name); n++) name = `${scene}-${n}`;
+    let name = wanted;
+    for (let n = 2; taken.has(name); n++) name = `${wanted}-${n}`;
     const answer = (await this.ask('api/worlds', {
       method: 'POST',
       headers: { 'Content-Type': 'application/json' },
-      body: JSON.stringify({ name, sceneName: scene }),
+      body: JSON.stringify({ name, ...source }),
     })) as { world: WorldInfo };
     this.panel.hidden = true;
     this.join(answer.world.id);

@@ -1861,7 +1861,7 @@ export enum NoticeCode {
   RATE_LIMIT = 4,
 
   /**
-   * from its scene, after a fault of the server: come back
+   * from its scene, or from what was kept of it, after a fault of the server or because an operator took it back: come back
    *
    * @generated from enum value: NOTICE_CODE_WORLD_RESTARTED = 5;
    */

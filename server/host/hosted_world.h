@@ -56,6 +56,8 @@ public:
     // Pulls what is held, then steps, and asks modules what they tell of that tick, from 1.
     // `aborted`: it took too long and was told to end.
     Status step(double dt, std::uint32_t tick = 1);
+    // Whether its frames say how bodies move (module_channels.h).
+    void tell_motion(bool wanted) { channels_.tell_motion(wanted); }
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }

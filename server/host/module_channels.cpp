@@ -2,10 +2,9 @@
 #include "host/module_channels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
-
-#include "jostle/physics/world.h"
 
 namespace jostle::server {
 namespace {
@@ -59,6 +58,10 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
                      "the modules of the world have " + std::to_string(made.kinds_.size()) +
                          " kinds of channels; a server hosts " + std::to_string(channel_kinds_max) +
                          " in a world"};
+    if (made.kinds_.size() < channel_kinds_max) {
+        made.motion_ = static_cast<std::uint32_t>(made.kinds_.size());
+        made.kinds_.push_back({.name = motion_kind});
+    }
     return made;
 }
 
@@ -72,7 +75,7 @@ std::vector<bool> ModuleChannels::due(const Told& module, std::uint32_t tick) co
 void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                              const physics::ChannelWriter::NameOf& name_of) {
     newly_too_large_.clear();
-    if (modules_.empty()) return;
+    if (modules_.empty() && !tells_motion_ && channels_->empty()) return;
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
     for (const Told& module : modules_) {
@@ -90,6 +93,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                 add({module.first + written.kind, written.entity,
                      std::make_shared<const std::vector<std::int32_t>>(std::move(written.values))});
     }
+    if (tells_motion_ && motion_) add_motion(world, name_of);
     std::stable_sort(next_->begin(), next_->end(), comes_before);
     const auto same = [](const Channel& a, const Channel& b) {
         return a.kind == b.kind && a.entity == b.entity;
@@ -101,6 +105,23 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
     };
     if (!std::ranges::equal(*next_, *channels_, says_the_same)) channels_ = std::move(next_);
     next_ = nullptr;
+}
+
+void ModuleChannels::add_motion(const physics::World& world,
+                                const physics::ChannelWriter::NameOf& name_of) {
+    constexpr double most = 1 << 30;
+    world.copy_awake_bodies(bodies_);
+    for (const physics::BodyState& body : bodies_) {
+        if (body.type != physics::BodyType::dynamic) continue;
+        auto values = std::make_shared<std::vector<std::int32_t>>();
+        values->reserve(6);
+        for (const physics::Vec3& v : {body.linear_velocity, body.angular_velocity})
+            for (int k = 0; k < 3; k++)
+                values->push_back(static_cast<std::int32_t>(
+                    std::lround(std::clamp(v[k] * motion_units, -most, most))));
+        if (const EntityId entity = name_of(body.id); entity != 0)
+            add({*motion_, entity, std::move(values)});
+    }
 }
 
 void ModuleChannels::add(Channel channel) {

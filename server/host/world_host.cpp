@@ -257,6 +257,7 @@ InputResult WorldHost::answer(const Command& command, const std::optional<Error>
 }
 
 bool WorldHost::step(bool allowed) {
+    world_.tell_motion(motion_listeners_.load() > 0);
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
     // The journal has a step there.

@@ -93,6 +93,9 @@ public:
     // Any thread: frames carry events while there are listeners.
     void add_event_listener() { event_listeners_++; }
     void remove_event_listener() { event_listeners_--; }
+    // Likewise, of how bodies move (module_channels.h).
+    void add_motion_listener() { motion_listeners_++; }
+    void remove_motion_listener() { motion_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
     // Any thread: ... by an error.
@@ -198,7 +201,7 @@ private:
     StepAllowance steps_;
     TickWatch watch_;
     WorldVisits visits_;
-    std::atomic<int> event_listeners_{0};
+    std::atomic<int> event_listeners_{0}, motion_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
     std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false},

@@ -42,14 +42,19 @@ wire::Codec codec_for(const Hello& hello, const StreamSettings& stream) {
     return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, ours));
 }
 
-// A bit for each kind of the world that the client names, "*" being all of them.
+// A bit for each kind of the world that the client names, "*" being all of modules.
 std::uint64_t kinds_named(const std::vector<physics::ChannelKind>& kinds,
                           const std::vector<std::string>& names) {
     std::uint64_t named = 0;
     for (std::size_t k = 0; k < kinds.size(); k++)
         for (const std::string& name : names)
-            if (name == "*" || name == kinds[k].name) named |= std::uint64_t{1} << k;
+            if (name == kinds[k].name || (name == "*" && kinds[k].name != motion_kind))
+                named |= std::uint64_t{1} << k;
     return named;
+}
+
+std::uint64_t motion_bit(const std::vector<physics::ChannelKind>& kinds) {
+    return kinds_named(kinds, {motion_kind});
 }
 
 }  // namespace
@@ -202,6 +207,11 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
         world->add_event_listener();
     }
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
+    const std::uint64_t motion = motion_bit(world->channel_kinds());
+    // That is of all bodies, and such a client is told of some.
+    if (sight_) channel_kinds_ &= ~motion;
+    wants_motion_ = (channel_kinds_ & motion) != 0;
+    if (wants_motion_) world->add_motion_listener();
     codec_ = codec_for(hello, context_.config.stream);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
@@ -350,6 +360,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
     watch_.left();
     if (wants_events_) feed_->host().remove_event_listener();
+    if (wants_motion_) feed_->host().remove_motion_listener();
     if (lost) {
         keep_place(*lost);
     } else {

@@ -184,7 +184,7 @@ private:
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
-    bool wants_events_ = false;
+    bool wants_events_ = false, wants_motion_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent
     std::uint32_t seen_tick_ = 0;      // newest frame that was decided on

@@ -54,7 +54,7 @@ void draw(JostlePredictor* p, double position, double now_us) {
 
 void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
     const std::uint32_t entity = whole(in.number<double>()), tick = whole(in.number<double>());
-    switch (kind % 8) {
+    switch (kind % 9) {
         case 0:
             return jostle_predictor_add_body(p, entity, tick % 3, in.number<double>());
         case 1:
@@ -75,6 +75,9 @@ void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
             return jostle_predictor_result(p, entity, tick, kind > 127);
         case 6:
             return jostle_predictor_follow(p, entity);
+        case 7:
+            jostle_predictor_motions(p, put(p, in) / 7);
+            return;
         default:
             return jostle_predictor_remove_body(p, entity);
     }

@@ -79,7 +79,7 @@ const Method methods[] = {
         false),
     method_of<v1::CreateWorldRequest, v1::CreateWorldResponse,
               [](Controls& c, const auto& in, auto& out) {
-                  return c.worlds.create(in, out, "somebody");
+                  return c.worlds.create(in, out, c.small.anybody(), "127.0.0.1");
               }>(true),
     method_of<v1::JoinWorldRequest, v1::JoinWorldResponse,
               [](Controls& c, const auto& in, auto& out) {

@@ -33,6 +33,13 @@ bool agrees(const Transform& a, const Transform& b) {
            length(turn_between(a.rotation, b.rotation)) <= agree_rad;
 }
 
+// A push shows in the velocity before it shows in the pose.
+bool was_pushed(const Motion& guess, const ToldBody& told) {
+    return told.velocity && !told.at_rest &&
+           (gap(guess.linear, told.velocity->linear) > pushed_speed ||
+            gap(guess.angular, told.velocity->angular) > pushed_spin);
+}
+
 const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
     const auto at =
         std::lower_bound(frame.bodies.begin(), frame.bodies.end(), entity,
@@ -197,6 +204,8 @@ double Foresight::seconds_of(const ToldBody& before, std::uint32_t frame) const 
 // Of one that is new here: what it did since the frame before.
 Motion Foresight::measured(const ToldBody& now, std::uint32_t frame) const {
     Motion motion{.pose = now.pose};
+    if (now.velocity && !now.at_rest)
+        return {now.pose, now.velocity->linear, now.velocity->angular};
     const auto before = told_.find(now.entity);
     if (now.at_rest || before == told_.end() || frame <= newest_frame_) return motion;
     const double seconds = seconds_of(before->second, frame);
@@ -207,8 +216,15 @@ Motion Foresight::measured(const ToldBody& now, std::uint32_t frame) const {
     return motion;
 }
 
-// Where the frame says, at the velocity that explains how it came there.
+// Where the frame says, as fast as it says.
 Motion Foresight::put_right(const ToldBody& now, std::uint32_t frame) {
+    if (now.velocity && !now.at_rest)
+        return {now.pose, now.velocity->linear, now.velocity->angular};
+    return explained(now, frame);
+}
+
+// Where the frame says, at the velocity that explains how it came there.
+Motion Foresight::explained(const ToldBody& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
@@ -296,7 +312,8 @@ void Foresight::compare(const ToldFrame& told, const Around& around) {
         if (at == guess.motions.end()) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
-        if (!agrees(at->second.pose, body.pose)) wrong[id] = put_right(body, frame);
+        if (!agrees(at->second.pose, body.pose) || was_pushed(at->second, body))
+            wrong[id] = put_right(body, frame);
     }
     others |= std::any_of(guess.motions.begin(), guess.motions.end(),
                           [&](const auto& one) { return !near.contains(one.first); });

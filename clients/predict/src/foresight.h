@@ -26,6 +26,7 @@ struct ToldBody {
     double mass = 0;  // kg, of a dynamic one
     physics::Transform pose;
     bool at_rest = false;
+    std::optional<Velocity> velocity = {};  // nothing: that was not told
 };
 
 // A frame of the server.
@@ -103,6 +104,7 @@ private:
     double seconds_of(const ToldBody& before, std::uint32_t frame) const;
     Motion measured(const ToldBody& now, std::uint32_t frame) const;
     Motion put_right(const ToldBody& now, std::uint32_t frame);
+    Motion explained(const ToldBody& now, std::uint32_t frame);
     void start(const ToldFrame& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
     void compare(const ToldFrame& frame, const Around& around);

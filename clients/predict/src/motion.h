@@ -18,6 +18,12 @@ struct Motion {
 physics::Transform to_transform(const wire::Pose& pose);
 wire::Pose to_pose(const physics::Transform& pose);
 
+// As `jostle.motion` tells them (proto/WIRE.md, "Channels").
+inline constexpr double motion_units = 128;
+struct Velocity {
+    physics::Vec3 linear, angular;  // m/s, rad/s
+};
+
 // The rotation from a to b as an axis times an angle.
 physics::Vec3 turn_between(const physics::Quat& a, const physics::Quat& b);
 // From a (0) to b (1).

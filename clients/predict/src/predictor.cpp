@@ -58,8 +58,38 @@ std::optional<std::vector<ShapeDef>> shapes_of(const WorldView& view, std::uint3
     return shapes;
 }
 
+// How bodies move, for who asked to be told (module_channels.h of the server).
+class Motions {
+public:
+    explicit Motions(const WorldView& view)
+        : at_(view.channels().begin()), end_(view.channels().end()) {
+        std::uint32_t kind = 0;
+        for (const v1::ChannelKind& known : view.channel_kinds()) {
+            if (known.name() == motion_channel) break;
+            kind++;
+        }
+        while (at_ != end_ && at_->kind != kind) ++at_;
+        while (end_ != at_ && (end_ - 1)->kind != kind) --end_;
+    }
+    // Asked in rising order.
+    std::optional<Velocity> of(std::uint32_t entity) {
+        while (at_ != end_ && at_->entity < entity) ++at_;
+        if (at_ == end_ || at_->entity != entity || at_->values->size() != 6) return std::nullopt;
+        const std::vector<std::int32_t>& told = *at_->values;
+        const auto vector = [&](std::size_t k) {
+            return Vec3{told[k] / motion_units, told[k + 1] / motion_units,
+                        told[k + 2] / motion_units};
+        };
+        return Velocity{vector(0), vector(3)};
+    }
+
+private:
+    wire::Channels::const_iterator at_, end_;
+};
+
 // Those of the newest frame whose looks are known.
 std::vector<ToldBody> bodies_of(const WorldView& view) {
+    Motions motions(view);
     std::vector<ToldBody> bodies;
     bodies.reserve(view.frame().entities.size());
     auto known = view.entities().begin();
@@ -69,7 +99,8 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
         if (known->first != state.id) continue;
         const v1::Entity& about = known->second;
         const Transform pose = to_transform(wire::dequantize(state, view.spec()));
-        bodies.push_back({state.id, to_type(about.type()), about.mass(), pose, state.at_rest});
+        bodies.push_back({state.id, to_type(about.type()), about.mass(), pose, state.at_rest,
+                          motions.of(state.id)});
     }
     return bodies;
 }

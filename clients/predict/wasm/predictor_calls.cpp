@@ -29,6 +29,7 @@ struct JostlePredictor {
     std::map<std::uint32_t, Known> known;
     std::vector<double> numbers;
     std::vector<ToldBody> told;
+    std::map<std::uint32_t, Velocity> motions;  // of the next frame
     std::uint32_t unusable = 0;
 
     const std::optional<std::vector<ShapeDef>>& shapes_of(std::uint32_t entity) {
@@ -44,7 +45,7 @@ struct JostlePredictor {
 namespace {
 
 constexpr std::uint32_t numbers_max = 1u << 24;
-constexpr std::size_t numbers_per_body = 9, numbers_per_drawn = 8;
+constexpr std::size_t numbers_per_body = 9, numbers_per_drawn = 8, numbers_per_motion = 7;
 
 bool has(const JostlePredictor& p, std::size_t bodies, std::size_t each) {
     return bodies <= p.numbers.size() / each;
@@ -138,7 +139,24 @@ void jostle_predictor_result(JostlePredictor* p, uint32_t sequence, uint32_t tic
     p->foresight.on_result(sequence, tick, applied != 0);
 }
 
+uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
+    p->motions.clear();
+    if (!has(*p, bodies, numbers_per_motion)) return 0;
+    std::map<std::uint32_t, Velocity> motions;
+    for (std::size_t k = 0; k < bodies; k++) {
+        const double* n = p->numbers.data() + k * numbers_per_motion;
+        if (!is_entity(n[0])) return 0;
+        for (std::size_t v = 1; v < numbers_per_motion; v++)
+            if (!(n[v] >= -2147483648.0 && n[v] < 2147483648.0)) return 0;
+        motions[static_cast<std::uint32_t>(n[0])] = {Vec3{n[1], n[2], n[3]} * (1 / motion_units),
+                                                     Vec3{n[4], n[5], n[6]} * (1 / motion_units)};
+    }
+    p->motions = std::move(motions);
+    return 1;
+}
+
 uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bodies) {
+    const std::map<std::uint32_t, Velocity> motions = std::exchange(p->motions, {});
     if (!has(*p, bodies, numbers_per_body)) return 0;
     p->told.clear();
     for (std::size_t k = 0; k < bodies; k++) {
@@ -147,8 +165,10 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
         const auto about = p->known.find(entity);
         if (about == p->known.end()) continue;
         if (!p->told.empty() && p->told.back().entity >= entity) return 0;
+        const auto motion = motions.find(entity);
         p->told.push_back({entity, about->second.type, about->second.mass,
-                           to_transform(pose_at(n + 1)), n[8] != 0});
+                           to_transform(pose_at(n + 1)), n[8] != 0,
+                           motion == motions.end() ? std::nullopt : std::optional(motion->second)});
     }
     p->foresight.on_frame({.number = number, .bodies = p->told, .shapes_of = [p](auto entity) {
                                return p->shapes_of(entity);

@@ -73,6 +73,10 @@ void jostle_predictor_release(JostlePredictor*, uint32_t sequence, uint32_t tick
 JOSTLE_CALL(result)
 void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t applied);
 
+// How bodies move in the next frame, if that was told. Numbers, for each in rising order of entity:
+// entity, velocity of the centre of mass (3), spin (3), in the whole numbers of `jostle.motion`
+// (proto/WIRE.md, "Channels").
+JOSTLE_CALL(motions) uint32_t jostle_predictor_motions(JostlePredictor*, uint32_t bodies);
 // A frame of the server. Numbers, for each of its bodies in rising order of entity: entity,
 // position (3), rotation (4: x y z w), whether it rests (0 or 1). Bodies that were not added are
 // left out.

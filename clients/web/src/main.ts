@@ -15,6 +15,7 @@ import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
 import type { Foreseen } from './prediction/foreseen';
+import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerWords } from './panels/driver';
 import { EventsPanel } from './panels/events';
@@ -87,8 +88,10 @@ const open = badLink ? overLink(openSocket, badLink) : openSocket;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 // What is played instead of a live world.
 let recorded: RecordedStream | undefined;
-const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, DRAWN_KINDS, sightOf(location.search));
 // ?predict=1: what a hand holds or a push hits answers at once.
+const predicts = new URLSearchParams(location.search).get('predict') === '1';
+const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
+const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, sightOf(location.search));
 let foreseen: Foreseen | undefined;
 async function foresee(): Promise<void> {
   const without = (error: unknown) => {
@@ -103,7 +106,7 @@ async function foresee(): Promise<void> {
     without(error);
   }
 }
-if (new URLSearchParams(location.search).get('predict') === '1') void foresee();
+if (predicts) void foresee();
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');

@@ -43,7 +43,8 @@ TEST_F(ModuleChannelsTest, kinds_are_those_of_the_modules_by_full_names) {
     add("second", {{"near", ChannelForm::points, 4}, {}}).watched = {7, 1};
     add("first");
     const Channels now = step();
-    ASSERT_EQ(channels.kinds().size(), 3u);
+    ASSERT_EQ(channels.kinds().size(), 4u);
+    EXPECT_EQ(channels.kinds()[3].name, motion_kind);
     EXPECT_EQ(channels.kinds()[0].name, "second.near");
     EXPECT_EQ(channels.kinds()[0].form, ChannelForm::points);
     EXPECT_EQ(channels.kinds()[1].name, "second");

@@ -142,7 +142,7 @@ TEST_F(GrpcServerTest, a_client_is_told_the_kinds_that_it_names_and_no_others) {
     EXPECT_FALSE(told(*some, "counter").has_value());
     none->read([](const client::WorldView& view) {
         EXPECT_TRUE(view.channels().empty());
-        EXPECT_EQ(view.channel_kinds().size(), 2u) << "but knows what there is";
+        EXPECT_EQ(view.channel_kinds().size(), 3u) << "but knows what there is";
     });
 }
 

@@ -5,6 +5,7 @@
 import type { Foresees, Input } from '../connection';
 import type { FrameBuffer, PoseFrame } from '../frame_buffer';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
+import { MOTION } from './motion';
 import type { Picture, Predictor, PredictorStats } from './predictor';
 
 const WRONG_M = 0.05; // a frame that differs by more was foreseen wrongly
@@ -16,6 +17,7 @@ export class Foreseen implements Foresees {
   /** 0: nobody. */
   followed = 0;
   private held = false;
+  private motion: number | undefined; // the kind of channel that says how bodies move
   private wrong = 0; // share of frames
   private frames = 0; // compared so far
   private sinceInput = 0;
@@ -32,7 +34,9 @@ export class Foreseen implements Foresees {
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  begin({ tickHz, gravity }: Welcome): void {
+  begin({ tickHz, gravity, channels }: Welcome): void {
+    const motion = channels.findIndex(({ name }) => name === MOTION);
+    this.motion = motion < 0 ? undefined : motion;
     this.followed = 0;
     this.held = false;
     this.left.clear();
@@ -69,7 +73,7 @@ export class Foreseen implements Foresees {
 
   frame(frame: PoseFrame): void {
     if (this.followed === 0) return;
-    this.try(() => this.predictor.onFrame(frame));
+    this.try(() => this.predictor.onFrame(frame, this.motion));
     this.judge(this.predictor.stats);
     const rests = frame.entities.find(({ id }) => id === this.followed)?.atRest ?? true;
     if (++this.sinceInput > QUIET_FRAMES && !this.held && rests) this.follow(0);
@@ -93,7 +97,7 @@ export class Foreseen implements Foresees {
       if (entity === 0) return;
       this.frames = this.predictor.stats.frames;
       // Two, for velocities.
-      for (const frame of this.buffer.newestTwo) this.predictor.onFrame(frame);
+      for (const frame of this.buffer.newestTwo) this.predictor.onFrame(frame, this.motion);
     });
   }
 

@@ -134,6 +134,22 @@ describe('predictor', () => {
     expect(yard.offMm(yard.us - 600_000)).toBeLessThan(2);
   });
 
+  it('knows from its first frame how fast a body is, where that is told', async () => {
+    const predictor = await Predictor.create(await predictorModule());
+    predictor.begin(60, { x: 0, y: 0, z: 0 });
+    predictor.addBody(box(7, BodyType.DYNAMIC, { x: 0.5, y: 0.5, z: 0.5 }, 10));
+    predictor.follow(7);
+    const entity = { id: 7, position: [0, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false };
+    const told = [{ kind: 4, entity: 7, values: new Int32Array([256, -128, 0, 0, 0, 0]) }]; // 2 and -1 m/s
+    predictor.onFrame(new FrameBuffer().add({ frame: 1, entities: [entity] }, 0, { unitsPerMeter: 512, rotationComponent: 511 }, told), 4);
+    const poses = new Float64Array([0, 0, 0, 0, 0, 0, 1]);
+    const picture = { poses, indexOf: () => 0 };
+    predictor.draw(picture, 1, 0);
+    for (let k = 1; k <= 120; k++) predictor.draw(picture, 61, k * 16_667);
+    expect(poses[0], 'a second later').toBeCloseTo(2, 2);
+    expect(poses[1]).toBeCloseTo(-1, 2);
+  });
+
   it('says what is wrong with a module that is none', async () => {
     await expect(compile(new Uint8Array([1, 2, 3]))).rejects.toThrow(/^predictor\.wasm cannot be loaded: /);
     await expect(compile(Promise.resolve(new Response('', { status: 404 })))).rejects.toThrow('predictor.wasm cannot be loaded: the server answers 404');

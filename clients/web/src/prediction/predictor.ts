@@ -32,6 +32,7 @@ export interface Calls {
   drag(p: Pointer, sequence: number, tick: number, x: number, y: number, z: number): void;
   release(p: Pointer, sequence: number, tick: number): void;
   result(p: Pointer, sequence: number, tick: number, applied: number): void;
+  motions(p: Pointer, bodies: number): number;
   frame(p: Pointer, number: number, bodies: number): number;
   drawn(p: Pointer): number;
   sample(p: Pointer, position: number, nowUs: number, bodies: number): number;
@@ -42,6 +43,8 @@ const WASI = 'wasi_snapshot_preview1';
 const NOT_SUPPORTED = 58; // of WASI's errors
 const FRAME_NUMBERS = 9;
 const DRAWN_NUMBERS = 8;
+const MOTION_NUMBERS = 7;
+
 
 /** What the C++ library asks of a system: the time, and nothing else that it would get. */
 function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
@@ -166,7 +169,15 @@ export class Predictor {
     this.calls.result(this.self, sequence, tick, applied ? 1 : 0);
   }
 
-  onFrame({ frame, entities, poses }: PoseFrame): void {
+  /** `motion`: the number of the kind MOTION (motion.ts), where that is told. */
+  onFrame({ frame, entities, poses, channels }: PoseFrame, motion?: number): void {
+    const motions = channels.filter(({ kind, values }) => kind === motion && values.length === MOTION_NUMBERS - 1);
+    const moves = this.room(motions.length * MOTION_NUMBERS);
+    motions.forEach(({ entity, values }, i) => {
+      moves[i * MOTION_NUMBERS] = entity;
+      moves.set(values, i * MOTION_NUMBERS + 1);
+    });
+    this.calls.motions(this.self, motions.length);
     const numbers = this.room(entities.length * FRAME_NUMBERS);
     for (let i = 0; i < entities.length; i++) {
       const { id, atRest } = entities[i]!;

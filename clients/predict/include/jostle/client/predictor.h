@@ -16,8 +16,9 @@
 //     draw(predictor.sample(me->input_position(now), now_us, me->interpolated(now)));
 //
 // What it foresees: impulses, and what hands hold and drag; not what modules do (cars, characters)
-// nor joints of the scene, for clients are not told of them. Velocities are not told either: where
-// the server disagrees they are estimated from its frames. One thread at a time.
+// nor joints of the scene, for clients are not told of them. Velocities are told to who names
+// motion_channel in ClientOptions::channels, for a few bytes more of each body that is awake; else
+// they are estimated from frames where the server disagrees. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +30,8 @@
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
+
+inline constexpr const char* motion_channel = "jostle.motion";
 
 class Predictor {
 public:

@@ -199,7 +199,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     admission_.emplace(limits_, hello.spectator, now);
     flow_.emplace(context_.config.stream, world->hz(), divider);
     if (hello.interest || hello.max_kbps != 0) {
-        sight_.emplace(hello.max_kbps * 125.0);
+        sight_ = std::make_unique<InterestView>(hello.max_kbps * 125.0);
         if (hello.interest) sight_->look_at(*hello.interest);
     }
     if (hello.events) {
@@ -230,7 +230,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .gravity = world->gravity(),
                     .channels = world->channel_kinds(),
                     .codec = codec_,
-                    .cells = sight_.has_value(),
+                    .cells = sight_ != nullptr,
                     .resume_token = seat_ ? seat_->token : std::string(),
                     .resumed = lost != nullptr,
                     .continues = gone.has_value(),
@@ -395,7 +395,7 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
                                                              context_.config.drain_seconds)));
     }
-    if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, std::nullopt), now);
+    if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
     if (!feed_) {
         if (now - begun_ > from_seconds(limits.hello_seconds)) {
             refuse(Error{ErrorCode::deadline_exceeded,

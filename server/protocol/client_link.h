@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <set>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "base/clock.h"
+#include "base/fifo.h"
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
@@ -141,17 +141,18 @@ private:
 
     PlayContext& context_;
     LinkWatch watch_{context_};
-    std::optional<LinkDelay> delay_;  // nothing: the real link is enough
+    // Few have these, and links are many.
+    std::unique_ptr<LinkDelay> delay_;  // null: the real link is enough
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
     Clock::time_point looked_;  // when timeouts were checked last
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    std::deque<OutMessage> waiting_;   // to send, not yet taken
+    Fifo<OutMessage> waiting_;         // to send, not yet taken
     std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
-    std::optional<Hello> waiting_hello_;  // of one whose old link is to give way first
+    std::unique_ptr<Hello> waiting_hello_;  // of one whose old link is to give way first
 
     // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
@@ -172,14 +173,14 @@ private:
     Private told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
-    std::optional<DatagramLane> lane_;  // nothing: all goes by the stream
-    std::uint32_t told_received_ = 0;   // Private.input_received
+    std::unique_ptr<DatagramLane> lane_;  // null: all goes by the stream
+    std::uint32_t told_received_ = 0;     // Private.input_received
     // Of results since the last datagram; 0: there was none.
     std::uint32_t untold_sequence_ = 0;
     std::int32_t untold_margin_us_ = 0;
     wire::Codec codec_ = wire::Codec::bits;
-    std::optional<InterestView> sight_;  // nothing: it is told of all of the world
-    std::vector<bool> known_entities_;   // by id: what it was told of, when it has a sight
+    std::unique_ptr<InterestView> sight_;  // null: it is told of all of the world
+    std::vector<bool> known_entities_;     // by id: what it was told of, when it has a sight
     bool more_to_tell_ = false;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id

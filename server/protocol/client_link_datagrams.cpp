@@ -31,7 +31,7 @@ void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
         if (looks_like_inputs(message)) wake();  // all else waits for the next frame
     });
     if (!path.ok()) return log_warn("client {}: {}", client_, path.error().message);
-    lane_.emplace(*context_.datagrams, *path);
+    lane_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
     welcome.datagrams = {.port = context_.datagrams->advertised_port(),
                          .ticket = (*path)->ticket()};
 }

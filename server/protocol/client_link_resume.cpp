@@ -137,7 +137,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     if (claim.answer == ResumeDesk::Answer::unknown) return false;
     if (claim.answer == ResumeDesk::Answer::not_yet) {
         if (now - begun_ > give_way_max) return false;
-        waiting_hello_ = hello;
+        waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
     LostClient& lost = *claim.client;
@@ -147,7 +147,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     const auto patience = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= patience) {
         context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
-        waiting_hello_ = hello;
+        waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
     const Status may = world_is_there ? may_resume(hello, lost) : Status();

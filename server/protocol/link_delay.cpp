@@ -51,14 +51,13 @@ std::optional<OutMessage> LinkDelay::take_said(Clock::time_point now, bool at_on
     return take(said_, now, at_once);
 }
 
-std::optional<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
-                                        const std::string& world_name, std::uint32_t number) {
+std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
+                                          const std::string& world_name, std::uint32_t number) {
     const Result<LinkSettings> link = read_link_settings(settings.link);
-    if (!link.ok() || !link->bad()) return std::nullopt;
+    if (!link.ok() || !link->bad()) return nullptr;
     const auto& worlds = settings.link_worlds;
-    if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end())
-        return std::nullopt;
-    return LinkDelay(*link, number);
+    if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end()) return nullptr;
+    return std::make_unique<LinkDelay>(*link, number);
 }
 
 }  // namespace jostle::server

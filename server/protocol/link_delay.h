@@ -7,6 +7,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,8 +50,8 @@ private:
     Way<OutMessage> said_;
 };
 
-// Nothing: clients of that world have the real link. The settings were checked.
-std::optional<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
-                                        const std::string& world_name, std::uint32_t number);
+// Null: clients of that world have the real link. The settings were checked.
+std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
+                                          const std::string& world_name, std::uint32_t number);
 
 }  // namespace jostle::server

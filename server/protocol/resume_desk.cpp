@@ -29,7 +29,8 @@ void ResumeDesk::expect(LostClient client, Clock::time_point until) {
     auto seat = std::make_shared<ResumeSeat>();
     seat->client = client.client;
     const std::lock_guard lock(mutex_);
-    places_[seat->client] = {.seat = seat, .client = std::move(client), .until = until};
+    places_[seat->client] = {
+        .seat = seat, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
 }
 
 std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken* who) {
@@ -44,7 +45,7 @@ std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken*
         seat->token.resize(token_bytes);
         if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
     }
-    places_[client] = {.seat = seat, .client = std::nullopt};
+    places_[client] = {.seat = seat, .client = nullptr};
     return seat;
 }
 
@@ -57,7 +58,7 @@ void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time
     const std::lock_guard lock(mutex_);
     const auto at = places_.find(seat.client);
     if (at == places_.end()) return;
-    at->second.client = std::move(client);
+    at->second.client = std::make_unique<LostClient>(std::move(client));
     at->second.until = until;
 }
 
@@ -90,9 +91,10 @@ ResumeDesk::Claim ResumeDesk::claim(std::string_view token, WallTime now) {
     if (!found) return {};
     found->seat->is_wanted = !found->client;
     if (!found->client) return {.answer = Answer::not_yet, .seat = nullptr, .client = {}};
+    const std::unique_ptr<LostClient> client = std::exchange(found->client, nullptr);
     return {.answer = Answer::here,
             .seat = found->seat,
-            .client = std::exchange(found->client, std::nullopt),
+            .client = std::move(*client),
             .until = found->until};
 }
 
@@ -120,7 +122,7 @@ std::optional<LostClient> ResumeDesk::take_oldest(const std::string& network) {
         if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
     }
     if (oldest == places_.end()) return std::nullopt;
-    std::optional<LostClient> client = std::move(oldest->second.client);
+    std::optional<LostClient> client = std::move(*oldest->second.client);
     places_.erase(oldest);
     return client;
 }

@@ -97,7 +97,7 @@ public:
 private:
     struct Place {
         std::shared_ptr<ResumeSeat> seat;
-        std::optional<LostClient> client;  // nothing: its link is there
+        std::unique_ptr<LostClient> client;  // null: its link is there
         Clock::time_point until{};
     };
 

@@ -6,11 +6,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "base/fifo.h"
 #include "host/command.h"
 #include "host/frame.h"
 
@@ -58,9 +58,9 @@ private:
     };
 
     std::uint32_t acked_ = 0;
-    std::deque<Sent> sent_;     // rising, from the acknowledged one on
-    std::deque<Told> lists_;    // in order; the first one is what the client has for certain
-    std::deque<Shape> shapes_;  // in order
+    Fifo<Sent> sent_;     // rising, from the acknowledged one on
+    Fifo<Told> lists_;    // in order; the first one is what the client has for certain
+    Fifo<Shape> shapes_;  // in order
 };
 
 }  // namespace jostle::server

@@ -8,8 +8,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 
+#include "base/fifo.h"
 #include "replication/baseline_tracker.h"
 
 namespace jostle::server {
@@ -37,7 +37,7 @@ private:
         bool acked = false;
     };
     std::uint32_t last_sent_ = 0;
-    std::deque<Sent> sent_;  // rising; at most as many as the client keeps
+    Fifo<Sent> sent_;  // rising; at most as many as the client keeps
 };
 
 }  // namespace jostle::server

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 
+#include "base/fifo.h"
 #include "replication/snapshot_cache.h"
 
 namespace jostle::server {
@@ -30,7 +30,7 @@ public:
     std::uint32_t last() const { return sent_.empty() ? 0 : sent_.back(); }
 
 private:
-    std::deque<std::uint32_t> sent_;  // rising; at most as many as the client keeps
+    Fifo<std::uint32_t> sent_;  // rising; at most as many as the client keeps
 };
 
 }  // namespace jostle::server

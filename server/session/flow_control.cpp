@@ -85,7 +85,7 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_
     learn_round_trip(sent, rtt, now);
     int delivered = 0;
     for (auto flight = flights_.begin(); flight <= at; ++flight) delivered += flight->messages;
-    flights_.erase(flights_.begin(), at + 1);
+    flights_.pop_front(static_cast<std::size_t>(at + 1 - flights_.begin()));
     in_flight_ -= delivered;
     if (flights_.empty()) probing_ = false;
 

@@ -13,9 +13,9 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 
 #include "base/clock.h"
+#include "base/fifo.h"
 #include "config/config.h"
 
 namespace jostle::server {
@@ -73,7 +73,7 @@ private:
     const double full_rate_;
     double rate_, delivered_rate_ = 0;  // as of the last round
     int window_learned_;                // grows with what is acknowledged; for the first moments
-    std::deque<Flight> flights_;
+    Fifo<Flight> flights_;
     int in_flight_ = 0, others_ = 0;  // messages; since the last snapshot
     double rtt_s_ = 0, rtt_min_s_ = 0;
     bool measured_ = false;

@@ -54,6 +54,11 @@ public:
         link_.on_peer_closed(now_);
         expect(link_.end().has_value(), "who hangs up has ended the conversation");
         expect(!link_.take_message(now_), "nobody is there to be told");
+        // A place that is kept for it is kept for so long.
+        now_ += std::chrono::seconds(1) +
+                std::chrono::ceil<std::chrono::seconds>(
+                    std::chrono::duration<double>(server_.context.config.client.resume_seconds));
+        server::end_lost_clients(server_.context, now_);
         expect(server_.sessions.clients() == 0, "who has gone is not counted");
     }
 

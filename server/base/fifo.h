@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// A queue of few items, of which a server has several for each client: it has no memory while
+// nothing was ever in it, and little while little is. (std::deque begins with 576 bytes.)
+// References are good until the next change.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace jostle::server {
+
+template <class T>
+class Fifo {
+public:
+    bool empty() const { return first_ == items_.size(); }
+    std::size_t size() const { return items_.size() - first_; }
+    T& front() { return items_[first_]; }
+    const T& front() const { return items_[first_]; }
+    const T& back() const { return items_.back(); }
+    const T& operator[](std::size_t place) const { return items_[first_ + place]; }
+    auto begin() { return items_.begin() + offset(); }
+    auto end() { return items_.end(); }
+    auto begin() const { return items_.begin() + offset(); }
+    auto end() const { return items_.end(); }
+    auto rbegin() const { return items_.rbegin(); }
+    auto rend() const { return items_.rend() - offset(); }
+
+    void push_back(T item) { items_.push_back(std::move(item)); }
+    void pop_back() { items_.pop_back(); }
+    void pop_front(std::size_t count = 1) {
+        for (; count > 0; count--) items_[first_++] = T();  // what it held is let go of at once
+        if (empty())
+            clear();
+        else if (first_ >= items_.size() / 2)
+            items_.erase(items_.begin(), std::exchange(first_, 0) + items_.begin());
+    }
+    void clear() {
+        first_ = 0;
+        items_.clear();
+        if (items_.capacity() > kept) items_ = {};
+    }
+
+private:
+    static constexpr std::size_t kept = 64;  // items; after a flood its memory is given back
+
+    std::ptrdiff_t offset() const { return static_cast<std::ptrdiff_t>(first_); }
+
+    std::vector<T> items_;  // those before first_ are gone
+    std::size_t first_ = 0;
+};
+
+}  // namespace jostle::server

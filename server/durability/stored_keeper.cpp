@@ -180,22 +180,23 @@ bool StoredKeeper::wants_moment() const {
            Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_seconds);
 }
 
-void StoredKeeper::keep(WorldMoment moment) {
+void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
-    const Taken taken{moment.tick, Clock::now()};
+    const Taken taken{tick, Clock::now()};
     const std::uint64_t sequence = place_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
     taken_at_ = taken.at;
     checkpoint_waits_ = true;
-    // The bodies are copied once, here, and turned into bytes elsewhere.
-    auto shared = std::make_shared<WorldMoment>(std::move(moment));
-    checkpoints_.push([self = shared_from_this(), shared, taken, sequence] {
-        Result<CheckpointImage> image = encode_checkpoint(*shared);
-        {
+    checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
+        std::optional<WorldMoment> moment = taker->take();
+        Result<CheckpointImage> image =
+            moment ? encode_checkpoint(*moment)
+                   : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
+        if (moment) {
             const std::lock_guard lock(self->mutex_);
-            self->spare_point_ = std::move(shared->bodies);
+            self->spare_point_ = std::move(moment->bodies);
         }
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
@@ -224,7 +225,9 @@ physics::RestorePoint StoredKeeper::spare_point() {
 
 void StoredKeeper::end(std::optional<WorldMoment> moment) {
     flush();
-    if (moment && !trouble()) keep(*std::move(moment));
+    if (!moment || trouble()) return;
+    auto kept = std::make_shared<WorldMoment>(*std::move(moment));
+    keep(kept->tick, std::make_shared<MomentTaker>([kept] { return std::move(*kept); }));
 }
 
 // On the writer's thread.

@@ -84,6 +84,7 @@ void WorldHost::stop() {
     close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
+    if (taken_) taken_->finish();
     if (keeper_ && !failed() && !forgotten_ && !ended_)
         keeper_->end(cut_short_ ? std::nullopt : std::optional(moment()));
     ended_ = true;
@@ -188,6 +189,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
     watch_.begin_tick(began);
+    if (taken_) std::exchange(taken_, nullptr)->finish();
     tick_++;
     const std::optional<std::string> why = paused();
     const std::optional<Error> refusal = why_no_inputs(why);
@@ -215,6 +217,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     steps_.end_tick();
     visits_.admit(world_);
     watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
+    hand_over_moment();
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
@@ -362,7 +365,16 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
         if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
     keeper_->on_shown(step_ms, std::move(results));
-    if (!cut_short_ && keeper_->wants_moment()) keeper_->keep(moment());
+}
+
+// The last thing in a tick: from here on others read the world, until the next one begins.
+void WorldHost::hand_over_moment() {
+    if (!keeper_ || cut_short_ || !keeper_->wants_moment()) return;
+    auto taken = std::make_shared<MomentTaker>([this] { return moment(); });
+    keeper_->keep(tick_, taken);
+    if (taken.use_count() == 1) return;          // it is of no use now
+    if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between
+    taken_ = std::move(taken);
 }
 
 }  // namespace jostle::server

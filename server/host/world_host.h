@@ -163,6 +163,7 @@ private:
     // Hands the results of this tick, and now and then the world, to who keeps it.
     void keep_shown(double step_ms, bool answered);
     WorldMoment moment() const;
+    void hand_over_moment();
     std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);
     void record_events();
@@ -181,6 +182,7 @@ private:
 
     HostedWorld world_;  // the tick thread's own
     const std::shared_ptr<WorldKeeper> keeper_;
+    std::shared_ptr<MomentTaker> taken_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;
     bool cut_short_ = false;  // the last step, by the world's end

@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "host/host_image.h"
 #include "host/journaled_command.h"
+#include "host/moment_taker.h"
 #include "host/result_queue.h"
-#include "jostle/physics/restore_point.h"
 
 namespace jostle::server {
 
@@ -26,13 +25,6 @@ struct KeptTick {
     std::uint32_t tick = 0;
     bool steps = true;                       // false: the world stands still
     std::vector<JournaledCommand> commands;  // in the order in which they were applied
-};
-
-// A world after a tick, taken in between two.
-struct WorldMoment {
-    std::uint32_t tick = 0;
-    physics::RestorePoint bodies;
-    HostImage image;
 };
 
 // Of one world. On its thread, but for trouble().
@@ -53,8 +45,8 @@ public:
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.
     virtual bool wants_moment() const = 0;
-    virtual void keep(WorldMoment moment) = 0;
-    // One that was used before, if there is one: it takes a quarter of the time.
+    virtual void keep(std::uint32_t tick, std::shared_ptr<MomentTaker> moment) = 0;
+    // Any thread: one that was used before, if there is one: it takes a quarter of the time.
     virtual physics::RestorePoint spare_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut
     // short by that, and is to be done again as a whole.

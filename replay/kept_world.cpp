@@ -14,13 +14,13 @@ namespace jostle::replay {
 using server::RecoveredWorld;
 
 Result<std::vector<server::StoredWorld>> KeptWorld::list(const std::string& file) {
-    auto store = server::SqliteStore::open(file, {});
+    auto store = server::SqliteStore::open(file, {.make = false});
     if (!store.ok()) return store.error();
     return (*store)->worlds();
 }
 
 Result<KeptWorld> KeptWorld::open(const std::string& file, const std::string& world) {
-    auto store = server::SqliteStore::open(file, {});
+    auto store = server::SqliteStore::open(file, {.make = false});
     if (!store.ok()) return store.error();
     const auto all = (*store)->worlds();
     if (!all.ok()) return all.error();

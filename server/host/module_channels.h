@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the modules of a world tell clients, tick by tick. A channel that says what it said before
+// What the modules of a world tell clients, tick by tick, and how its bodies move while somebody
+// asks. A channel that says what it said before
 // keeps the same values, so that who compares frames compares pointers. Owned by HostedWorld; one
 // thread.
 #pragma once

@@ -2,6 +2,7 @@
 #include "persistence/sqlite_database.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -40,11 +41,21 @@ Error error_of(sqlite3* handle) {
     return {code_of(sqlite3_extended_errcode(handle)), sqlite3_errmsg(handle)};
 }
 
-// SQLite would make it readable for all whom the umask lets.
-Status make_file(const std::string& path) {
-    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (file < 0) return Error{ErrorCode::unavailable, std::strerror(errno)};
+// SQLite would make it readable for all whom the umask lets. And it takes what is shorter than the
+// smallest page for an empty file, and writes over it.
+Status make_file(const std::string& path, bool make) {
+    constexpr off_t smallest_page = 512;
+    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0600);
+    if (file < 0)
+        return Error{errno == ENOENT && !make ? ErrorCode::not_found : ErrorCode::unavailable,
+                     std::strerror(errno)};
+    struct stat about {};
+    const bool is_known = ::fstat(file, &about) == 0;
     ::close(file);
+    const bool is_short = is_known && about.st_size > 0 && about.st_size < smallest_page;
+    // ... unless it was writing it when it was killed: then the journal is beside it.
+    if (is_short && ::access((path + "-journal").c_str(), F_OK) != 0)
+        return Error{ErrorCode::corrupt_data, "file is not a database"};
     return {};
 }
 
@@ -97,8 +108,9 @@ std::uint64_t SqliteStatement::number(int column) const {
     return static_cast<std::uint64_t>(sqlite3_column_int64(statement_.get(), column));
 }
 
-Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char* file_system) {
-    if (Status made = make_file(path); !made.ok()) return made.error();
+Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char* file_system,
+                                            bool make) {
+    if (Status made = make_file(path, make); !made.ok()) return made.error();
     sqlite3* handle = nullptr;
     const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
     const int code = sqlite3_open_v2(path.c_str(), &handle, flags, file_system);

@@ -37,7 +37,8 @@ private:
 
 class SqliteDatabase {
 public:
-    static Result<SqliteDatabase> open(const std::string& path, const char* file_system);
+    // `make`: the file, if there is none.
+    static Result<SqliteDatabase> open(const std::string& path, const char* file_system, bool make);
 
     Status execute(const char* statements);
     Result<SqliteStatement> prepare(std::string_view statement);

@@ -286,7 +286,7 @@ Status take_file(SqliteDatabase& database, Durability durability) {
 
 Result<std::unique_ptr<SqliteStore>> SqliteStore::open(const std::string& path,
                                                        const SqliteStoreOptions& options) {
-    Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system);
+    Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.make);
     if (!opened.ok()) return named(path, opened.error());
     if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));

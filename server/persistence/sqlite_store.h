@@ -19,13 +19,14 @@ enum class Durability {
 
 struct SqliteStoreOptions {
     Durability durability = Durability::machine;
+    bool make = true;  // the file, mode 0600, if there is none
     // Of SQLite's own file systems; null: the usual one. For tests of disks that fail.
     const char* file_system = nullptr;
 };
 
 class SqliteStore : public WorldStore {
 public:
-    // Makes the file, mode 0600, if there is none. failed_precondition: another process has it
+    // not_found: there is none, and none is to be made. failed_precondition: another process has it
     // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.
     static Result<std::unique_ptr<SqliteStore>> open(const std::string& path,
                                                      const SqliteStoreOptions& options);

@@ -151,6 +151,10 @@ TEST(KeptWorld, what_is_not_there_is_named_with_what_is) {
     play(folder / "worlds.db", false);
     EXPECT_EQ(error_of(KeptWorld::open(folder / "worlds.db", "field")).message,
               folder / "worlds.db has no world \"field\"; it has yard");
+    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).message,
+              folder / "world.db: No such file or directory");
+    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).code, ErrorCode::not_found)
+        << "and looking for it did not make it";
 }
 
 }  // namespace

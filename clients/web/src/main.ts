@@ -85,12 +85,12 @@ const told: Events = {
 // ?delay=80&jitter=20&stalls=250: as over a bad link.
 const badLink = linkOf(location.search);
 const open = badLink ? overLink(openSocket, badLink) : openSocket;
-// ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 // What is played instead of a live world.
 let recorded: RecordedStream | undefined;
 // ?predict=1: what a hand holds or a push hits answers at once.
 const predicts = new URLSearchParams(location.search).get('predict') === '1';
 const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
+// ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, sightOf(location.search));
 let foreseen: Foreseen | undefined;
 async function foresee(): Promise<void> {

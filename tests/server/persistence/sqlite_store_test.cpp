@@ -148,6 +148,9 @@ TEST(SqliteStore, files_of_others_are_refused_with_their_names) {
     EXPECT_EQ(error_of(SqliteStore::open(folder / "no/such/folder.db", {})).code,
               ErrorCode::unavailable);
     EXPECT_EQ(folder.read("notes.txt"), std::string(2000, 'n')) << "and are left as they are";
+    const std::string few = folder.write("few.txt", "to do");
+    EXPECT_EQ(error_of(SqliteStore::open(few, {})).message, few + ": file is not a database");
+    EXPECT_EQ(folder.read("few.txt"), "to do") << "also those that SQLite takes for empty";
 
     sqlite3* other = nullptr;
     sqlite3_open((folder / "other.db").c_str(), &other);

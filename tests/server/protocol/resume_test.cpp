@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "played_link.h"
@@ -78,6 +79,25 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
     EXPECT_EQ(bodies_of(*world, id), 3);
     EXPECT_EQ(entities_known(player), entities_there());
     EXPECT_EQ(server.sessions.clients(), 1);
+}
+
+// Another host goes on with a world in which two played; one of them is there no more.
+TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there_stays) {
+    PlayedLink player(server, {.name = "player"});
+    player.conversation.send(falling_ball(0));
+    run(player, 20);
+    const ClientId here = player.conversation.stats().client_id, gone = here + 1;
+    SpawnCommand ball;
+    ball.shape.geometry = physics::Sphere{0.3};
+    ball.pose.position = {3, 9, 3};
+    world->push({.client = gone, .sequence = 1, .action = ball, .reply = nullptr});
+    run(player, 2);
+    ASSERT_EQ(bodies_of(*world, here), 1);
+    ASSERT_EQ(bodies_of(*world, gone), 1);
+    settle_clients(server.context, *world, std::array{here, gone});
+    run(player, 2);
+    EXPECT_EQ(bodies_of(*world, here), 1);
+    EXPECT_EQ(bodies_of(*world, gone), 0);
 }
 
 TEST_F(ResumeTest, who_stays_away_too_long_has_left) {

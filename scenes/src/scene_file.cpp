@@ -16,6 +16,7 @@
 #include "joint_message.h"
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/catalog.h"
+#include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
 #include "json_place.h"
@@ -37,24 +38,6 @@ constexpr std::size_t name_bytes_max = 64;
 constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
-
-constexpr struct {
-    AxisLocks bit;
-    bool (v1::Locks::*get)() const;
-    void (v1::Locks::*set)(bool);
-} lock_fields[] = {{lock_x, &v1::Locks::x, &v1::Locks::set_x},
-                   {lock_y, &v1::Locks::y, &v1::Locks::set_y},
-                   {lock_z, &v1::Locks::z, &v1::Locks::set_z},
-                   {lock_rotation_x, &v1::Locks::turn_x, &v1::Locks::set_turn_x},
-                   {lock_rotation_y, &v1::Locks::turn_y, &v1::Locks::set_turn_y},
-                   {lock_rotation_z, &v1::Locks::turn_z, &v1::Locks::set_turn_z}};
-
-AxisLocks locks_of(const v1::Locks& m) {
-    AxisLocks locks = 0;
-    for (const auto& field : lock_fields)
-        if ((m.*field.get)()) locks = static_cast<AxisLocks>(locks | field.bit);
-    return locks;
-}
 
 // Reads one message, noting the first fault.
 class Reader : public FieldReader {
@@ -223,8 +206,7 @@ void write_body(v1::Body& out, const SceneBody& body) {
     if (!b.sleep_allowed) out.set_may_sleep(false);
     if (!b.continuous) out.set_continuous(false);
     if (b.mass > 0) out.set_mass(b.mass);
-    for (const auto& field : lock_fields)
-        if ((b.locks & field.bit) != 0) (out.mutable_locks()->*field.set)(true);
+    if (b.locks != 0) *out.mutable_locks() = locks_message(b.locks);
     if (body.color) out.set_color(*body.color);
     for (const ShapeDef& def : body.shapes) write_shape(*out.add_shapes(), def);
 }

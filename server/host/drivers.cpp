@@ -59,6 +59,19 @@ void Drivers::release_body(World& world, BodyId body) {
     if (at != driven_.end()) release(world, at->first);
 }
 
+std::vector<DrivenState> Drivers::told(World& world, const modules::NameOfBody& name_of) const {
+    std::vector<DrivenState> states;
+    for (const auto& [client, body] : driven_) {
+        Module* const module = module_that_drives(world, body);
+        if (module == nullptr) continue;
+        auto words = modules::tell_driven(world, *module, body, name_of);
+        if (words)
+            states.push_back(
+                {client, name_of(body), std::string(module->tag()), *std::move(words)});
+    }
+    return states;
+}
+
 void Drivers::write(HostImage& image) const {
     for (const auto& [client, body] : driven_) image.driven.push_back({client, body});
 }

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "host/command.h"
+#include "host/frame.h"
 #include "host/host_image.h"
+#include "jostle/modules/driven.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
@@ -25,6 +27,9 @@ public:
     // The body's controls are as if nobody held them.
     void release(physics::World& world, ClientId client);
     void release_body(physics::World& world, physics::BodyId body);
+
+    // What is driven, for clients that foresee it.
+    std::vector<DrivenState> told(physics::World& world, const modules::NameOfBody& name_of) const;
 
     void write(HostImage& image) const;
     void restore(const HostImage& image);

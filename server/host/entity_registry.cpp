@@ -32,6 +32,11 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
             std::max(description->reach, reach_of(world, shape, state.pose.position));
     }
     description->mass = state.mass;
+    const physics::BodyDef def = *world.definition(body);
+    description->linear_damping = def.linear_damping;
+    description->angular_damping = def.angular_damping;
+    description->gravity_scale = def.gravity_scale;
+    description->locks = def.locks;
     description->drivable = can_be_driven(world, body);
     return description;
 }

@@ -27,12 +27,22 @@ struct EntityDescription {
     std::string name;
     double mass = 0;        // kg
     bool drivable = false;  // a module lets somebody drive it
-    double reach = 0;       // m from its origin to its furthest corner; infinite for planes
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    physics::AxisLocks locks = 0;
+    double reach = 0;  // m from its origin to its furthest corner; infinite for planes
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers
 // mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
+
+// What somebody drives, as jostle/modules/driven.h tells it.
+struct DrivenState {
+    ClientId client = 0;
+    EntityId entity = 0;
+    std::string module;  // its tag
+    std::vector<std::uint32_t> words;
+};
 
 struct Frame {
     std::uint32_t tick = 0;  // from 1
@@ -50,6 +60,8 @@ struct Frame {
     // What modules tell clients; null: nothing. One that says the same as in the frame before has
     // the same values.
     std::shared_ptr<const Channels> channels;
+    // Of this tick, while a client is there who simulates; null: nothing is driven.
+    std::shared_ptr<const std::vector<DrivenState>> driven;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick: the solver alone
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

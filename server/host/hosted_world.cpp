@@ -221,6 +221,12 @@ void HostedWorld::copy_into(Frame& frame) {
     if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
     frame.channels = told_ = channels_.channels();
+    if (tells_driven_) {
+        auto driven = state_.drivers.told(
+            state_.world, [this](BodyId body) { return state_.entities.living(body); });
+        if (!driven.empty())
+            frame.driven = std::make_shared<const std::vector<DrivenState>>(std::move(driven));
+    }
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;
 }

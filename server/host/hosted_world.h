@@ -58,6 +58,8 @@ public:
     Status step(double dt, std::uint32_t tick = 1);
     // Whether its frames say how bodies move (module_channels.h).
     void tell_motion(bool wanted) { channels_.tell_motion(wanted); }
+    // Whether they say what is driven.
+    void tell_driven(bool wanted) { tells_driven_ = wanted; }
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
@@ -101,6 +103,7 @@ private:
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;
+    bool tells_driven_ = false;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
     bool keeps_journal_ = false;

@@ -112,7 +112,7 @@ void ModuleChannels::add_motion(const physics::World& world,
     constexpr double most = 1 << 30;
     world.copy_awake_bodies(bodies_);
     for (const physics::BodyState& body : bodies_) {
-        if (body.type != physics::BodyType::dynamic) continue;
+        if (body.type == physics::BodyType::static_body) continue;
         auto values = std::make_shared<std::vector<std::int32_t>>();
         values->reserve(6);
         for (const physics::Vec3& v : {body.linear_velocity, body.angular_velocity})

@@ -44,6 +44,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       hz_(scene_->hz),
       work_per_second_(start.world.work_per_second()),
       gravity_(scene_->world.gravity),
+      substeps_(scene_->world.tolerance > 0 ? 0 : scene_->world.substeps),
       epoch_(Clock::now() - from_seconds((start.tick - 1) / hz_)),
       first_tick_(start.tick),
       channel_kinds_(start.world.channel_kinds()),
@@ -261,6 +262,7 @@ InputResult WorldHost::answer(const Command& command, const std::optional<Error>
 
 bool WorldHost::step(bool allowed) {
     world_.tell_motion(motion_listeners_.load() > 0);
+    world_.tell_driven(driven_listeners_.load() > 0);
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
     // The journal has a step there.

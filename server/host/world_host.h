@@ -96,6 +96,9 @@ public:
     // Likewise, of how bodies move (module_channels.h).
     void add_motion_listener() { motion_listeners_++; }
     void remove_motion_listener() { motion_listeners_--; }
+    // Likewise, of what is driven.
+    void add_driven_listener() { driven_listeners_++; }
+    void remove_driven_listener() { driven_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
     // Any thread: ... by an error.
@@ -142,6 +145,8 @@ public:
     std::uint32_t kept_since() const { return keeper_ ? keeper_->oldest_tick() : 0; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
+    // Of a step; 0: each island takes as many as it needs.
+    int substeps() const { return substeps_; }
     // When tick 0 would have been due, on the server's clock.
     std::uint64_t epoch_us() const { return to_us(epoch_); }
     // What its modules tell clients: a channel's kind is a place in this list.
@@ -175,6 +180,7 @@ private:
     const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
+    const int substeps_;
     const Clock::time_point epoch_;
     const std::uint32_t first_tick_;
     const std::vector<physics::ChannelKind> channel_kinds_;
@@ -203,7 +209,7 @@ private:
     StepAllowance steps_;
     TickWatch watch_;
     WorldVisits visits_;
-    std::atomic<int> event_listeners_{0}, motion_listeners_{0};
+    std::atomic<int> event_listeners_{0}, motion_listeners_{0}, driven_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
     std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false},

@@ -208,6 +208,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     }
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
     const std::uint64_t motion = motion_bit(world->channel_kinds());
+    wants_driven_ = (channel_kinds_ & motion) != 0;
+    if (wants_driven_) world->add_driven_listener();
     // That is of all bodies, and such a client is told of some.
     if (sight_) channel_kinds_ &= ~motion;
     wants_motion_ = (channel_kinds_ & motion) != 0;
@@ -228,6 +230,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .server_time_us = to_us(now),
                     .epoch_us = world->epoch_us(),
                     .gravity = world->gravity(),
+                    .substeps = world->substeps(),
                     .channels = world->channel_kinds(),
                     .codec = codec_,
                     .cells = sight_ != nullptr,
@@ -361,6 +364,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     watch_.left();
     if (wants_events_) feed_->host().remove_event_listener();
     if (wants_motion_) feed_->host().remove_motion_listener();
+    if (wants_driven_) feed_->host().remove_driven_listener();
     if (lost) {
         keep_place(*lost);
     } else {

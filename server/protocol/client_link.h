@@ -136,6 +136,7 @@ private:
     Private own_part();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
     std::string take_events(const Frame& frame);
+    std::string take_driven(const Frame& frame);
     void tell_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
@@ -185,10 +186,16 @@ private:
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
-    bool wants_events_ = false, wants_motion_ = false;
-    std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
-    std::uint32_t events_missed_ = 0;  // since the last that were sent
-    std::uint32_t seen_tick_ = 0;      // newest frame that was decided on
+    bool wants_events_ = false, wants_motion_ = false, wants_driven_ = false;
+    struct ToldDriven {
+        EntityId entity = 0;
+        std::uint32_t tick = 0;
+        std::vector<std::uint32_t> words;
+    };
+    std::unique_ptr<ToldDriven> told_driven_;  // null: nothing yet
+    std::uint32_t event_cursor_ = 0;           // as RecentEvents counts; sent or missed
+    std::uint32_t events_missed_ = 0;          // since the last that were sent
+    std::uint32_t seen_tick_ = 0;              // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
     std::optional<Clock::time_point> writing_since_;  // what the client does not take

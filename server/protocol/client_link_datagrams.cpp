@@ -109,7 +109,7 @@ std::optional<OutMessage> ClientLink::take_news(Clock::time_point now) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
-    const std::string more = take_stats(frame, now) + take_events(*frame);
+    const std::string more = take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
     OutMessage message{encode_snapshot_head(own_part(), more, 0), nullptr};
     if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);

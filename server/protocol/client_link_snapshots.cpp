@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
+constexpr double driven_per_second = 16;
 constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 
 std::int32_t within_margins(std::int64_t margin_us) {
@@ -165,6 +167,21 @@ std::string ClientLink::take_events(const Frame& frame) {
     return fields;
 }
 
+// A field with what the client drives, if it foresees that, or nothing when it is too early for the
+// next.
+std::string ClientLink::take_driven(const Frame& frame) {
+    if (!wants_driven_ || !frame.driven) return {};
+    const auto mine = std::ranges::find(*frame.driven, client_, &DrivenState::client);
+    if (mine == frame.driven->end() || mine->entity == 0) return {};
+    const bool whole = !told_driven_ || told_driven_->entity != mine->entity;
+    const double every = std::max(1.0, std::round(feed_->host().hz() / driven_per_second));
+    if (!whole && frame.tick < told_driven_->tick + static_cast<std::uint32_t>(every)) return {};
+    if (!told_driven_) told_driven_ = std::make_unique<ToldDriven>();
+    std::string field = encode_driven_field(*mine, frame.tick, told_driven_->words, whole);
+    *told_driven_ = {mine->entity, frame.tick, mine->words};
+    return field;
+}
+
 // Shapes before the bodies that have them, each once in a stream.
 void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
     const auto messages = feed_->entity_list_change(entity_list_, entities);
@@ -210,7 +227,7 @@ OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now,
     SharedBytes shared =
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
                                     sight_ ? std::nullopt : std::optional(codec_));
-    more += take_stats(frame, now) + take_events(*frame);
+    more += take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
     OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
     watch_.answered(results_);

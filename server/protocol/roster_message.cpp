@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 
@@ -43,6 +44,14 @@ v1::BodyType to_message(physics::BodyType type) {
     return v1::BODY_TYPE_UNSPECIFIED;
 }
 
+// Then its mass says all of where its mass is.
+bool has_one_density(const EntityDescription& entity) {
+    return entity.shapes.size() == 1 ||
+           std::ranges::all_of(entity.shapes, [&](const physics::ShapeState& shape) {
+               return shape.mass == 0 && shape.density == entity.shapes.front().density;
+           });
+}
+
 // Fills one roster after the other.
 class RosterWriter {
 public:
@@ -56,12 +65,18 @@ public:
         v1::Entity& to = *roster().add_added();
         to.set_id(entity.id);
         to.set_type(to_message(entity.type));
-        for (const physics::ShapeState& shape : entity.shapes) write(*to.add_shapes(), shape);
+        const bool even = has_one_density(entity);
+        for (const physics::ShapeState& shape : entity.shapes)
+            write(*to.add_shapes(), shape, !even);
         to.set_owner(entity.owner);
         if (entity.color) to.set_color(*entity.color);
         to.set_name(entity.name);
         to.set_mass(entity.mass);
         to.set_drivable(entity.drivable);
+        to.set_linear_damping(entity.linear_damping);
+        to.set_angular_damping(entity.angular_damping);
+        if (entity.gravity_scale != 1) to.set_gravity_scale(entity.gravity_scale);
+        if (entity.locks != 0) *to.mutable_locks() = scenes::locks_message(entity.locks);
         count(to.ByteSizeLong() + frame_bytes);
     }
     RosterMessages take() {
@@ -76,10 +91,14 @@ private:
     v1::Roster& roster() { return *message_.mutable_roster(); }
 
     // What a viewer draws, where it is and how big, and what decides its touch.
-    void write(v1::Shape& to, const physics::ShapeState& shape) {
+    void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
         const auto large = table_.find_or_add(shape.geometry);
         scenes::write_outline(to, large ? physics::Geometry{} : shape.geometry, shape.pose);
         scenes::write_touch(to, physics::def_of(shape));
+        if (with_mass && shape.mass > 0)
+            to.set_mass(shape.mass);
+        else if (with_mass)
+            to.set_density(shape.density);
         if (!large) return;
         to.set_geometry(large->id);
         if (std::ranges::find(out_.geometry, large) == out_.geometry.end())

@@ -4,6 +4,7 @@
 #include "jostle/v1/play.pb.h"
 #include "protocol/message_head.h"
 #include "protocol/vector_message.h"
+#include "wire/word_changes.h"
 
 namespace jostle::server {
 
@@ -74,6 +75,7 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_epoch_us(from.epoch_us);
     welcome.set_cells(from.cells);
     write_vector(*welcome.mutable_gravity(), from.gravity);
+    welcome.set_substeps(static_cast<std::uint32_t>(from.substeps));
     for (const physics::ChannelKind& kind : from.channels) {
         v1::ChannelKind& to = *welcome.add_channels();
         to.set_name(kind.name);
@@ -147,6 +149,22 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
         snapshot.set_channels_crc(told.crc);
     }
     return snapshot.SerializeAsString();
+}
+
+std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool whole) {
+    if (whole) before = {};
+    wire::WordChanges changes = wire::changes_between(before, driven.words);
+    v1::Snapshot fields;
+    v1::Driven& to = *fields.mutable_driven();
+    to.set_entity(driven.entity);
+    to.set_module(driven.module);
+    to.set_tick(tick);
+    to.set_words(static_cast<std::uint32_t>(driven.words.size()));
+    to.set_whole(whole);
+    to.set_changed(std::move(changes.changed));
+    to.set_values(std::move(changes.values));
+    return fields.SerializeAsString();
 }
 
 std::string encode_cell_field(const EncodedCell& from) {

@@ -28,6 +28,7 @@ struct Welcome {
     wire::QuantSpec quant;
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
+    int substeps = 0;
     std::vector<physics::ChannelKind> channels;
     wire::Codec codec = wire::Codec::bits;
     bool cells = false;
@@ -67,6 +68,10 @@ struct Private {
 };
 // Fields of jostle.v1.Snapshot that some get with it.
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
+
+// What the client drives, against the words that it was told last; `whole`: against none.
+std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool whole);
 
 // The fields of jostle.v1.Snapshot that all clients share.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);

@@ -54,7 +54,7 @@ FLOORS = {
     "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
     "server/persistence": ["server/base"],
     "server/datagram": ["server/base", "server/config", "server/telemetry", "proto/datagram"],
-    "server/host": ["modules/destruction", "modules/fields", "modules/hand", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
+    "server/host": ["modules/destruction", "modules/fields", "modules/hand", "modules/module_base", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/durability": ["server/base", "server/telemetry", "server/config", "server/persistence", "server/host", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
@@ -64,7 +64,7 @@ FLOORS = {
     "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/durability", "server/persistence", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/datagram", "proto/status", "generated"],
-    "clients/predict": ["clients/cpp", "modules/hand", "scenes/include", PUBLIC, "proto/wire", "generated"],
+    "clients/predict": ["clients/cpp", "modules/character", "modules/hand", "modules/module_base", "modules/vehicle", "scenes/include", PUBLIC, "proto/wire", "generated"],
     "clients/recording": ["clients/cpp", "proto/wire", "generated"],
     "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
     "clients/replay": ["clients/cpp", "clients/recording", "clients/ctl", "proto/wire", "generated"],
@@ -80,7 +80,7 @@ WORLD = "jostle/physics/world.h"
 MAY_INCLUDE_WORLD = ("server/host", "server/durability")
 # Only scenes/src/scene_* knows the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
-                       "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
+                       "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp", "scenes/src/locks_message.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
 SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "replay", "server", "clients",

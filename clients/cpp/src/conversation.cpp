@@ -131,6 +131,9 @@ void Conversation::on_message(Clock::time_point now) {
             view_.apply(message_.roster());
             break;
         case v1::ServerMessage::kSnapshot:
+            if (message_.snapshot().has_driven())
+                // What cannot be read is not foreseen.
+                static_cast<void>(view_.apply(message_.snapshot().driven()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
             inputs_.confirm(message_.snapshot().own().input_received(), now);
             // These stand by themselves, whatever became of the poses.

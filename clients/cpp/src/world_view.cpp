@@ -7,6 +7,7 @@
 #include "jostle/client/clock_sync.h"
 #include "seen_cells.h"
 #include "wire/base_frames.h"
+#include "wire/word_changes.h"
 
 namespace jostle::client {
 
@@ -25,6 +26,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     entities_.clear();
     geometry_.clear();
     unfinished_ = {};
+    driven_ = {};
 }
 
 void WorldView::go_on(const v1::Welcome& welcome) {
@@ -63,6 +65,23 @@ void WorldView::apply(const v1::Roster& roster) {
     for (const std::uint32_t id : roster.removed()) entities_.erase(id);
     for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
     leave_out_unknown();
+}
+
+Status WorldView::apply(const v1::Driven& driven) {
+    constexpr std::uint32_t words_max = 16 * 1024;
+    if (!driven.whole() && driven.entity() != driven_.entity)
+        return Error{ErrorCode::failed_precondition,
+                     "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
+    if (driven.words() > words_max)
+        return Error{ErrorCode::corrupt_data,
+                     "driven: it has more than " + std::to_string(words_max) + " words"};
+    if (driven.whole()) driven_ = {};
+    Result<std::vector<std::uint32_t>> words =
+        wire::with_changes(driven_.words, driven.words(), driven.changed(), driven.values());
+    driven_ = {};
+    if (!words.ok()) return words.error();
+    driven_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
+    return {};
 }
 
 // Both are in rising order of id.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/modules/driven.h"
+
 namespace jostle::client {
 
 using namespace physics;
@@ -16,13 +18,17 @@ namespace {
 constexpr double agree_m = 0.003, agree_rad = 0.01;
 // What a body did between two frames, against what was foreseen of it: up to this it is the
 // integers' noise, beyond somebody pushed it.
-constexpr double pushed_speed = 0.25, pushed_spin = 1;  // m/s, rad/s
+constexpr double pushed_speed = 0.25, pushed_spin = 1;                  // m/s, rad/s
+constexpr double driven_speed_agrees = 0.05, driven_spin_agrees = 0.1;  // m/s, rad/s
 constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
 constexpr double rim_factor = 2;
 constexpr std::size_t rim_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
 constexpr std::size_t inputs_max = 1024;
 constexpr std::int64_t unseen_us = 250'000;
+// What is driven is told by the stream, and frames may overtake that.
+constexpr std::uint32_t late_ticks = 8;
+constexpr std::uint32_t drive_patience_ticks = 60;
 
 double gap(const Vec3& a, const Vec3& b) {
     return length(a - b);
@@ -40,6 +46,21 @@ bool was_pushed(const Motion& guess, const ToldBody& told) {
             gap(guess.angular, told.velocity->angular) > pushed_spin);
 }
 
+// What hangs on a module that is not here floats as fast as frames say.
+LocalBody local_body(const ToldBody& told, bool own) {
+    return {.type = told.type,
+            .mass = told.mass,
+            .linear_damping = told.linear_damping,
+            .angular_damping = told.angular_damping,
+            .gravity_scale = told.drivable && !own ? 0 : told.gravity_scale,
+            .locks = told.locks};
+}
+
+// Statics do not, nor what stands on its rails.
+bool moves(const ToldBody& body) {
+    return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
+}
+
 const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
     const auto at =
         std::lower_bound(frame.bodies.begin(), frame.bodies.end(), entity,
@@ -49,8 +70,10 @@ const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
 
 }  // namespace
 
-void Foresight::begin(Vec3 gravity, double tick_hz) {
+void Foresight::begin(Vec3 gravity, double tick_hz, int substeps) {
     forget_world();
+    newest_drive_ = 0;
+    substeps_ = substeps >= 1 && substeps <= 64 ? substeps : options_.substeps;
     inputs_.clear();
     shown_.clear();
     gravity_ = gravity;
@@ -61,6 +84,7 @@ void Foresight::follow(std::uint32_t entity) {
     if (entity_ == entity) return;
     entity_ = entity;
     forget_world();
+    newest_drive_ = 0;
 }
 
 void Foresight::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act act) {
@@ -102,6 +126,7 @@ void Foresight::forget_world() {
     rim_.clear();
     corrected_.clear();
     newest_frame_ = 0;
+    reach_ = 0;
 }
 
 Foresight::Moment* Foresight::find(std::uint32_t wanted) {
@@ -152,18 +177,25 @@ void Foresight::go_back(std::uint32_t to) {
 void Foresight::again_from(std::uint32_t first) {
     if (moments_.empty() || first > tick() || first == 0) return;
     const std::uint32_t now = tick();
-    go_back(std::max(first - 1, moments_.front().tick));
+    // What was so in the newest frame is known.
+    go_back(std::max({first - 1, moments_.front().tick, newest_frame_}));
     step_to(now);
 }
 
 // --- frames ---
 
-// Who is near, or was and is not yet far; and the nearest of the others.
-Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) const {
+// Who is near where the body is, or where it comes to be, or was and is not yet far; and the
+// nearest of the others.
+Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) {
     std::vector<std::pair<double, const ToldBody*>> candidates;
+    const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
     for (const ToldBody& body : frame.bodies) {
-        if (body.type != BodyType::dynamic) continue;
-        const double far = body.entity == entity_ ? 0 : gap(body.pose.position, center);
+        const bool own = body.entity == entity_;
+        if (!moves(body) && !own) continue;
+        const Vec3& at = body.pose.position;
+        double far = own ? 0 : gap(at, center);
+        if (ahead && !own) far = std::min(far, gap(at, ahead->pose.position));
+        far = std::max(0.0, far - reach_);
         if (far <= rim_factor * options_.near_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -173,7 +205,9 @@ Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& cen
     for (const auto& [far, body] : candidates) {
         const double most =
             is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
-        if (far <= most && around.near.size() < options_.near_max)
+        // What moves on rails costs nothing to foresee.
+        const bool railed = body->type == BodyType::kinematic;
+        if (railed || (far <= most && around.near.size() < options_.near_max))
             around.near[body->entity] = *body;
         else if (around.rim.size() < rim_max)
             around.rim[body->entity] = *body;
@@ -183,15 +217,22 @@ Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& cen
 
 bool Foresight::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
     const auto shapes = frame.shapes_of(body.entity);
-    return shapes && world_->add(body.entity, body.type, body.mass, *shapes, motion, body.at_rest);
+    return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
+                                 motion, body.at_rest);
 }
 
-void Foresight::add_fixed(const ToldFrame& frame) {
+void Foresight::add_fixed(const ToldFrame& frame, const Bodies& near) {
     for (const ToldBody& body : frame.bodies) {
-        if (body.type == BodyType::dynamic || world_->members().fixed.contains(body.entity))
+        if (body.type == BodyType::dynamic || near.contains(body.entity)) continue;
+        if (world_->members().fixed.contains(body.entity)) {
+            if (body.type == BodyType::kinematic) world_->put(body.entity, body.pose);
             continue;
+        }
         if (world_->members().fixed.size() >= options_.fixed_max) return;
-        add(frame, body, {.pose = body.pose});
+        LocalBody stands = local_body(body, false);
+        stands.moves = false;
+        if (const auto shapes = frame.shapes_of(body.entity))
+            world_->add(body.entity, stands, *shapes, {.pose = body.pose}, true);
     }
 }
 
@@ -267,12 +308,13 @@ void Foresight::change_members(const ToldFrame& frame, const Around& around) {
     for (const auto& [id, body] : members.moving)
         if (!around.near.contains(id)) gone.push_back(id);
     for (const auto& [id, body] : members.fixed)
-        if (!find_body(frame, id)) gone.push_back(id);
+        if (!find_body(frame, id) || around.near.contains(id)) gone.push_back(id);
     for (const auto& [id, body] : members.rim)
         if (!around.rim.contains(id)) gone.push_back(id);
     for (const std::uint32_t id : gone) world_->remove(id);
     for (const auto& [id, now] : around.near)
         if (!is_member(id)) add(frame, now, measured(now, frame.number));
+    add_fixed(frame, around.near);
     change_rim(frame, around.rim);
 }
 
@@ -282,7 +324,7 @@ void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
         if (!world_->members().rim.contains(id)) {
             if (const auto shapes = frame.shapes_of(id)) world_->add_to_rim(id, *shapes, now.pose);
         } else if (before == rim_.end() || !(before->second.pose == now.pose)) {
-            world_->move_rim(id, now.pose);
+            world_->put(id, now.pose);
         }
     }
     rim_ = rim;
@@ -291,9 +333,14 @@ void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
 void Foresight::start(const ToldFrame& frame, const Around& around) {
     moments_.clear();
     rim_.clear();
-    world_.emplace(gravity_, options_.substeps);
+    world_.emplace(gravity_, substeps_);
     change_members(frame, around);
-    add_fixed(frame);
+    if (is_driven(frame)) {
+        newest_drive_ = frame.drive.tick;
+        if (!world_->drive(entity_, frame.drive.module, frame.drive.words)) return forget_world();
+    }
+    // Distances are between origins, which tells nothing of what is larger than a step.
+    if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
     keep(frame.number);
     changed_ = true;
 }
@@ -309,7 +356,8 @@ void Foresight::compare(const ToldFrame& told, const Around& around) {
     for (const auto& [id, body] : near) {
         const auto at = guess.motions.find(id);
         others |= at == guess.motions.end();
-        if (at == guess.motions.end()) continue;
+        // What is driven is put right by take_drive().
+        if (at == guess.motions.end() || id == world_->members().driven) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
         if (!agrees(at->second.pose, body.pose) || was_pushed(at->second, body))
@@ -337,20 +385,64 @@ bool Foresight::catch_up(std::uint32_t frame) {
     return find(frame) != nullptr;
 }
 
+// Whether it was told lately how the followed body is driven.
+bool Foresight::is_driven(const ToldFrame& frame) const {
+    const ToldDrive& drive = frame.drive;
+    return drive.tick != 0 && drive.entity == entity_ &&
+           drive.tick + drive_patience_ticks >= frame.number &&
+           drive.tick <= frame.number + late_ticks;
+}
+
+// All that is so of what is driven, to the bit of a single float. Where the guess is as good as
+// frames are, it stays.
+void Foresight::take_drive(const ToldDrive& drive) {
+    if (drive.tick <= newest_drive_) return;
+    const Moment* const guess = find(drive.tick);
+    const auto right = modules::motion_of_driven(drive.words);
+    if (!guess || !right) return;
+    newest_drive_ = drive.tick;
+    const auto at = guess->motions.find(entity_);
+    if (at == guess->motions.end()) return;
+    const Motion& guessed = at->second;
+    stats_.drives++;
+    stats_.last_drive_error_m = gap(guessed.pose.position, right->pose.position);
+    if (agrees(guessed.pose, right->pose) &&
+        gap(guessed.linear, right->linear) <= driven_speed_agrees &&
+        gap(guessed.angular, right->angular) <= driven_spin_agrees)
+        return;
+    stats_.drive_corrections++;
+    const std::uint32_t now = tick();
+    go_back(drive.tick);
+    drop_newest();
+    const bool goes_on = world_->drive(entity_, drive.module, drive.words);
+    keep(drive.tick);
+    if (!goes_on) return forget_world();
+    step_to(now);
+}
+
 void Foresight::on_frame(const ToldFrame& told) {
     const std::uint32_t frame = told.number;
-    if (frame == newest_frame_) return;
     const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
-    if (!own || own->type != BodyType::dynamic) return forget_world();
+    const bool driven = own && is_driven(told);
+    if (!own || (own->drivable ? !driven : own->type != BodyType::dynamic)) return forget_world();
+    if (frame == newest_frame_) {
+        if (driven) take_drive(told.drive);
+        return;
+    }
     const Around around = look_around(told, own->pose.position);
-    if (catch_up(frame))
-        compare(told, around);
-    else
+    if (catch_up(frame)) {
+        if (driven) take_drive(told.drive);
+        if (world_) compare(told, around);
+    } else if (!driven || told.drive.tick == frame) {
         start(told, around);
+    } else {
+        forget_world();  // until both are told of the same tick
+    }
+    if (!world_) return;
     newest_frame_ = frame;
     told_ = around.near;
-    while (moments_.front().tick < frame) drop_oldest();
-    while (!inputs_.empty() && inputs_.front().tick + 1 < frame) inputs_.pop_front();
+    while (moments_.front().tick + late_ticks < frame) drop_oldest();
+    while (!inputs_.empty() && inputs_.front().tick + late_ticks + 1 < frame) inputs_.pop_front();
     std::erase_if(corrected_, [&](const auto& one) { return !told_.contains(one.first); });
 }
 

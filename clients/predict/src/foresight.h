@@ -27,6 +27,16 @@ struct ToldBody {
     physics::Transform pose;
     bool at_rest = false;
     std::optional<Velocity> velocity = {};  // nothing: that was not told
+    bool drivable = false;                  // a module of the server moves it
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    physics::AxisLocks locks = 0;
+};
+
+// What the client drives, as jostle/modules/driven.h tells it.
+struct ToldDrive {
+    std::uint32_t entity = 0, tick = 0;  // 0: nothing was told
+    std::string module;
+    std::span<const std::uint32_t> words;
 };
 
 // A frame of the server.
@@ -35,6 +45,7 @@ struct ToldFrame {
     std::span<const ToldBody> bodies;  // in rising order of entity
     // Of one of them; nothing: they were never told, or are none that the solver can have.
     std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
+    ToldDrive drive = {};
 };
 
 class Foresight {
@@ -42,7 +53,7 @@ public:
     explicit Foresight(PredictorOptions options) : options_(options) {}
 
     // A stream begins: everything is forgotten but whom it follows.
-    void begin(physics::Vec3 gravity, double tick_hz);
+    void begin(physics::Vec3 gravity, double tick_hz, int substeps);
     // Whose motion is foreseen; 0: nobody's.
     void follow(std::uint32_t entity);
     // An input of that number that is meant for a tick. Of the same number as the last one: in its
@@ -95,9 +106,9 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
+    Around look_around(const ToldFrame& frame, const physics::Vec3& center);
     bool add(const ToldFrame& frame, const ToldBody& body, const Motion& motion);
-    void add_fixed(const ToldFrame& frame);
+    void add_fixed(const ToldFrame& frame, const Bodies& near);
     bool rim_changed(const Bodies& rim) const;
     void change_members(const ToldFrame& frame, const Around& around);
     void change_rim(const ToldFrame& frame, const Bodies& rim);
@@ -107,6 +118,8 @@ private:
     Motion explained(const ToldBody& now, std::uint32_t frame);
     void start(const ToldFrame& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
+    bool is_driven(const ToldFrame& frame) const;
+    void take_drive(const ToldDrive& drive);
     void compare(const ToldFrame& frame, const Around& around);
 
     // --- pictures ---
@@ -117,15 +130,17 @@ private:
     PredictorOptions options_;
     PredictorStats stats_;
     physics::Vec3 gravity_{0, -9.81, 0};
+    int substeps_ = 8;
     double tick_s_ = 1.0 / 60;
     std::uint32_t entity_ = 0;
     std::optional<LocalWorld> world_;
     std::deque<Moment> moments_;  // one for each tick, the newest last: where the world is
     std::vector<Moment> spare_;   // for their memory
     std::deque<Sent> inputs_;     // by sequence
-    std::uint32_t newest_frame_ = 0;
-    Bodies told_;                                       // of that frame: who was near
-    Bodies rim_;                                        // as they stand in the world
+    std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
+    double reach_ = 0;  // m that the followed body is larger than a metre about its origin
+    Bodies told_;       // of that frame: who was near
+    Bodies rim_;        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
     std::map<std::uint32_t, Shown> shown_;

@@ -3,11 +3,31 @@
 
 #include <utility>
 
+#include "jostle/modules/character.h"
+#include "jostle/modules/driven.h"
 #include "jostle/modules/hand.h"
+#include "jostle/modules/vehicle.h"
 
 namespace jostle::client {
 
 using namespace physics;
+
+namespace {
+
+// Those that move what somebody drives, and tell of it. Who knows them already has the same.
+void know_modules() {
+    static const bool known = [] {
+        static_cast<void>(register_module("character", [] {
+                              return std::make_unique<modules::Characters>();
+                          }).ok());
+        static_cast<void>(
+            register_module("vehicle", [] { return std::make_unique<modules::Vehicles>(); }).ok());
+        return true;
+    }();
+    static_cast<void>(known);
+}
+
+}  // namespace
 
 LocalWorld::LocalWorld(Vec3 gravity, int substeps)
     : world_(WorldDef{.gravity = gravity, .substeps = substeps}) {}
@@ -19,19 +39,25 @@ LocalWorld::Members& LocalWorld::change() {
     return members;
 }
 
-bool LocalWorld::add(std::uint32_t entity, BodyType type, double mass,
-                     std::span<const ShapeDef> shapes, const Motion& motion, bool at_rest) {
-    BodyDef def{.type = type, .pose = motion.pose};
-    if (type != BodyType::static_body) {
+bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const ShapeDef> shapes,
+                     const Motion& motion, bool at_rest) {
+    BodyDef def{.type = of.type, .pose = motion.pose};
+    if (of.moves) {
         def.linear_velocity = motion.linear;
         def.angular_velocity = motion.angular;
     }
-    if (type == BodyType::dynamic) def.mass = mass;
+    if (of.type == BodyType::dynamic) {
+        def.mass = of.mass;
+        def.linear_damping = of.linear_damping;
+        def.angular_damping = of.angular_damping;
+        def.gravity_scale = of.gravity_scale;
+        def.locks = of.locks;
+    }
     const Result<BodyId> body = world_.create_body(def, shapes);
     if (!body.ok()) return false;
     Members& members = change();
-    (type == BodyType::dynamic ? members.moving : members.fixed)[entity] = *body;
-    if (type == BodyType::dynamic) set_motion(entity, motion, at_rest);
+    (of.moves ? members.moving : members.fixed)[entity] = *body;
+    if (of.moves) set_motion(entity, motion, at_rest);
     return true;
 }
 
@@ -43,9 +69,36 @@ bool LocalWorld::add_to_rim(std::uint32_t entity, std::span<const ShapeDef> shap
     return body.ok();
 }
 
-void LocalWorld::move_rim(std::uint32_t entity, const Transform& pose) {
-    const auto at = members_->rim.find(entity);
-    if (at != members_->rim.end()) static_cast<void>(world_.set_pose(at->second, pose).ok());
+void LocalWorld::put(std::uint32_t entity, const Transform& pose) {
+    const BodyId body = body_of(entity);
+    const Result<BodyState> now = world_.body(body);
+    if (now.ok() && !(now->pose == pose)) static_cast<void>(world_.set_pose(body, pose).ok());
+}
+
+BodyId LocalWorld::body_of(std::uint32_t entity) const {
+    for (const auto* list : {&members_->moving, &members_->fixed, &members_->rim})
+        if (const auto at = list->find(entity); at != list->end()) return at->second;
+    return {};
+}
+
+bool LocalWorld::drive(std::uint32_t entity, const std::string& tag,
+                       std::span<const std::uint32_t> words) {
+    const auto at = members_->moving.find(entity);
+    if (at == members_->moving.end()) return false;
+    know_modules();
+    if (world_.module(tag) == nullptr) {
+        Result<std::unique_ptr<Module>> made = make_module(tag);
+        if (!made.ok() || !world_.add_module(std::move(made).value()).ok()) return false;
+    }
+    if (!modules::take_driven(world_, *world_.module(tag), at->second, words,
+                              [this](std::uint32_t name) { return body_of(name); }))
+        return false;
+    if (members_->driven != entity || members_->driver != tag) {
+        Members& members = change();
+        members.driven = entity;
+        members.driver = tag;
+    }
+    return true;
 }
 
 void LocalWorld::remove(std::uint32_t entity) {
@@ -57,11 +110,25 @@ void LocalWorld::remove(std::uint32_t entity) {
         list->erase(at);
     }
     if (members.held && !world_.contains(*members.held)) members.held.reset();
+    if (members.driven == entity) members.driven = 0;
 }
 
 Motion LocalWorld::motion(std::uint32_t entity) const {
     const BodyState body = *world_.body(members_->moving.at(entity));
     return {body.pose, body.linear_velocity, body.angular_velocity};
+}
+
+double LocalWorld::reach(std::uint32_t entity) const {
+    const BodyId body = body_of(entity);
+    const Vec3 origin = world_.body(body)->pose.position;
+    double reach = 0;
+    for (const ShapeId shape : world_.shapes_of(body)) {
+        const Result<Aabb> bounds = world_.bounds(shape);
+        if (!bounds.ok()) continue;
+        const Vec3 far = max(abs(bounds->low - origin), abs(bounds->high - origin));
+        reach = maximum(reach, length(far));
+    }
+    return reach;
 }
 
 // What is foreign and cannot be so leaves the body as it was.
@@ -105,6 +172,11 @@ void LocalWorld::perform(const Release&) {
     if (!members_->held) return;
     static_cast<void>(world_.destroy_joint(*members_->held).ok());
     change().held.reset();
+}
+
+void LocalWorld::perform(const Steer& steer) {
+    Module* const module = members_->driven == 0 ? nullptr : world_.module(members_->driver);
+    if (module != nullptr) module->control(world_, body_of(members_->driven), steer.controls);
 }
 
 void LocalWorld::step(double seconds) {

@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 
+#include "jostle/physics/module.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/world.h"
 #include "motion.h"
@@ -32,7 +34,20 @@ struct Drag {
     physics::Vec3 target;
 };
 struct Release {};
-using Act = std::variant<Push, Grab, Drag, Release>;
+// What is held by who drives, until it is held otherwise.
+struct Steer {
+    physics::Controls controls;
+};
+using Act = std::variant<Push, Grab, Drag, Release, Steer>;
+
+// What a body is, for this world.
+struct LocalBody {
+    physics::BodyType type = physics::BodyType::dynamic;
+    double mass = 0;  // kg, of a dynamic one
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    physics::AxisLocks locks = 0;
+    bool moves = true;  // else it stands as long as no frame says otherwise
+};
 
 class LocalWorld {
 public:
@@ -42,6 +57,9 @@ public:
         // otherwise.
         std::map<std::uint32_t, physics::BodyId> moving, fixed, rim;
         std::optional<physics::JointId> held;
+        // Who is driven, and the module that moves it.
+        std::uint32_t driven = 0;
+        std::string driver;
     };
     // After the step of a tick.
     struct Moment {
@@ -54,14 +72,21 @@ public:
     LocalWorld(physics::Vec3 gravity, int substeps);
 
     const Members& members() const { return *members_; }
-    // Of some type; `mass` is of a dynamic one, in kg. False: the solver cannot have such a body.
-    bool add(std::uint32_t entity, physics::BodyType type, double mass,
-             std::span<const physics::ShapeDef> shapes, const Motion& motion, bool at_rest);
+    // False: the solver cannot have such a body.
+    bool add(std::uint32_t entity, const LocalBody& body, std::span<const physics::ShapeDef> shapes,
+             const Motion& motion, bool at_rest);
     bool add_to_rim(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
                     const physics::Transform& pose);
-    void move_rim(std::uint32_t entity, const physics::Transform& pose);
+    // One that stands, or a kinematic one of the fixed.
+    void put(std::uint32_t entity, const physics::Transform& pose);
+    // From now on it moves one of the moving as the module of that tag does, and it is as the words
+    // say (jostle/modules/driven.h). False: there is no such module, or it takes no such words.
+    bool drive(std::uint32_t entity, const std::string& module,
+               std::span<const std::uint32_t> words);
     void remove(std::uint32_t entity);
     Motion motion(std::uint32_t entity) const;
+    // m from its origin to the furthest corner of what bounds it.
+    double reach(std::uint32_t entity) const;
     void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
     // As the server does, at the begin of a tick.
     void apply(const Act& act);
@@ -76,6 +101,8 @@ private:
     void perform(const Grab& grab);
     void perform(const Drag& drag);
     void perform(const Release& release);
+    void perform(const Steer& steer);
+    physics::BodyId body_of(std::uint32_t entity) const;
 
     physics::World world_;
     std::shared_ptr<const Members> members_ = std::make_shared<const Members>();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/client/predictor.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "foresight.h"
+#include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 
 namespace jostle::client {
@@ -21,6 +23,15 @@ BodyType to_type(v1::BodyType type) {
     return type == v1::BODY_TYPE_KINEMATIC ? BodyType::kinematic : BodyType::static_body;
 }
 
+Controls to_controls(const v1::ControlInput& input) {
+    Controls controls;
+    const int axes = std::min(input.axes_size(), static_cast<int>(controls.axes.size()));
+    for (int k = 0; k < axes; k++)
+        controls.axes[static_cast<std::size_t>(k)] = std::clamp(input.axes(k) / 1000.0, -1.0, 1.0);
+    controls.buttons = input.buttons();
+    return controls;
+}
+
 std::optional<Act> to_act(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kImpulse: {
@@ -35,6 +46,10 @@ std::optional<Act> to_act(const v1::Input& input) {
             return Drag{to_vector(input.drag().target())};
         case v1::Input::kRelease:
             return Release{};
+        case v1::Input::kControl:
+            return Steer{to_controls(input.control())};
+        case v1::Input::kPossess:
+            return Steer{};  // lets go of what was driven
         default:
             return std::nullopt;  // what it does is not foreseen
     }
@@ -99,8 +114,17 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
         if (known->first != state.id) continue;
         const v1::Entity& about = known->second;
         const Transform pose = to_transform(wire::dequantize(state, view.spec()));
-        bodies.push_back({state.id, to_type(about.type()), about.mass(), pose, state.at_rest,
-                          motions.of(state.id)});
+        bodies.push_back({.entity = state.id,
+                          .type = to_type(about.type()),
+                          .mass = about.mass(),
+                          .pose = pose,
+                          .at_rest = state.at_rest,
+                          .velocity = motions.of(state.id),
+                          .drivable = about.drivable(),
+                          .linear_damping = about.linear_damping(),
+                          .angular_damping = about.angular_damping(),
+                          .gravity_scale = about.has_gravity_scale() ? about.gravity_scale() : 1,
+                          .locks = scenes::locks_of(about.locks())});
     }
     return bodies;
 }
@@ -110,7 +134,7 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
 struct Predictor::Impl {
     Foresight foresight;
     std::uint32_t followed = 0;
-    std::uint32_t newest_frame = 0;
+    std::uint32_t newest_frame = 0, newest_drive = 0;
 };
 
 Predictor::Predictor(PredictorOptions options)
@@ -118,8 +142,9 @@ Predictor::Predictor(PredictorOptions options)
 Predictor::~Predictor() = default;
 
 void Predictor::begin(const v1::Welcome& welcome) {
-    impl_->foresight.begin(to_vector(welcome.gravity()), welcome.tick_hz());
-    impl_->newest_frame = 0;
+    impl_->foresight.begin(to_vector(welcome.gravity()), welcome.tick_hz(),
+                           static_cast<int>(std::min(welcome.substeps(), 64u)));
+    impl_->newest_frame = impl_->newest_drive = 0;
 }
 
 void Predictor::follow(std::uint32_t entity) {
@@ -142,13 +167,16 @@ void Predictor::on_results(const std::vector<v1::InputResult>& results) {
 void Predictor::on_frame(const WorldView& view) {
     // Bodies of a frame that is known, or of which nobody is followed, need not be read.
     const std::uint32_t frame = view.frame().frame;
-    if (frame == impl_->newest_frame) return;
+    const WorldView::Driven& driven = view.driven();
+    if (frame == impl_->newest_frame && driven.tick == impl_->newest_drive) return;
     impl_->newest_frame = frame;
+    impl_->newest_drive = driven.tick;
     std::vector<ToldBody> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
     impl_->foresight.on_frame({.number = frame,
                                .bodies = bodies,
-                               .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); }});
+                               .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
+                               .drive = {driven.entity, driven.tick, driven.module, driven.words}});
 }
 
 std::vector<SmoothPose> Predictor::sample(double position, std::int64_t now_us,

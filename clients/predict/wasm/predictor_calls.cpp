@@ -83,7 +83,7 @@ void jostle_predictor_begin(JostlePredictor* p, double tick_hz, double x, double
     p->known.clear();
     p->unusable = 0;
     p->foresight.follow(0);
-    p->foresight.begin({x, y, z}, tick_hz);
+    p->foresight.begin({x, y, z}, tick_hz, 0);
 }
 
 void jostle_predictor_add_body(JostlePredictor* p, uint32_t entity, uint32_t type, double mass) {

@@ -7,6 +7,7 @@
 #include "check_character.h"
 #include "jostle/modules/character.h"
 #include "jostle/modules/settings.h"
+#include "steering.h"
 
 namespace jostle::modules {
 
@@ -16,6 +17,7 @@ using character_detail::Record;
 namespace {
 
 constexpr double driven_speed = 5;  // m/s at full stick
+constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_z;
 
 void visit_size(StateVisitor& v, Record& r) {
     using namespace character_detail;
@@ -149,6 +151,34 @@ void Characters::visit(StateVisitor& v) {
     if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
 }
 
+bool Characters::visit_driven(World& world, BodyId body, StateVisitor& v) {
+    std::vector<Record>& records = store_->records;
+    const CharacterId id = character_of(body);
+    Record* known = store_->find(id);
+    if (!v.loading()) {
+        if (known != nullptr) visit_record(v, *known);
+        return known != nullptr;
+    }
+    Record read;
+    visit_record(v, read);
+    const Result<BodyState> state = world.body(body);
+    if (v.failed() || !state.ok() || !read.alive || read.body != body) return false;
+    const bool rigid = read.kind == CharacterKind::rigid;
+    if (state->type != (rigid ? BodyType::dynamic : BodyType::kinematic)) return false;
+    if (known == nullptr) {
+        if (records.size() >= most) return false;
+        read.generation = 1;
+        known = &records.emplace_back();
+    } else {
+        read.generation = known->generation;
+    }
+    if (rigid) static_cast<void>(world.set_locks(body, upright));
+    const bool other_shape = known->crouched != read.crouched;
+    *known = read;
+    if (other_shape) character_detail::reshape(world, *known);
+    return true;
+}
+
 Status Characters::configure(World& world, const ModuleSettings& settings) {
     SceneNumbers numbers;
     if (Status s = read(settings, numbers); !s.ok()) return s;
@@ -159,7 +189,6 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
         if (Status s = check_record(name, *record); !s.ok()) return s;
         if (store_->records.size() == most) return no_character(name, "is one more than 4096");
         if (record->kind == CharacterKind::rigid) {
-            constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_z;
             if (Status s = world.set_locks(body, upright); !s.ok()) return s;
         }
         record->alive = true;

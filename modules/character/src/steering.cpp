@@ -15,20 +15,6 @@ double wrapped(double angle) {
     return angle - 2 * pi * std::floor((angle + pi) / (2 * pi));
 }
 
-// The first shape becomes the capsule that goes with the height; feet stay where they are.
-void reshape(World& world, const Record& record) {
-    std::vector<ShapeDef> shapes;
-    for (const ShapeId id : world.shapes_of(record.body))
-        if (const auto shape = world.shape(id); shape.ok()) shapes.push_back(def_of(*shape));
-    const Result<BodyState> body = world.body(record.body);
-    if (shapes.empty() || !body.ok()) return;
-    const double height = current_height(record);
-    shapes[0].geometry = capsule_of(record, height);
-    shapes[0].pose.position.y = 0.5 * height - record.foot_height;
-    if (body->type == BodyType::dynamic && shapes.size() == 1) shapes[0].mass = body->mass;
-    static_cast<void>(world.set_shapes(record.body, shapes));
-}
-
 }  // namespace
 
 CharacterControls controls_of(Record& record, double dt) {
@@ -61,6 +47,20 @@ void face(Record& record, Vec3 walk, double dt) {
 
 void turn_by(Record& record, double angle) {
     record.heading = wrapped(record.heading + angle);
+}
+
+// The first shape becomes the capsule that goes with the height; feet stay where they are.
+void reshape(World& world, const Record& record) {
+    std::vector<ShapeDef> shapes;
+    for (const ShapeId id : world.shapes_of(record.body))
+        if (const auto shape = world.shape(id); shape.ok()) shapes.push_back(def_of(*shape));
+    const Result<BodyState> body = world.body(record.body);
+    if (shapes.empty() || !body.ok()) return;
+    const double height = current_height(record);
+    shapes[0].geometry = capsule_of(record, height);
+    shapes[0].pose.position.y = 0.5 * height - record.foot_height;
+    if (body->type == BodyType::dynamic && shapes.size() == 1) shapes[0].mass = body->mass;
+    static_cast<void>(world.set_shapes(record.body, shapes));
 }
 
 void stand_or_crouch(World& world, Record& record, bool crouch) {

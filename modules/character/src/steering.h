@@ -24,6 +24,9 @@ void turn_by(Record& record, double angle);
 // Makes it crouch or, if there is room, stand; its body's first shape follows.
 void stand_or_crouch(physics::World& world, Record& record, bool crouch);
 
+// Gives its body the shape that it has as it stands or crouches.
+void reshape(physics::World& world, const Record& record);
+
 // The velocity of a point of the ground over the coming step, m/s: what its rigid motion and the
 // belt on it make of the point.
 physics::Vec3 carried_velocity(const physics::World& world, const physics::BodyState& ground,

@@ -194,6 +194,29 @@ void Vehicles::control(World& world, BodyId body, const Controls& controls) {
     }
 }
 
+bool Vehicles::visit_driven(World& world, BodyId body, StateVisitor& v) {
+    const auto at = std::find_if(cars_.begin(), cars_.end(),
+                                 [&](const Car& car) { return car.def.chassis == body; });
+    const bool known = at != cars_.end();
+    if (!v.loading()) {
+        if (!known || !at->bodies.empty()) return false;
+        visit_car(v, *at);
+        return true;
+    }
+    const Result<BodyState> chassis = world.body(body);
+    if (!chassis.ok() || chassis->type != BodyType::dynamic || next_ == 0xffffffff) return false;
+    Car car;
+    visit_car(v, car);
+    if (v.failed() || car.def.chassis != body || !car.bodies.empty()) return false;
+    if (known && !at->bodies.empty()) return false;
+    car.id = known ? at->id : next_++;
+    if (known)
+        *at = std::move(car);
+    else
+        cars_.push_back(std::move(car));
+    return true;
+}
+
 void Vehicles::visit(StateVisitor& v) {
     v.field("next", next_);
     v.all("cars", cars_, [&](Car& car) { visit_car(v, car); });

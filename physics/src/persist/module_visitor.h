@@ -17,10 +17,15 @@ template <class V>
 class ModuleVisitor final : public StateVisitor {
 public:
     explicit ModuleVisitor(V& visitor) : v_(visitor) {}
+    using StateVisitor::field;
 
     bool loading() const override { return V::kLoading; }
     void fail(std::string_view name, std::string_view what) override {
         if constexpr (V::kLoading) v_.fail(name, what);
+    }
+    bool failed() const override {
+        if constexpr (V::kLoading) return !v_.error.empty();
+        return false;
     }
     void field(std::string_view name, bool& x) override { v_.field(name, x); }
     void field(std::string_view name, std::uint8_t& x) override { v_.field(name, x); }

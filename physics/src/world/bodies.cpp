@@ -160,6 +160,24 @@ Result<BodyState> World::body(BodyId body) const {
     return state_of_body(*state_, body.index);
 }
 
+Result<BodyDef> World::definition(BodyId body) const {
+    if (Status s = check_id(*state_, body); !s.ok()) return s.error();
+    const BodyState now = state_of_body(*state_, body.index);
+    const BodyCold& cold = state_->bodies.cold[body.index];
+    return BodyDef{.type = now.type,
+                   .pose = now.pose,
+                   .linear_velocity = now.linear_velocity,
+                   .angular_velocity = now.angular_velocity,
+                   .linear_damping = cold.linear_damping,
+                   .angular_damping = cold.angular_damping,
+                   .gravity_scale = cold.gravity_scale,
+                   .sleep_allowed = cold.sleep_allowed,
+                   .locks = cold.locks,
+                   .continuous = cold.continuous,
+                   .mass = cold.wanted_mass,
+                   .user_data = cold.user_data};
+}
+
 void World::copy_bodies(std::vector<BodyState>& out) const {
     out.clear();
     for (std::uint32_t i = 0; i < state_->bodies.ids.size(); i++)

@@ -509,6 +509,37 @@ TEST(Predictor, goes_on_where_it_was_after_half_a_second_in_which_nothing_was_dr
     EXPECT_LT(yard.off_mm(yard.us - 600'000), 2);
 }
 
+// Damped, without weight and held to an axis: a client that is told so corrects nothing.
+TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
+    for (const bool told : {true, false}) {
+        Yard yard;
+        constexpr std::uint32_t odd = 9;
+        yard.add(odd, physics::Box{{0.3, 0.3, 0.3}}, {-8, 3, 0}, true);
+        const physics::BodyId body = yard.bodies[odd];
+        yard.server.set_damping(body, 0.7, 0.5).expect();
+        yard.server.set_gravity_scale(body, 0).expect();
+        yard.server.set_locks(body, physics::lock_y).expect();
+        if (told) {
+            v1::Entity& entity = *yard.roster.mutable_added(yard.roster.added_size() - 1);
+            entity.set_linear_damping(0.7);
+            entity.set_angular_damping(0.5);
+            entity.set_gravity_scale(0);
+            entity.mutable_locks()->set_y(true);
+        }
+        yard.view.apply(yard.roster);
+        yard.predictor.follow(odd);
+        yard.run(2);
+        for (int k = 0; k < 4; k++) {
+            yard.push({1, 2, k % 2 == 0 ? 2.0 : -2.0}, odd);
+            yard.run(0.5);
+        }
+        if (told)
+            EXPECT_EQ(yard.predictor.stats().corrections, 0u);
+        else
+            EXPECT_GT(yard.predictor.stats().corrections, 50u);
+    }
+}
+
 TEST(Predictor, foresees_nothing_for_who_is_not_there) {
     Yard yard;
     yard.predictor.follow(99);

@@ -75,6 +75,34 @@ TEST(RosterMessage, carries_what_a_viewer_draws) {
     EXPECT_EQ(roster.removed(1), 3u);
 }
 
+// For those who simulate: numbers that are as usual are not told.
+TEST(RosterMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
+    EntityDescription plain = *entity_with(1, physics::Box{}),
+                      odd = *entity_with(2, physics::Box{});
+    odd.linear_damping = 0.05;
+    odd.angular_damping = 0.2;
+    odd.gravity_scale = 0;
+    odd.locks = physics::lock_x | physics::lock_rotation_y;
+    odd.shapes.push_back(odd.shapes.front());
+    odd.shapes[0].density = 100;
+    odd.shapes[1].mass = 7;
+    GeometryTable table;
+    const auto messages = roster_messages({},
+                                          {std::make_shared<const EntityDescription>(plain),
+                                           std::make_shared<const EntityDescription>(odd)},
+                                          table);
+    const v1::Roster roster = parse(messages.rosters[0]).roster();
+    EXPECT_EQ(roster.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
+    const v1::Entity& told = roster.added(1);
+    EXPECT_EQ(told.linear_damping(), 0.05);
+    EXPECT_EQ(told.angular_damping(), 0.2);
+    EXPECT_TRUE(told.has_gravity_scale());
+    EXPECT_EQ(told.gravity_scale(), 0);
+    EXPECT_TRUE(told.locks().x() && told.locks().turn_y() && !told.locks().turn_x());
+    EXPECT_EQ(told.shapes(0).density(), 100);
+    EXPECT_EQ(told.shapes(1).mass(), 7);
+}
+
 TEST(RosterMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
     const physics::Geometry mesh = mesh_of(100);  // 0.6 MB as bytes
     EntityList entities;

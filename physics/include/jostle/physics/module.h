@@ -70,6 +70,13 @@ public:
     virtual void control(World& world, BodyId body, const Controls& controls) {
         static_cast<void>(world), static_cast<void>(body), static_cast<void>(controls);
     }
+    // The one thing that such a body is: all that its next step depends on, for who foresees it in
+    // a world of his own. Between steps. A loading visitor makes it of that body, or puts it right.
+    // False: this thing is not told of, or what was read makes none; then nothing has changed.
+    virtual bool visit_driven(World& world, BodyId body, StateVisitor& v) {
+        static_cast<void>(world), static_cast<void>(body), static_cast<void>(v);
+        return false;
+    }
     // What it tells clients, and how often: the same as long as it lives.
     virtual std::vector<ChannelKind> channels() const { return {}; }
     // Tells it, after a step. A channel that is not written any more has ended.

@@ -35,6 +35,8 @@ public:
     // While loading: what was read makes no sense. The load ends with an error that names the
     // field: fail("wheels", "are more than 8").
     virtual void fail(std::string_view name, std::string_view what) = 0;
+    // Whether it did, or a field could not be read. What was read since is of no use.
+    virtual bool failed() const = 0;
 
     // Names are for messages: "modules.hovercraft.wheels[2].travel". They are not saved.
     virtual void field(std::string_view name, bool& value) = 0;
@@ -50,9 +52,10 @@ public:
     void field(std::string_view name, Vec3& value);
     void field(std::string_view name, Quat& value);
     void field(std::string_view name, Transform& value);
-    void field(std::string_view name, BodyId& value);
-    void field(std::string_view name, ShapeId& value);
-    void field(std::string_view name, JointId& value);
+    // Ids of the world. A visitor between two worlds names what they stand for.
+    virtual void field(std::string_view name, BodyId& value);
+    virtual void field(std::string_view name, ShapeId& value);
+    virtual void field(std::string_view name, JointId& value);
     void field(std::string_view name, std::string& value);  // at most 65536 bytes
     // An enumeration that counts from 0 to `last`.
     template <class E>

@@ -139,6 +139,8 @@ public:
     bool contains(BodyId body) const;
     bool contains(ShapeId shape) const;
     Result<BodyState> body(BodyId body) const;
+    // As it could be made again, where it is and as fast; `mass` is 0 if its shapes decide.
+    Result<BodyDef> definition(BodyId body) const;
     Result<ShapeState> shape(ShapeId shape) const;
     std::vector<ShapeId> shapes_of(
         BodyId body) const;  // in order of creation; empty for an unknown id

@@ -41,6 +41,10 @@ public:
     // client should ask for a keyframe.
     Status apply(const v1::Snapshot& snapshot);
 
+    // What this client drives. An error: it is not told against what is known; the next whole one
+    // is taken again.
+    Status apply(const v1::Driven& driven);
+
     // On the server's clock, in us.
     struct Times {
         std::int64_t due_us = 0;  // of the tick
@@ -75,6 +79,15 @@ public:
     // The values of one of them; entity 0: the module itself. Empty: there is none.
     std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
+    // What this client drives, for who foresees it (jostle/modules/driven.h has the words, which
+    // are foreign); entity 0: that was not told. It stays as it was told last.
+    struct Driven {
+        std::uint32_t entity = 0, tick = 0;
+        std::string module;
+        std::vector<std::uint32_t> words;
+    };
+    const Driven& driven() const { return driven_; }
+
 private:
     struct KnownFrame {
         wire::QuantizedFrame state;
@@ -98,6 +111,7 @@ private:
     std::shared_ptr<SeenCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
+    Driven driven_;
     struct Unfinished {
         std::uint64_t id = 0;
         std::uint32_t next = 0;

@@ -15,14 +15,17 @@ struct PredictorOptions {
     // Further than this beyond the newest frame nothing is foreseen. A world in which nothing moves
     // sends a frame a second.
     std::uint32_t ticks_max = 120;
-    int substeps = 8;  // as the server's world
+    int substeps = 8;  // of a world whose islands choose theirs; others say how many they take
 };
 
 struct PredictorStats {
-    std::uint64_t frames = 0;       // that were compared
-    std::uint64_t corrections = 0;  // of them: that were not what was foreseen
-    std::uint64_t steps = 0;        // that were taken, again or not
-    double last_error_m = 0;        // greatest of the last frame, before it was corrected
+    std::uint64_t frames = 0;             // that were compared
+    std::uint64_t corrections = 0;        // of them: that were not what was foreseen
+    std::uint64_t steps = 0;              // that were taken, again or not
+    double last_error_m = 0;              // greatest of the last frame, before it was corrected
+    std::uint64_t drives = 0;             // times that what is driven was told and compared
+    std::uint64_t drive_corrections = 0;  // of them: that were not what was foreseen
+    double last_drive_error_m = 0;        // of the last one
 };
 
 }  // namespace jostle::client

@@ -144,6 +144,8 @@ public:
     // both buttons' meanings as Controls has them.
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
+    bool visit_driven(physics::World& world, physics::BodyId body,
+                      physics::StateVisitor& v) override;
     // "character", of each body: kind (bit 0), crouched (bit 1) and ground (bits 2, 3); in 8 bits
     // each heading from -pi to pi, speed over the ground from 0 to 20 m/s, velocity upwards from
     // -20 to 20 m/s.

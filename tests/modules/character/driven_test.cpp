@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// A character that goes on in another world (jostle/modules/driven.h): what a client foresees of
+// the one that it walks with.
+#include "jostle/modules/driven.h"
+
+#include "stage.h"
+#include "support/random.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+struct Elsewhere {
+    Stage there, here;
+    CharacterId hero;
+    BodyId body, copy;
+
+    explicit Elsewhere(CharacterKind kind) {
+        for (Stage* stage : {&there, &here}) {
+            test::add_floor(stage->world);
+            for (int k = 1; k < 4; k++)  // stairs
+                test::add_static(stage->world, {.geometry = Box{{0.5, 0.1 * k, 2}},
+                                                .position = {2.0 + k, 0.1 * k, 0}});
+        }
+        test::add(here.world, {.position = {20, 3, 0}});  // so that ids differ
+        hero = there.add({.kind = kind, .feet = {0, 0.02, 0}});
+        body = there.of(hero).body;
+        copy = test::must(here.world.create_body(
+            {.type = kind == CharacterKind::rigid ? BodyType::dynamic : BodyType::kinematic,
+             .pose = {.position = {5, 5, 5}}},
+            def_of(test::must(there.world.shape(there.world.shapes_of(body)[0])))));
+    }
+    std::vector<std::uint32_t> tell() {
+        return tell_driven(there.world, *there.crowd, body,
+                           [&](BodyId id) { return id == body ? 3u : 0u; })
+            .value();
+    }
+    bool take(std::span<const std::uint32_t> words) {
+        return take_driven(here.world, *here.crowd, copy, words,
+                           [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
+    }
+    double apart() {
+        return length(test::must(here.world.body(copy)).pose.position -
+                      test::must(there.world.body(body)).pose.position);
+    }
+};
+
+TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
+    for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid}) {
+        Elsewhere of(kind);
+        of.there.walk(of.hero, {4, 0, 0.5});
+        of.there.run(0.25);
+        ASSERT_TRUE(of.take(of.tell()));
+        of.there.run(0.5);
+        of.here.run(0.5);
+        EXPECT_LT(of.apart(), 1e-4) << static_cast<int>(kind);
+        EXPECT_GT(test::must(of.there.world.body(of.body)).pose.position.x, 2);
+        // It jumps and crouches here, by its own stick.
+        of.here.crowd->control(of.here.world, of.copy, {.axes = {1, 0}, .buttons = 1});
+        of.there.steer(of.hero, {.walk = {0, 0, 0}, .crouch = true});
+        of.there.run(0.3);
+        of.here.run(0.3);
+        EXPECT_GT(of.apart(), 0.4);
+        ASSERT_TRUE(of.take(of.tell()));
+        EXPECT_LT(of.apart(), 1e-5);
+        EXPECT_TRUE(of.here.of(of.here.crowd->character_of(of.copy)).crouched);
+        of.there.run(0.2);
+        of.here.run(0.2);
+        // A rigid one has the contacts of where it was before: .3 mm until these have settled.
+        EXPECT_LT(of.apart(), 5e-4);
+    }
+}
+
+TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
+    Elsewhere of(CharacterKind::sweeping);
+    of.there.walk(of.hero, {3, 0, 0});
+    of.there.run(0.3);
+    const std::vector<std::uint32_t> good = of.tell();
+    ASSERT_TRUE(of.take(good));
+    test::Random random(6);
+    int refused = 0;
+    for (int k = 0; k < 3000; k++) {
+        std::vector<std::uint32_t> forged = good;
+        if (k % 3 == 0) forged.resize(random.below(good.size()));
+        for (int flips = 0; flips < 4 && !forged.empty(); flips++) {
+            const auto at = random.below(forged.size());
+            forged[at] ^= 1u << random.below(32);
+        }
+        const Transform before = test::must(of.here.world.body(of.copy)).pose;
+        if (!of.take(forged)) {
+            refused++;
+            EXPECT_EQ(test::must(of.here.world.body(of.copy)).pose, before);
+        }
+        of.here.run(1.0 / 60);
+        ASSERT_TRUE(of.take(good)) << k;
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace jostle::modules

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// A car that goes on in another world (jostle/modules/driven.h): what a client foresees of the car
+// that it drives.
+#include "jostle/modules/driven.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/random.h"
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+// A server's world and a client's: the second one's bodies have other ids.
+struct Elsewhere {
+    TestCar there;
+    World world{sleepless({})};
+    BodyId chassis;
+    Vehicles* vehicles = nullptr;
+
+    explicit Elsewhere(modules::WheelCast cast = modules::WheelCast::cylinder) {
+        VehicleDef def = modules::saloon({.chassis = there.chassis});
+        def.cast = cast;
+        there.add(def);
+        world.create_body({.pose = {.position = {50, 50, 50}}}, {.geometry = Sphere{1}}).value();
+        chassis = add_chassis(world, {3, 3, 3});
+        world
+            .create_body({.type = BodyType::static_body},
+                         {.geometry = Plane{}, .material = {.friction = 1}})
+            .value();
+        auto made = std::make_unique<Vehicles>();
+        vehicles = made.get();
+        world.add_module(std::move(made)).expect();
+    }
+    std::optional<std::vector<std::uint32_t>> tell() {
+        return modules::tell_driven(there.world, *there.vehicles, there.chassis,
+                                    [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
+    }
+    bool take(std::span<const std::uint32_t> words) {
+        return modules::take_driven(world, *vehicles, chassis, words, [&](std::uint32_t name) {
+            return name == 7 ? chassis : BodyId{};
+        });
+    }
+    double apart() const {
+        return length(world.body(chassis)->pose.position - there.body().pose.position);
+    }
+    void drive_both(int ticks) {
+        for (int k = 0; k < ticks; k++) {
+            there.world.step(step_time).expect();
+            world.step(step_time).expect();
+        }
+    }
+};
+
+TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
+    Elsewhere of;
+    of.there.set({.throttle = 1, .steering = 0.3});
+    of.there.drive(2.5);
+    ASSERT_GT(of.there.speed(), 8);
+    const auto words = of.tell();
+    ASSERT_TRUE(words.has_value());
+    EXPECT_LT(words->size(), 400u);  // 1.6 kB, most of which never changes
+    ASSERT_TRUE(of.take(*words));
+    EXPECT_EQ(of.vehicles->state(1)->gear, of.there.state().gear);
+    // Half a second of the same controls, through a change of gear and 5 m of a bend.
+    of.drive_both(30);
+    RecordProperty("apart_mm", std::to_string(1000 * of.apart()));
+    EXPECT_LT(of.apart(), 2e-4);
+    // Whoever holds the wheel here turns it here.
+    of.vehicles->control(of.world, of.chassis, {.axes = {-1, 0}});
+    of.drive_both(30);
+    EXPECT_GT(of.apart(), 0.3);
+    // And what was told later puts that right.
+    ASSERT_TRUE(of.take(*of.tell()));
+    EXPECT_LT(of.apart(), 1e-5);
+    EXPECT_EQ(of.vehicles->cars().size(), 1u);
+}
+
+TEST(DrivenCar, of_which_wheels_are_bodies_is_not_told) {
+    Elsewhere of(modules::WheelCast::body);
+    EXPECT_FALSE(of.tell().has_value());
+}
+
+TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
+    Elsewhere of;
+    of.there.set({.throttle = 1});
+    of.there.drive(1);
+    const std::vector<std::uint32_t> good = *of.tell();
+    ASSERT_TRUE(of.take(good));
+    Random random(5);
+    int refused = 0;
+    for (int k = 0; k < 3000; k++) {
+        std::vector<std::uint32_t> forged = good;
+        if (k % 3 == 0) forged.resize(random.below(good.size()));
+        for (int flips = 0; flips < 4 && !forged.empty(); flips++) {
+            const auto at = random.below(forged.size());
+            forged[at] ^= 1u << random.below(32);
+        }
+        const Transform before = of.world.body(of.chassis)->pose;
+        if (!of.take(forged)) {
+            refused++;
+            EXPECT_EQ(of.world.body(of.chassis)->pose, before);
+        }
+        of.world.step(step_time).expect();
+        if (!of.take(good)) FAIL() << "forged words " << k << " left a car that takes none";
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A story told to the predictor by its calls: bodies of every kind of shape, pushes, a hand, a
-// frame that disagrees. Writes each call and what it answered as JSON, so that a predictor in
-// another program (clients/web/src/predictor_story.test.ts) can be told the same and be held to the
-// same bits.
+// frame that disagrees, a car that somebody drives. Writes each call and what it answered as JSON,
+// so that a predictor in another program (clients/web/src/predictor_story.test.ts) can be told the
+// same and be held to the same bits.
 //     predictor_story > tests/determinism/predictor_story.json
 #include <cmath>
 #include <cstdio>
@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "jostle/modules/driven.h"
+#include "jostle/modules/vehicle.h"
+#include "jostle/physics/world.h"
 #include "predictor_calls.h"
 
 namespace {
@@ -48,7 +51,7 @@ struct Body {
 };
 
 const Numbers no_place{0, 0, 0, 0, 0, 0, 1};
-const Numbers usual_touch{0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1, 4294967295, 0, 0};
+const Numbers usual_touch{0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1, 4294967295, 0, 0, 1000, 0};
 
 const std::vector<Body>& bodies() {
     static const std::vector<Body> all{
@@ -135,9 +138,78 @@ void drag(uint32_t sequence, uint32_t tick, double x, double y, double z) {
     write_line("drag", {double(sequence), double(tick), x, y, z});
 }
 
+// --- a car ---
+constexpr uint32_t car = 13;
+const Numbers chassis_half{0.8, 0.25, 2};
+constexpr double chassis_mass = 1500;
+
+void tell_car_body() {
+    jostle_predictor_add_body(predictor, car, 2, chassis_mass);
+    write_line("add_body", {double(car), 2, chassis_mass});
+    jostle_predictor_set_body(predictor, car, 0.01, 0.02, 1, 0, 1);
+    write_line("set_body", {double(car), 0.01, 0.02, 1, 0, 1});
+    const Numbers shapes = joined({{1, 3}, no_place, chassis_half, usual_touch});
+    put(shapes);
+    const auto count = static_cast<uint32_t>(shapes.size());
+    const uint32_t understood = jostle_predictor_set_shapes(predictor, car, count);
+    write_line("set_shapes", {double(car), double(count), double(understood)});
+}
+
+// As a server tells of one that has driven for a second and a half.
+void tell_driven_car(uint32_t tick) {
+    using namespace jostle;
+    physics::World world;
+    const physics::Box floor{{50, 0.5, 50}},
+        box{{chassis_half[0], chassis_half[1], chassis_half[2]}};
+    world
+        .create_body({.type = physics::BodyType::static_body, .pose = {{0, -0.5, 0}, {}}},
+                     {.geometry = floor})
+        .value();
+    const physics::BodyId chassis =
+        world.create_body({.pose = {{20, 0.67, 0}, {}}}, {.geometry = box, .mass = chassis_mass})
+            .value();
+    modules::Vehicles vehicles;
+    vehicles.add(world, modules::saloon({.chassis = chassis})).value();
+    vehicles.control(world, chassis, {.axes = {0.1, 1}});
+    world.add_listener(vehicles).expect();
+    for (int k = 0; k < 90; k++) world.step(1.0 / 60).expect();
+    const auto words =
+        *modules::tell_driven(world, vehicles, chassis, [](physics::BodyId) { return car; });
+    Numbers told;
+    for (const char letter : vehicles.tag()) told.push_back(letter);
+    for (const std::uint32_t word : words) told.push_back(word);
+    put(told);
+    const auto letters = static_cast<uint32_t>(vehicles.tag().size()),
+               count = static_cast<uint32_t>(words.size());
+    write_line("drive", {double(car), double(tick), double(letters), double(count),
+                         double(jostle_predictor_drive(predictor, car, tick, letters, count))});
+    const physics::Vec3 at = world.body(chassis)->pose.position;
+    put({1, 0, -0.5, 0, 0, 0, 0, 1, 1, car, at.x, at.y, at.z, 0, 0, 0, 1, 0});
+    write_line("frame", {double(tick), 2, double(jostle_predictor_frame(predictor, tick, 2))});
+}
+
+void steer(uint32_t sequence, uint32_t tick, const Numbers& axes, uint32_t buttons) {
+    put(axes);
+    const auto count = static_cast<uint32_t>(axes.size());
+    jostle_predictor_steer(predictor, sequence, tick, count, buttons);
+    write_line("steer", {double(sequence), double(tick), double(count), double(buttons)});
+}
+
+void tell_drive() {
+    tell_car_body();
+    jostle_predictor_follow(predictor, car);
+    write_line("follow", {car});
+    tell_driven_car(300);
+    expect(310);
+    steer(40, 311, {-0.7, 1}, 0);
+    expect(330);
+    steer(41, 340, {0, -1, 0, 0}, 1);
+    expect(370);
+}
+
 void tell_story() {
-    jostle_predictor_begin(predictor, 60, 0, -9.81, 0);
-    write_line("begin", {60, 0, -9.81, 0});
+    jostle_predictor_begin(predictor, 60, 0, -9.81, 0, 8);
+    write_line("begin", {60, 0, -9.81, 0, 8});
     add_bodies();
     jostle_predictor_follow(predictor, 2);
     write_line("follow", {2});
@@ -159,6 +231,7 @@ void tell_story() {
     tell_frame(100, 0.5);  // the server has them where they began, ours elsewhere
     expect(120);
     expect(150);
+    tell_drive();
 }
 
 }  // namespace

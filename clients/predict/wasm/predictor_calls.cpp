@@ -5,10 +5,12 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "foresight.h"
+#include "jostle/modules/driven.h"
 #include "shape_numbers.h"
 
 using namespace jostle;
@@ -19,8 +21,7 @@ using physics::Vec3;
 
 struct JostlePredictor {
     struct Known {
-        BodyType type;
-        double mass;
+        ToldBody about;
         bool asked = false;
         std::optional<std::vector<ShapeDef>> shapes;  // hulls and meshes are built once
     };
@@ -30,6 +31,8 @@ struct JostlePredictor {
     std::vector<double> numbers;
     std::vector<ToldBody> told;
     std::map<std::uint32_t, Velocity> motions;  // of the next frame
+    ToldDrive drive;
+    std::vector<std::uint32_t> drive_words;
     std::uint32_t unusable = 0;
 
     const std::optional<std::vector<ShapeDef>>& shapes_of(std::uint32_t entity) {
@@ -44,6 +47,7 @@ struct JostlePredictor {
 
 namespace {
 
+constexpr std::uint32_t longest_tag = 32;
 constexpr std::uint32_t numbers_max = 1u << 24;
 constexpr std::size_t numbers_per_body = 9, numbers_per_drawn = 8, numbers_per_motion = 7;
 
@@ -79,18 +83,34 @@ double* jostle_predictor_numbers(JostlePredictor* p, uint32_t count) {
     return p->numbers.data();
 }
 
-void jostle_predictor_begin(JostlePredictor* p, double tick_hz, double x, double y, double z) {
+void jostle_predictor_begin(JostlePredictor* p, double tick_hz, double x, double y, double z,
+                            uint32_t substeps) {
+    p->drive = {};
     p->known.clear();
     p->unusable = 0;
     p->foresight.follow(0);
-    p->foresight.begin({x, y, z}, tick_hz, 0);
+    p->foresight.begin({x, y, z}, tick_hz, static_cast<int>(substeps < 65 ? substeps : 0));
 }
 
 void jostle_predictor_add_body(JostlePredictor* p, uint32_t entity, uint32_t type, double mass) {
     const BodyType kind = type == 2   ? BodyType::dynamic
                           : type == 1 ? BodyType::kinematic
                                       : BodyType::static_body;
-    p->known.insert_or_assign(entity, JostlePredictor::Known{kind, mass, false, std::nullopt});
+    p->known.insert_or_assign(
+        entity, JostlePredictor::Known{{.entity = entity, .type = kind, .mass = mass}, false, {}});
+}
+
+void jostle_predictor_set_body(JostlePredictor* p, uint32_t entity, double linear_damping,
+                               double angular_damping, double gravity_scale, uint32_t locks,
+                               uint32_t drivable) {
+    const auto body = p->known.find(entity);
+    if (body == p->known.end()) return;
+    ToldBody& about = body->second.about;
+    about.linear_damping = linear_damping;
+    about.angular_damping = angular_damping;
+    about.gravity_scale = gravity_scale;
+    about.locks = static_cast<physics::AxisLocks>(locks & 63);
+    about.drivable = drivable != 0;
 }
 
 void jostle_predictor_remove_body(JostlePredictor* p, uint32_t entity) {
@@ -134,6 +154,18 @@ void jostle_predictor_release(JostlePredictor* p, uint32_t sequence, uint32_t ti
     act(p, sequence, tick, Release{});
 }
 
+void jostle_predictor_steer(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t axes,
+                            uint32_t buttons) {
+    physics::Controls controls;
+    if (axes > controls.axes.size() || !has(*p, axes, 1)) return;
+    for (std::size_t k = 0; k < axes; k++) {
+        if (!(p->numbers[k] >= -1 && p->numbers[k] <= 1)) return;
+        controls.axes[k] = p->numbers[k];
+    }
+    controls.buttons = buttons;
+    act(p, sequence, tick, Steer{controls});
+}
+
 void jostle_predictor_result(JostlePredictor* p, uint32_t sequence, uint32_t tick,
                              uint32_t applied) {
     p->foresight.on_result(sequence, tick, applied != 0);
@@ -155,6 +187,25 @@ uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
     return 1;
 }
 
+uint32_t jostle_predictor_drive(JostlePredictor* p, uint32_t entity, uint32_t tick,
+                                uint32_t letters, uint32_t words) {
+    p->drive = {};
+    if (letters > longest_tag || words > modules::driven_words_max) return 0;
+    if (!has(*p, letters + words, 1)) return 0;
+    std::string module;
+    p->drive_words.clear();
+    for (std::size_t k = 0; k < letters + words; k++) {
+        const double n = p->numbers[k];
+        if (!(n >= 0 && n <= (k < letters ? 127 : 4294967295.0))) return 0;
+        if (k < letters)
+            module.push_back(static_cast<char>(n));
+        else
+            p->drive_words.push_back(static_cast<std::uint32_t>(n));
+    }
+    p->drive = {entity, tick, std::move(module), p->drive_words};
+    return 1;
+}
+
 uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bodies) {
     const std::map<std::uint32_t, Velocity> motions = std::exchange(p->motions, {});
     if (!has(*p, bodies, numbers_per_body)) return 0;
@@ -166,13 +217,15 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
         if (about == p->known.end()) continue;
         if (!p->told.empty() && p->told.back().entity >= entity) return 0;
         const auto motion = motions.find(entity);
-        p->told.push_back({entity, about->second.type, about->second.mass,
-                           to_transform(pose_at(n + 1)), n[8] != 0,
-                           motion == motions.end() ? std::nullopt : std::optional(motion->second)});
+        ToldBody& body = p->told.emplace_back(about->second.about);
+        body.pose = to_transform(pose_at(n + 1));
+        body.at_rest = n[8] != 0;
+        if (motion != motions.end()) body.velocity = motion->second;
     }
-    p->foresight.on_frame({.number = number, .bodies = p->told, .shapes_of = [p](auto entity) {
-                               return p->shapes_of(entity);
-                           }});
+    p->foresight.on_frame({.number = number,
+                           .bodies = p->told,
+                           .shapes_of = [p](auto entity) { return p->shapes_of(entity); },
+                           .drive = p->drive});
     return 1;
 }
 
@@ -204,9 +257,14 @@ uint32_t jostle_predictor_sample(JostlePredictor* p, double position, double now
 
 double jostle_predictor_figure(const JostlePredictor* p, uint32_t which) {
     const PredictorStats& stats = p->foresight.stats();
-    const double figures[] = {
-        static_cast<double>(stats.frames),          static_cast<double>(stats.corrections),
-        static_cast<double>(stats.steps),           stats.last_error_m,
-        static_cast<double>(p->foresight.bodies()), static_cast<double>(p->unusable)};
+    const double figures[] = {static_cast<double>(stats.frames),
+                              static_cast<double>(stats.corrections),
+                              static_cast<double>(stats.steps),
+                              stats.last_error_m,
+                              static_cast<double>(p->foresight.bodies()),
+                              static_cast<double>(p->unusable),
+                              static_cast<double>(stats.drives),
+                              static_cast<double>(stats.drive_corrections),
+                              stats.last_drive_error_m};
     return which < std::size(figures) ? figures[which] : 0;
 }

@@ -33,14 +33,22 @@ JOSTLE_CALL(destroy) void jostle_predictor_destroy(JostlePredictor*);
 // asks for room, or that answers with numbers. 0: more than 2^24.
 JOSTLE_CALL(numbers) double* jostle_predictor_numbers(JostlePredictor*, uint32_t count);
 
-// A stream begins: gravity in m/s^2, ticks a second. All bodies are forgotten, and who is followed.
+// A stream begins: gravity in m/s^2, ticks a second, sub-steps of a tick (0: 8). All bodies are
+// forgotten, and who is followed.
 JOSTLE_CALL(begin)
-void jostle_predictor_begin(JostlePredictor*, double tick_hz, double x, double y, double z);
+void jostle_predictor_begin(JostlePredictor*, double tick_hz, double x, double y, double z,
+                            uint32_t substeps);
 
 // There is a body: type 0 static, 1 kinematic, 2 dynamic; mass in kg of a dynamic one. One that was
 // there is another one now.
 JOSTLE_CALL(add_body)
 void jostle_predictor_add_body(JostlePredictor*, uint32_t entity, uint32_t type, double mass);
+// How it moves, where that is not as usual: dampings (1/s), gravity scale, locks (AxisLocks), and
+// whether a module of the server moves it (0 or 1; Entity.drivable). After add_body.
+JOSTLE_CALL(set_body)
+void jostle_predictor_set_body(JostlePredictor*, uint32_t entity, double linear_damping,
+                               double angular_damping, double gravity_scale, uint32_t locks,
+                               uint32_t drivable);
 JOSTLE_CALL(remove_body) void jostle_predictor_remove_body(JostlePredictor*, uint32_t entity);
 // Its shapes, as shape_numbers.h has them. The host calls it when it is asked (below), and once for
 // each body. 1: they were understood.
@@ -69,6 +77,10 @@ void jostle_predictor_drag(JostlePredictor*, uint32_t sequence, uint32_t tick, d
                            double z);
 JOSTLE_CALL(release)
 void jostle_predictor_release(JostlePredictor*, uint32_t sequence, uint32_t tick);
+// What is held by who drives. Numbers: so many axes, -1 to 1.
+JOSTLE_CALL(steer)
+void jostle_predictor_steer(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t axes,
+                            uint32_t buttons);
 // What became of one: it was applied (1) in that tick, or it was not (0).
 JOSTLE_CALL(result)
 void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t applied);
@@ -77,6 +89,11 @@ void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick,
 // entity, velocity of the centre of mass (3), spin (3), in the whole numbers of `jostle.motion`
 // (proto/WIRE.md, "Channels").
 JOSTLE_CALL(motions) uint32_t jostle_predictor_motions(JostlePredictor*, uint32_t bodies);
+// What the client drives, after a tick (proto/WIRE.md, "Driven things"); good until the next.
+// Numbers: the letters of the module's tag, then the words. 1: they were taken.
+JOSTLE_CALL(drive)
+uint32_t jostle_predictor_drive(JostlePredictor*, uint32_t entity, uint32_t tick, uint32_t letters,
+                                uint32_t words);
 // A frame of the server. Numbers, for each of its bodies in rising order of entity: entity,
 // position (3), rotation (4: x y z w), whether it rests (0 or 1). Bodies that were not added are
 // left out.
@@ -92,7 +109,8 @@ JOSTLE_CALL(sample)
 uint32_t jostle_predictor_sample(JostlePredictor*, double position, double now_us, uint32_t bodies);
 
 // 0 frames that were compared, 1 corrections among them, 2 steps that were taken, 3 greatest error
-// of the last frame in m, 4 bodies that are foreseen, 5 bodies whose shapes could not be used.
+// of the last frame in m, 4 bodies that are foreseen, 5 bodies whose shapes could not be used, 6
+// times that what is driven was compared, 7 corrections among them, 8 error of the last one in m.
 JOSTLE_CALL(figure) double jostle_predictor_figure(const JostlePredictor*, uint32_t which);
 
 #ifdef __cplusplus

@@ -196,13 +196,15 @@ ShapeDef read_shape(NumberReader& in) {
     if (!(group >= -2147483648.0 && group <= 2147483647.0)) in.fail();
     if (!in.failed()) shape.filter.group = static_cast<std::int32_t>(group);
     shape.trigger = in.whole(1) == 1;
+    shape.density = in.next();
+    shape.mass = in.next();
     return shape;
 }
 
 }  // namespace
 
 std::optional<std::vector<ShapeDef>> read_shapes(std::span<const double> numbers) {
-    constexpr std::size_t least = 22;  // a sphere and its touch
+    constexpr std::size_t least = 24;  // a sphere and its touch
     NumberReader in(numbers);
     std::vector<ShapeDef> shapes;
     const std::uint32_t count = in.count(least);

@@ -7,7 +7,8 @@
 //   shapes of a body   count, then each: geometry, then how it touches:
 //                      friction, restitution, rolling friction, torsional friction, surface
 //                      velocity (3), friction rule, restitution rule (Combine, from 0), category,
-//                      mask, group, trigger (0 or 1)
+//                      mask, group, trigger (0 or 1); then density (kg/m^3) and mass (kg; 0: by the
+//                      density): how what the body weighs is spread over its shapes
 //   geometry           kind, position (3), rotation (4), then by kind
 //     1 sphere         radius
 //     2 capsule        radius, half length

@@ -64,6 +64,39 @@ async function drag(page, until) {
   return { movedMs, foreseen, isOurs: foreseen?.followed === box };
 }
 
+/** How long after the key the character was seen to walk, and what was foreseen then. */
+async function walk(page, url, until) {
+  await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}&world=parkour`);
+  await until('the viewer plays parkour and has its predictor', () =>
+    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.foreseen && window.jostle.drivable().length > 0),
+  );
+  await until('the clock of inputs runs', () => page.evaluate(() => window.jostle.inputTick > 0));
+  await page.keyboard.press('8');
+  await page.locator('#driver button', { hasText: /^walker5$/ }).click();
+  await until('walker5 is driven and foreseen', () => page.evaluate(() => window.jostle.driven && window.jostle.foreseen.drives > 3));
+  await page.evaluate(() => {
+    const id = window.jostle.driven;
+    const seen = (window.seen = { movedMs: 0, foreseen: undefined });
+    const down = () => {
+      const began = performance.now();
+      const stood = window.jostle.pose(id);
+      const look = () => {
+        const now = window.jostle.pose(id);
+        if (Math.hypot(now[0] - stood[0], now[2] - stood[2]) <= 0.05) return requestAnimationFrame(look);
+        seen.foreseen = window.jostle.foreseen;
+        seen.movedMs = performance.now() - began;
+      };
+      look();
+    };
+    addEventListener('keydown', down, { capture: true, once: true });
+  });
+  await page.keyboard.down('w');
+  const seen = await until('it walks', () => page.evaluate(() => window.seen.movedMs && window.seen));
+  await new Promise((done) => setTimeout(done, 2 * ROUND_TRIP_MS)); // until the server has told of it
+  await page.keyboard.up('w');
+  return { ...seen, after: await page.evaluate(() => window.jostle.foreseen) };
+}
+
 export async function predicting({ page, url, until, expect }) {
   await enter(page, url, until);
   const pictures = await picturesPerSecond(page);
@@ -75,4 +108,8 @@ export async function predicting({ page, url, until, expect }) {
   }
   expect(seen.isOurs && seen.foreseen.bodies > 1, `the box and ${seen.foreseen.bodies - 1} others are foreseen`);
   expect(seen.movedMs < ROUND_TRIP_MS, `the box moved ${seen.movedMs.toFixed(0)} ms after it was taken, over a round trip of ${ROUND_TRIP_MS} ms`);
+  let walked = await walk(page, url, until);
+  for (let attempt = 1; attempt < ATTEMPTS && !(walked.movedMs < ROUND_TRIP_MS); attempt++) walked = await walk(page, url, until);
+  const { drives, driveCorrections } = walked.after;
+  expect(walked.movedMs < ROUND_TRIP_MS, `the character walked ${walked.movedMs.toFixed(0)} ms after the key; ${drives - driveCorrections} of ${drives} times the server said what was foreseen`);
 }

@@ -22,6 +22,7 @@ import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
 import { shownMoment } from './shown_moment';
 import { decodeChannels } from './channels';
+import { DrivenWords, type DrivenThing } from './word_changes';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -69,6 +70,8 @@ export interface Foresees {
   begin(welcome: Welcome): void;
   came(entity: Entity): void;
   went(entity: number): void;
+  /** What this client drives, before the frame of its tick; undefined: that is not known any more. */
+  driven(thing: DrivenThing | undefined): void;
   frame(frame: PoseFrame): void;
   result(result: InputResult): void;
   /** An input that will be sent with that number; one of the same number as the last comes in its place. Tick 0: the next one. */
@@ -102,6 +105,7 @@ export class Connection {
   state: State = 'stopped';
 
   private readonly largeShapes = new LargeShapes();
+  private readonly driven = new DrivenWords();
   private eventsWanted = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
@@ -170,6 +174,7 @@ export class Connection {
     if (!this.welcome) return;
     foresees.begin(this.welcome);
     for (const entity of this.entities.values()) foresees.came(entity);
+    foresees.driven(this.driven.newest);
   }
 
   send(given: Input): void {
@@ -339,6 +344,7 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
+    this.driven.forget();
   }
 
   private onEntityList(change: Roster): void {
@@ -358,6 +364,10 @@ export class Connection {
     this.ackDue = true;
     // Before its frame, so that late inputs are where the server had them.
     for (const result of s.own?.results ?? []) this.foresees?.result(result);
+    if (s.driven) {
+      this.driven.apply(s.driven);
+      this.foresees?.driven(this.driven.newest);
+    }
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
     for (const result of s.own?.results ?? [])

@@ -10,6 +10,8 @@
 namespace jostle::modules::character_detail {
 
 inline constexpr physics::Vec3 up{0, 1, 0};
+inline constexpr physics::AxisLocks upright =  // of a rigid one
+    physics::lock_rotation_x | physics::lock_rotation_y | physics::lock_rotation_z;
 
 inline physics::Vec3 horizontal(physics::Vec3 v) {
     return {v.x, 0, v.z};

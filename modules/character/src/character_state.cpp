@@ -17,7 +17,6 @@ using character_detail::Record;
 namespace {
 
 constexpr double driven_speed = 5;  // m/s at full stick
-constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_z;
 
 void visit_size(StateVisitor& v, Record& r) {
     using namespace character_detail;
@@ -172,7 +171,7 @@ bool Characters::visit_driven(World& world, BodyId body, StateVisitor& v) {
     } else {
         read.generation = known->generation;
     }
-    if (rigid) static_cast<void>(world.set_locks(body, upright));
+    if (rigid) static_cast<void>(world.set_locks(body, character_detail::upright));
     const bool other_shape = known->crouched != read.crouched;
     *known = read;
     if (other_shape) character_detail::reshape(world, *known);
@@ -189,7 +188,7 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
         if (Status s = check_record(name, *record); !s.ok()) return s;
         if (store_->records.size() == most) return no_character(name, "is one more than 4096");
         if (record->kind == CharacterKind::rigid) {
-            if (Status s = world.set_locks(body, upright); !s.ok()) return s;
+            if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;
         }
         record->alive = true;
         record->generation = 1;

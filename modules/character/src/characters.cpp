@@ -17,8 +17,6 @@ using character_detail::Store;
 
 namespace {
 
-constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_z;
-
 Error unknown(CharacterId id) {
     return {ErrorCode::not_found, "character {" + std::to_string(id.index) + ", " +
                                       std::to_string(id.generation) +
@@ -46,7 +44,7 @@ Result<BodyId> make_body(World& world, const Record& record, const CharacterDef&
     const BodyDef body{.type = sweeps ? BodyType::kinematic : BodyType::dynamic,
                        .pose = {record.feet, attitude(record)},
                        .linear_velocity = sweeps ? Vec3{} : def.velocity,
-                       .locks = sweeps ? AxisLocks{0} : upright,
+                       .locks = sweeps ? AxisLocks{0} : character_detail::upright,
                        .user_data = def.user_data};
     const ShapeDef shape{
         .geometry = character_detail::capsule_of(record, record.height),

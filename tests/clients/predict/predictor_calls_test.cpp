@@ -38,7 +38,7 @@ struct Caller {
     }
     void begin() {
         asked.clear();
-        jostle_predictor_begin(predictor, 60, 0, -9.81, 0);
+        jostle_predictor_begin(predictor, 60, 0, -9.81, 0, 8);
         jostle_predictor_add_body(predictor, 1, 0, 0);
         jostle_predictor_add_body(predictor, 2, 2, 100);
         jostle_predictor_follow(predictor, 2);
@@ -50,8 +50,9 @@ struct Caller {
 void jostle_predictor_ask_shapes(JostlePredictor* predictor, uint32_t entity) {
     asked.push_back(entity);
     const double half = entity == 1 ? 50 : 0.25, high = entity == 1 ? 0.5 : 0.25;
-    const Numbers shapes{1, 3, 0, 0, 0, 0, 0, 0, 1, half,         high, half, 0.5,
-                         0, 0, 0, 0, 0, 0, 1, 4, 1, 4294967295.0, 0,    0};
+    const Numbers shapes{1,   3,    0, 0, 0, 0, 0, 0, 1, half, high,         half,
+                         0.5, 0,    0, 0, 0, 0, 0, 1, 4, 1,    4294967295.0, 0,
+                         0,   1000, 0};
     double* to = jostle_predictor_numbers(predictor, static_cast<uint32_t>(shapes.size()));
     std::copy(shapes.begin(), shapes.end(), to);
     EXPECT_EQ(jostle_predictor_set_shapes(predictor, entity, static_cast<uint32_t>(shapes.size())),

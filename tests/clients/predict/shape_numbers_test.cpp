@@ -18,7 +18,7 @@ using namespace physics;
 using Numbers = std::vector<double>;
 
 const Numbers at_one_two_three{1, 2, 3, 0, 0, 0, 1};
-const Numbers touch{0.7, 0.2, 0.01, 0.02, 1, 0, -1, 0, 3, 6, 5, -2, 1};
+const Numbers touch{0.7, 0.2, 0.01, 0.02, 1, 0, -1, 0, 3, 6, 5, -2, 1, 300, 0};
 
 Numbers one(const Numbers& kind, const Numbers& sizes) {
     Numbers numbers{1};
@@ -49,6 +49,8 @@ TEST(ShapeNumbers, a_box_has_its_place_its_size_and_all_that_decides_how_it_touc
     EXPECT_EQ(s.material.restitution_rule, Combine::multiply);
     EXPECT_EQ(s.filter, (Filter{6, 5, -2}));
     EXPECT_TRUE(s.trigger);
+    EXPECT_EQ(s.density, 300);
+    EXPECT_EQ(s.mass, 0);
 }
 
 TEST(ShapeNumbers, hulls_meshes_fields_and_compounds_are_built) {

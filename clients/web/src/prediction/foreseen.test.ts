@@ -59,6 +59,21 @@ describe('foreseen', () => {
     expect(foreseen.followed, 'not again').toBe(0);
   });
 
+  it('follows what is driven until it is let go, whatever else is pushed', async () => {
+    const { foreseen, frame, tick } = await room();
+    foreseen.came({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), drivable: true });
+    frame(0, true);
+    foreseen.input(1, tick() + 3, { kind: { case: 'possess', value: { entity: CRATE } } });
+    expect(foreseen.followed).toBe(CRATE);
+    foreseen.input(2, tick() + 3, { kind: { case: 'impulse', value: { entity: FLOOR, impulse: { x: 1 } } } });
+    foreseen.input(3, tick() + 3, { kind: { case: 'control', value: { axes: [0, 1000], buttons: 1 } } });
+    for (let k = 0; k < 100; k++) frame(0, true);
+    expect(foreseen.followed, 'it rests, and somebody drives it').toBe(CRATE);
+    expect(foreseen.stats.bodies, 'what moves it was not told').toBe(0);
+    foreseen.input(4, tick() + 3, { kind: { case: 'possess', value: { entity: 0 } } });
+    expect(foreseen.followed).toBe(0);
+  });
+
   it('says once that the predictor failed, and foresees nothing from then on', async () => {
     const { foreseen, predictor, errors, frame, tick } = await room();
     frame(0);

@@ -1,10 +1,11 @@
-// Whose motion the viewer foresees, and when it does not: the body that a hand holds or a push hits, until it rests. What the
-// predictor gets wrong again and again is left to the server: clients are not told of joints and modules, so parts of ragdolls and cars
-// are not foreseen for long.
+// Whose motion the viewer foresees, and when it does not: what it drives, else the body that a hand holds or a push hits, until it rests.
+// What the predictor gets wrong again and again is left to the server: clients are not told of joints, so parts of ragdolls are not
+// foreseen for long.
 
 import type { Foresees, Input } from '../connection';
 import type { FrameBuffer, PoseFrame } from '../frame_buffer';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
+import type { DrivenThing } from '../word_changes';
 import { MOTION } from './motion';
 import type { Picture, Predictor, PredictorStats } from './predictor';
 
@@ -13,10 +14,16 @@ const FORGET_SHARE = 1 / 30; // of what frames before said, by each
 const TOO_OFTEN = 0.5;
 const QUIET_FRAMES = 60; // after the last input
 
+/** How often the followed one was compared with what the server says, and how far off it was. */
+function compared(stats: PredictorStats, driving: boolean): { times: number; errorM: number } {
+  return driving ? { times: stats.drives, errorM: stats.lastDriveErrorM } : { times: stats.frames, errorM: stats.lastErrorM };
+}
+
 export class Foreseen implements Foresees {
   /** 0: nobody. */
   followed = 0;
   private held = false;
+  private driving = 0; // 0: nothing
   private motion: number | undefined; // the kind of channel that says how bodies move
   private wrong = 0; // share of frames
   private frames = 0; // compared so far
@@ -34,14 +41,15 @@ export class Foreseen implements Foresees {
     private readonly failed: (error: unknown) => void,
   ) {}
 
-  begin({ tickHz, gravity, channels }: Welcome): void {
+  begin({ tickHz, gravity, channels, substeps }: Welcome): void {
     const motion = channels.findIndex(({ name }) => name === MOTION);
     this.motion = motion < 0 ? undefined : motion;
     this.followed = 0;
     this.held = false;
+    this.driving = 0;
     this.left.clear();
     this.meant.clear();
-    this.try(() => this.predictor.begin(tickHz, gravity ?? { x: 0, y: 0, z: 0 }));
+    this.try(() => this.predictor.begin(tickHz, gravity ?? { x: 0, y: 0, z: 0 }, substeps));
   }
 
   came(entity: Entity): void {
@@ -50,12 +58,22 @@ export class Foreseen implements Foresees {
 
   went(entity: number): void {
     this.try(() => this.predictor.removeBody(entity));
+    if (entity === this.driving) this.driving = 0;
     if (entity === this.followed) this.follow(0);
+  }
+
+  driven(thing: DrivenThing | undefined): void {
+    this.try(() => this.predictor.drive(thing));
   }
 
   input(sequence: number, tick: number, input: Input): void {
     const kind = input.kind;
-    if (kind?.case === 'grab') this.follow(kind.value.entity ?? 0);
+    if (kind?.case === 'possess') {
+      this.driving = kind.value.entity ?? 0;
+      this.follow(this.driving);
+    } else if (this.driving !== 0) {
+      // What is driven is foreseen, whatever else is pushed.
+    } else if (kind?.case === 'grab') this.follow(kind.value.entity ?? 0);
     else if (kind?.case === 'impulse' && !this.held) this.follow(kind.value.entity ?? 0);
     if (kind?.case === 'grab' || kind?.case === 'release') this.held = kind.case === 'grab';
     this.sinceInput = 0;
@@ -76,7 +94,7 @@ export class Foreseen implements Foresees {
     this.try(() => this.predictor.onFrame(frame, this.motion));
     this.judge(this.predictor.stats);
     const rests = frame.entities.find(({ id }) => id === this.followed)?.atRest ?? true;
-    if (++this.sinceInput > QUIET_FRAMES && !this.held && rests) this.follow(0);
+    if (++this.sinceInput > QUIET_FRAMES && !this.held && this.driving === 0 && rests) this.follow(0);
   }
 
   /** The picture of now: at that place of the input clock, in ticks. */
@@ -95,16 +113,17 @@ export class Foreseen implements Foresees {
     this.try(() => {
       this.predictor.follow(entity);
       if (entity === 0) return;
-      this.frames = this.predictor.stats.frames;
+      this.frames = compared(this.predictor.stats, this.driving !== 0).times;
       // Two, for velocities.
       for (const frame of this.buffer.newestTwo) this.predictor.onFrame(frame, this.motion);
     });
   }
 
-  private judge({ frames, lastErrorM }: PredictorStats): void {
-    if (frames === this.frames) return;
-    this.frames = frames;
-    this.wrong += FORGET_SHARE * ((lastErrorM > WRONG_M ? 1 : 0) - this.wrong);
+  private judge(stats: PredictorStats): void {
+    const { times, errorM } = compared(stats, this.driving !== 0);
+    if (times === this.frames) return;
+    this.frames = times;
+    this.wrong += FORGET_SHARE * ((errorM > WRONG_M ? 1 : 0) - this.wrong);
     if (this.wrong < TOO_OFTEN) return;
     const entity = this.followed;
     this.follow(0);

@@ -6,7 +6,8 @@ import type { PoseFrame } from '../frame_buffer';
 import { POSE_FLOATS } from '../frame_buffer';
 import type { Input } from '../connection';
 import type { Entity } from '../gen/jostle/v1/play_pb';
-import { BodyType } from '../gen/jostle/v1/scene_pb';
+import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb';
+import type { DrivenThing } from '../word_changes';
 import { shapeNumbers } from './shape_numbers';
 
 /** The module cannot be loaded, or has failed and is of no use any more. */
@@ -21,8 +22,9 @@ export interface Calls {
   create(): Pointer;
   destroy(p: Pointer): void;
   numbers(p: Pointer, count: number): Pointer;
-  begin(p: Pointer, tickHz: number, x: number, y: number, z: number): void;
+  begin(p: Pointer, tickHz: number, x: number, y: number, z: number, substeps: number): void;
   add_body(p: Pointer, entity: number, type: number, mass: number): void;
+  set_body(p: Pointer, entity: number, linearDamping: number, angularDamping: number, gravityScale: number, locks: number, drivable: number): void;
   remove_body(p: Pointer, entity: number): void;
   set_shapes(p: Pointer, entity: number, count: number): number;
   follow(p: Pointer, entity: number): void;
@@ -31,8 +33,10 @@ export interface Calls {
   grab(p: Pointer, sequence: number, tick: number, entity: number, x: number, y: number, z: number): void;
   drag(p: Pointer, sequence: number, tick: number, x: number, y: number, z: number): void;
   release(p: Pointer, sequence: number, tick: number): void;
+  steer(p: Pointer, sequence: number, tick: number, axes: number, buttons: number): void;
   result(p: Pointer, sequence: number, tick: number, applied: number): void;
   motions(p: Pointer, bodies: number): number;
+  drive(p: Pointer, entity: number, tick: number, letters: number, words: number): number;
   frame(p: Pointer, number: number, bodies: number): number;
   drawn(p: Pointer): number;
   sample(p: Pointer, position: number, nowUs: number, bodies: number): number;
@@ -44,7 +48,14 @@ const NOT_SUPPORTED = 58; // of WASI's errors
 const FRAME_NUMBERS = 9;
 const DRAWN_NUMBERS = 8;
 const MOTION_NUMBERS = 7;
+const NOTHING_DRIVEN: DrivenThing = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
 
+/** AxisLocks of the solver. */
+function lockBits(locks: Locks | undefined): number {
+  if (!locks) return 0;
+  const { x, y, z, turnX, turnY, turnZ } = locks;
+  return [x, y, z, turnX, turnY, turnZ].reduce((bits, locked, k) => bits | (locked ? 1 << k : 0), 0);
+}
 
 /** What the C++ library asks of a system: the time, and nothing else that it would get. */
 function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
@@ -91,6 +102,9 @@ export interface PredictorStats {
   readonly lastErrorM: number; // greatest of the last frame, before it was corrected
   readonly bodies: number; // that are foreseen
   readonly unusable: number; // bodies whose shapes the solver cannot have
+  readonly drives: number; // times that what is driven was compared
+  readonly driveCorrections: number; // of them: that were not what was foreseen
+  readonly lastDriveErrorM: number; // of the last one
 }
 
 /** Poses of a picture, which are replaced where they are foreseen (DrawnPoses). */
@@ -121,14 +135,16 @@ export class Predictor {
   }
 
   /** A stream begins: everything is forgotten. */
-  begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }): void {
+  begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }, substeps = 0): void {
     this.entities.clear();
-    this.calls.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z);
+    this.calls.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z, substeps);
   }
 
   addBody(entity: Entity): void {
     this.entities.set(entity.id, entity);
     this.calls.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
+    const { id, linearDamping, angularDamping, gravityScale = 1, locks, drivable } = entity;
+    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), drivable ? 1 : 0);
   }
 
   removeBody(entity: number): void {
@@ -161,12 +177,28 @@ export class Predictor {
       }
       case 'release':
         return calls.release(self, sequence, tick);
+      case 'control': {
+        const { axes = [], buttons = 0 } = kind.value;
+        this.room(axes.length).set(axes.map((thousandths) => thousandths / 1000));
+        return calls.steer(self, sequence, tick, axes.length, buttons);
+      }
+      case 'possess': // lets go of what was driven
+        return calls.steer(self, sequence, tick, 0, 0);
     }
   }
 
   /** What became of one. */
   onResult(sequence: number, tick: number, applied: boolean): void {
     this.calls.result(this.self, sequence, tick, applied ? 1 : 0);
+  }
+
+  /** What is driven, before the frame of its tick; undefined: nothing that is known. */
+  drive(thing: DrivenThing | undefined): void {
+    const { entity, tick, module, words } = thing ?? NOTHING_DRIVEN;
+    const numbers = this.room(module.length + words.length);
+    for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);
+    numbers.set(words, module.length);
+    this.calls.drive(this.self, entity, tick, module.length, words.length);
   }
 
   /** `motion`: the number of the kind MOTION (motion.ts), where that is told. */
@@ -214,7 +246,7 @@ export class Predictor {
 
   get stats(): PredictorStats {
     const figure = (which: number) => this.calls.figure(this.self, which);
-    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5) };
+    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), drives: figure(6), driveCorrections: figure(7), lastDriveErrorM: figure(8) };
   }
 
   /** The predictor's list of numbers. Good until the next call: its memory may move. */

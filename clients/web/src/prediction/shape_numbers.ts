@@ -4,6 +4,7 @@ import { Combine, type Shape } from '../gen/jostle/v1/scene_pb';
 
 type Point = { readonly x: number; readonly y: number; readonly z: number };
 
+const WATER = 1000; // kg/m^3, the usual density
 const NOWHERE: Point = { x: 0, y: 0, z: 0 };
 const UP: Point = { x: 0, y: 1, z: 0 };
 const EVERYTHING = 0xffffffff;
@@ -31,6 +32,7 @@ function putTouch(out: number[], shape: Shape): void {
   out.push(rule(shape.frictionRule, Combine.GEOMETRIC_MEAN), rule(shape.restitutionRule, Combine.MAXIMUM));
   const { filter } = shape;
   out.push(filter?.category ?? 1, filter?.mask ?? EVERYTHING, filter?.group ?? 0, shape.trigger ? 1 : 0);
+  out.push(shape.density ?? WATER, shape.mass ?? 0);
 }
 
 function putGeometry(out: number[], shape: Shape, inside: boolean): boolean {

@@ -15,10 +15,11 @@
 //     predictor.on_results(me->take_results());
 //     draw(predictor.sample(me->input_position(now), now_us, me->interpolated(now)));
 //
-// What it foresees: impulses, and what hands hold and drag; not what modules do (cars, characters)
-// nor joints of the scene, for clients are not told of them. Velocities are told to who names
-// motion_channel in ClientOptions::channels, for a few bytes more of each body that is awake; else
-// they are estimated from frames where the server disagrees. One thread at a time.
+// What it foresees: impulses, what hands hold and drag, and the car or character that the client
+// drives, if that is who is followed; not joints of the scene, for clients are not told of them.
+// Velocities, and what is driven, are told to who names motion_channel in ClientOptions::channels,
+// for a few bytes more of each body that is awake; else velocities are estimated from frames where
+// the server disagrees. One thread at a time.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobu
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
 import type { Quat, SeenMoment, Vec3 } from "./common_pb";
 import { file_jostle_v1_common } from "./common_pb";
-import type { BodyType, Shape } from "./scene_pb";
+import type { BodyType, Locks, Shape } from "./scene_pb";
 import { file_jostle_v1_scene } from "./scene_pb";
 import type { Message } from "@bufbuild/protobuf";
 
@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yInwKA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SIwoEc2VlbhgEIAEoCzIVLmpvc3RsZS52MS5TZWVuTW9tZW50In0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIkwKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEg8KB2hlbGRfbXMYAyABKA0SDgoGYmVmb3JlGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByLqAwoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBIsCglkYXRhZ3JhbXMYFCABKAsyGS5qb3N0bGUudjEuRGF0YWdyYW1UaWNrZXQSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiNwoORGF0YWdyYW1UaWNrZXQSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3IigAMKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEg0KBWJhc2VzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSDQoFc3RpbGwYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlEiIKBWNlbGxzGBAgAygLMhMuam9zdGxlLnYxLkNlbGxQYXJ0EhIKCmNlbGxzX2xlZnQYESADKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMiswEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKKAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIWCg5tb21lbnRfY2xhbXBlZBgGIAEoCCI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhYKEkNIQU5ORUxfRk9STV9GSUVMRBADEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yInwKA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SIwoEc2VlbhgEIAEoCzIVLmpvc3RsZS52MS5TZWVuTW9tZW50In0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIkwKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEg8KB2hlbGRfbXMYAyABKA0SDgoGYmVmb3JlGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByL8AwoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBIQCghzdWJzdGVwcxgQIAEoDRIsCglkYXRhZ3JhbXMYFCABKAsyGS5qb3N0bGUudjEuRGF0YWdyYW1UaWNrZXQSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiNwoORGF0YWdyYW1UaWNrZXQSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSKjAwoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SDQoFYmFzZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxINCgVzdGlsbBgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGUSIgoFY2VsbHMYECADKAsyEy5qb3N0bGUudjEuQ2VsbFBhcnQSEgoKY2VsbHNfbGVmdBgRIAMoDRIhCgZkcml2ZW4YEiABKAsyES5qb3N0bGUudjEuRHJpdmVuSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIrMBCgdQcml2YXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0idQoGRHJpdmVuEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRINCgV3aG9sZRgFIAEoCBIPCgdjaGFuZ2VkGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKKAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIWCg5tb21lbnRfY2xhbXBlZBgGIAEoCCI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhYKEkNIQU5ORUxfRk9STV9GSUVMRBADEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -939,6 +939,13 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   cells: boolean;
 
   /**
+   * of a step of the world, for those who simulate; 0: each island takes as many as it needs
+   *
+   * @generated from field: uint32 substeps = 16;
+   */
+  substeps: number;
+
+  /**
    * absent: all goes by the stream
    *
    * @generated from field: jostle.v1.DatagramTicket datagrams = 20;
@@ -1199,6 +1206,34 @@ export type Entity = Message<"jostle.v1.Entity"> & {
    * @generated from field: bool drivable = 8;
    */
   drivable: boolean;
+
+  /**
+   * How it moves, of a dynamic one, as scenes say it (Body); for those who simulate.
+   *
+   * 1/s
+   *
+   * @generated from field: double linear_damping = 9;
+   */
+  linearDamping: number;
+
+  /**
+   * 1/s
+   *
+   * @generated from field: double angular_damping = 10;
+   */
+  angularDamping: number;
+
+  /**
+   * absent: 1
+   *
+   * @generated from field: optional double gravity_scale = 11;
+   */
+  gravityScale?: number | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Locks locks = 12;
+   */
+  locks?: Locks | undefined;
 };
 
 /**
@@ -1301,6 +1336,11 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
    * @generated from field: repeated uint32 cells_left = 17;
    */
   cellsLeft: number[];
+
+  /**
+   * @generated from field: jostle.v1.Driven driven = 18;
+   */
+  driven?: Driven | undefined;
 };
 
 /**
@@ -1366,6 +1406,68 @@ export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 29);
 
 /**
+ * The thing that this client drives, for who foresees it: told to who named the channel "jostle.motion", sixteen times a second. Its
+ * state is a list of words (WIRE.md, "Driven things"), told against the list before.
+ *
+ * @generated from message jostle.v1.Driven
+ */
+export type Driven = Message<"jostle.v1.Driven"> & {
+  /**
+   * @generated from field: uint32 entity = 1;
+   */
+  entity: number;
+
+  /**
+   * the tag of the module that moves it
+   *
+   * @generated from field: string module = 2;
+   */
+  module: string;
+
+  /**
+   * after which it was so
+   *
+   * @generated from field: uint32 tick = 3;
+   */
+  tick: number;
+
+  /**
+   * how many
+   *
+   * @generated from field: uint32 words = 4;
+   */
+  words: number;
+
+  /**
+   * against a list of zeros
+   *
+   * @generated from field: bool whole = 5;
+   */
+  whole: boolean;
+
+  /**
+   * a bit for each word, the lowest of each byte first: it is told anew. Bytes that are left out are 0
+   *
+   * @generated from field: bytes changed = 6;
+   */
+  changed: Uint8Array;
+
+  /**
+   * these words, 4 bytes each, little-endian
+   *
+   * @generated from field: bytes values = 7;
+   */
+  values: Uint8Array;
+};
+
+/**
+ * Describes the message jostle.v1.Driven.
+ * Use `create(DrivenSchema)` to create a new message.
+ */
+export const DrivenSchema: GenMessage<Driven> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 30);
+
+/**
  * @generated from message jostle.v1.InputResult
  */
 export type InputResult = Message<"jostle.v1.InputResult"> & {
@@ -1413,7 +1515,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1435,7 +1537,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * Twice a second, or as often as the server's settings say.
@@ -1510,7 +1612,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1532,7 +1634,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
@@ -1611,7 +1713,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1661,7 +1763,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1685,7 +1787,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1721,7 +1823,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 38);
 
 /**
  * What the numbers are, for those who show them without knowing the module.

@@ -50,8 +50,7 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& bases
     wire::RangeWalk walk(counter, models, spec);
     walk.entities(lists, bases, frame.entities.size());
     std::vector<wire::EntityState> none;
-    walk.survivors(to.kept, none, wire::survivors_of(bases, to.removed),
-                   wire::spacing_of(frame.frame, bases));
+    walk.survivors(to.kept, none, to.survivors, wire::spacing_of(frame.frame, bases));
 }
 
 // Nobody goes or comes in those scenes: here every half second a body in twenty does.

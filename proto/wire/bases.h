@@ -3,6 +3,8 @@
 // What a snapshot is told against.
 #pragma once
 
+#include <cstddef>
+
 #include "wire/entity_state.h"
 
 namespace jostle::wire {
@@ -14,6 +16,12 @@ struct Bases {
     const QuantizedFrame* base = nullptr;
     const QuantizedFrame* base2 = nullptr;
     const QuantizedFrame* base3 = nullptr;
+};
+
+// Positions from `begin` to before `end`, in a frame and its base alike: the same entities, which
+// lie at rest in the base and are in the frame what they are there.
+struct QuietRun {
+    std::size_t begin = 0, end = 0;
 };
 
 }  // namespace jostle::wire

@@ -96,24 +96,29 @@ void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawne
     }
 }
 
-void write_survivors(BitWriter& out, const std::vector<Survivor>& survivors,
-                     const std::vector<const EntityState*>& now, const Spacing& t,
+void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
                      const QuantSpec& spec) {
+    const std::vector<Survivor>& survivors = to.survivors;
+    const std::vector<const EntityState*>& now = to.kept;
     // Still entities from `from` on before the first one that changes its pose.
     const auto run_of_still = [&](std::size_t from) {
         std::uint64_t run = 0;
         for (std::size_t i = from; i < survivors.size(); i++) {
+            run += survivors[i].quiet_before;
             if (!is_still(survivors[i])) continue;
-            if (!same_pose(*now[i], *survivors[i].base)) break;
+            if (!same_pose(*now[i], *survivors[i].base)) return run;
             run++;
         }
-        return run;
+        return run + to.quiet_after;
     };
     std::vector<std::size_t> toggles;
     std::uint64_t run = run_of_still(0);
     out.exp_golomb(run, still_order);
-    for (std::size_t i = 0; i < survivors.size(); i++) {
+    std::size_t position = 0;
+    for (std::size_t i = 0; i < survivors.size(); i++, position++) {
         const Survivor& s = survivors[i];
+        position += s.quiet_before;
+        run -= s.quiet_before;
         const bool still = is_still(s);
         bool changed;
         if (still) {
@@ -123,7 +128,7 @@ void write_survivors(BitWriter& out, const std::vector<Survivor>& survivors,
             changed = !same_pose(*now[i], *s.base);
             out.bits(changed ? 1 : 0, 1);
         }
-        if (now[i]->at_rest != (changed ? false : s.base->at_rest)) toggles.push_back(i);
+        if (now[i]->at_rest != (changed ? false : s.base->at_rest)) toggles.push_back(position);
         if (!changed) continue;
         write_pose(out, *now[i], s, t, spec);
         if (still) {
@@ -276,12 +281,12 @@ private:
 
 }  // namespace
 
-std::vector<std::byte> encode_bit_frame(const Succession& to, const Bases& bases, const Spacing& t,
+std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
                                         const QuantSpec& spec) {
     BitWriter out;
     write_removed(out, to.removed);
     write_spawned(out, to.spawned, spec);
-    write_survivors(out, survivors_of(bases, to.removed), to.kept, t, spec);
+    write_survivors(out, to, t, spec);
     return out.finish();
 }
 

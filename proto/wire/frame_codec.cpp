@@ -25,11 +25,13 @@ bool usable(const QuantSpec& spec) {
 }  // namespace
 
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& bases,
-                                    const QuantSpec& spec, Codec codec) {
-    const Succession to = succession_of(frame, bases);
+                                    const QuantSpec& spec, Codec codec,
+                                    std::span<const QuietRun> quiet) {
+    const Succession to =
+        quiet.empty() ? succession_of(frame, bases) : succession_of(frame, bases, quiet);
     const Spacing t = spacing_of(frame.frame, bases);
     return codec == Codec::range ? encode_range_frame(to, bases, t, spec)
-                                 : encode_bit_frame(to, bases, t, spec);
+                                 : encode_bit_frame(to, t, spec);
 }
 
 Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
@@ -54,20 +56,36 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
     return QuantizedFrame{.frame = frame_number, .entities = std::move(*entities)};
 }
 
-std::uint32_t frame_crc(const QuantizedFrame& frame) {
-    std::vector<std::byte> bytes;
-    bytes.reserve(frame.entities.size() * 24);
-    const auto put = [&](std::uint32_t value, int size) {
-        for (int k = 0; k < size; k++) bytes.push_back(static_cast<std::byte>(value >> (8 * k)));
-    };
-    for (const EntityState& state : frame.entities) {
-        put(state.id, 4);
-        for (const std::int32_t p : state.position) put(static_cast<std::uint32_t>(p), 4);
-        put(state.largest, 1);
-        for (const std::int16_t r : state.rotation) put(static_cast<std::uint16_t>(r), 2);
-        put(state.at_rest ? 1 : 0, 1);
+namespace {
+
+std::uint32_t crc_over(std::uint32_t state, std::span<const EntityState> entities) {
+    const auto half = [](auto value) { return std::uint64_t{static_cast<std::uint16_t>(value)}; };
+    const auto word = [](auto value) { return std::uint64_t{static_cast<std::uint32_t>(value)}; };
+    for (const EntityState& e : entities) {
+        state = crc32_go_on(state, word(e.id) | word(e.position[0]) << 32);
+        state = crc32_go_on(state, word(e.position[1]) | word(e.position[2]) << 32);
+        state = crc32_go_on(state, std::uint64_t{e.largest} | half(e.rotation[0]) << 8 |
+                                       half(e.rotation[1]) << 24 | half(e.rotation[2]) << 40 |
+                                       std::uint64_t{e.at_rest ? 1u : 0u} << 56);
     }
-    return crc32(bytes);
+    return state;
+}
+
+}  // namespace
+
+std::uint32_t frame_crc(const QuantizedFrame& frame) {
+    return ~crc_over(crc32_begin, frame.entities);
+}
+
+std::uint32_t block_crc(std::span<const EntityState> block) {
+    return crc_over(0, block);
+}
+
+std::uint32_t frame_crc(const QuantizedFrame& frame, std::span<const std::uint32_t> blocks) {
+    static const Crc32Zeros over_block(crc_block * 24);
+    std::uint32_t state = crc32_begin;
+    for (const std::uint32_t block : blocks) state = over_block(state) ^ block;
+    return ~crc_over(state, std::span(frame.entities).subspan(blocks.size() * crc_block));
 }
 
 }  // namespace jostle::wire

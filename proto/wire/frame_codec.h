@@ -23,8 +23,11 @@ enum class Codec : std::uint32_t {
 };
 inline constexpr Codec newest_codec = Codec::range;
 
+// `quiet`: what need not be looked at, rising runs, given only where frame and base are of the same
+// entities. The bytes are the same with and without.
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& bases,
-                                    const QuantSpec& spec, Codec codec = Codec::bits);
+                                    const QuantSpec& spec, Codec codec = Codec::bits,
+                                    std::span<const QuietRun> quiet = {});
 
 // What a client is willing to hold unless it says otherwise.
 inline constexpr std::size_t default_entities_max = 1u << 20;
@@ -38,5 +41,10 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
 
 // CRC-32 (crc32.h) of the entities, each written as 24 bytes; WIRE.md gives their layout.
 std::uint32_t frame_crc(const QuantizedFrame& frame);
+// The same, for who knows which entities are as they were: block_crc() of each crc_block entities,
+// as many whole blocks from the first on as are given.
+inline constexpr std::size_t crc_block = 128;
+std::uint32_t block_crc(std::span<const EntityState> block);
+std::uint32_t frame_crc(const QuantizedFrame& frame, std::span<const std::uint32_t> blocks);
 
 }  // namespace jostle::wire

@@ -13,7 +13,7 @@ std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& bas
     WalkedLists lists = lists_of(to);
     walk.entities(lists, bases, to.kept.size() + to.spawned.size());
     std::vector<EntityState> none;
-    walk.survivors(to.kept, none, survivors_of(bases, to.removed), t);
+    walk.survivors(to.kept, none, to.survivors, t, to.quiet_after);
     return out.finish();
 }
 

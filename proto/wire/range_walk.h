@@ -49,13 +49,17 @@ public:
 
     // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
     bool survivors(const std::vector<const EntityState*>& kept, std::vector<EntityState>& states,
-                   const std::vector<Survivor>& survivors, const Spacing& t) {
-        std::size_t resting = 0;
-        for (const Survivor& s : survivors) resting += s.base->at_rest ? 1 : 0;
+                   const std::vector<Survivor>& survivors, const Spacing& t,
+                   std::size_t quiet_after = 0) {
+        quiet_after_ = quiet_after;
+        std::size_t resting = quiet_after;
+        for (const Survivor& s : survivors) resting += s.quiet_before + (s.base->at_rest ? 1 : 0);
         std::uint64_t run = 0;
         if (!resting_run(run, kept, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
             const Survivor& s = survivors[i];
+            resting -= s.quiet_before;
+            run -= s.quiet_before;
             const bool rested = s.base->at_rest;
             if (rested) resting--;
             if (rested && run > 0) {
@@ -217,12 +221,18 @@ private:
         run = left;
         if (left == 0) return true;
         if constexpr (Coder::encoding) {
-            run = 0;
+            run = quiet_after_;
+            std::uint64_t so_far = 0;
             for (std::size_t i = from; i < survivors.size(); i++) {
+                so_far += survivors[i].quiet_before;
                 if (!survivors[i].base->at_rest) continue;
-                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].base)) break;
-                run++;
+                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].base)) {
+                    run = 0;
+                    break;
+                }
+                so_far++;
             }
+            run += so_far;
         }
         const bool none = coder_.bit(models_.wakes_none, run == left);
         run = none ? left : count(models_.resting_run, run);
@@ -329,6 +339,7 @@ private:
     FrameModels& models_;
     const QuantSpec spec_;
     std::string fault_;
+    std::size_t quiet_after_ = 0;  // Succession::quiet_after
 };
 
 }  // namespace jostle::wire

@@ -2,6 +2,7 @@
 #include "wire/survivors.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "wire/bit_stream.h"
 
@@ -55,6 +56,32 @@ Succession succession_of(const QuantizedFrame& frame, const Bases& bases) {
     while (i < base.size()) to.removed.push_back(i++);
     while (k < now.size()) to.spawned.push_back(&now[k++]);
     to.kept.resize(kept);
+    to.survivors = survivors_of(bases, to.removed);
+    return to;
+}
+
+Succession succession_of(const QuantizedFrame& frame, const Bases& bases,
+                         std::span<const QuietRun> quiet) {
+    Succession to;
+    Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
+    std::size_t at = 0, left_out = 0;
+    const auto look_until = [&](std::size_t end) {
+        for (; at < end; at++) {
+            Survivor s{.base = &bases.base->entities[at],
+                       .quiet_before = std::exchange(left_out, 0)};
+            if (!s.base->at_rest) s.base2 = in_base2.find(s.base->id);
+            if (s.base2) s.base3 = in_base3.find(s.base->id);
+            to.kept.push_back(&frame.entities[at]);
+            to.survivors.push_back(s);
+        }
+    };
+    for (const QuietRun& run : quiet) {
+        look_until(run.begin);
+        left_out += run.end - run.begin;
+        at = run.end;
+    }
+    look_until(frame.entities.size());
+    to.quiet_after = left_out;
     return to;
 }
 

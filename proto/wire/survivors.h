@@ -27,6 +27,8 @@ struct Survivor {
     const EntityState* base = nullptr;
     const EntityState* base2 = nullptr;
     const EntityState* base3 = nullptr;
+    // So many left out just before it, for an encoder: they rest in the base, and stay as they are.
+    std::size_t quiet_before = 0;
 };
 
 // Walks a frame's entities along rising ids.
@@ -58,8 +60,13 @@ std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::si
 struct Succession {
     std::vector<std::size_t> removed;               // positions in the base
     std::vector<const EntityState*> spawned, kept;  // kept: as many as survivors
+    std::vector<Survivor> survivors;
+    std::size_t quiet_after = 0;  // left out after the last one
 };
 Succession succession_of(const QuantizedFrame& frame, const Bases& bases);
+// Where frame and base are of the same entities, and those in `quiet` need not be looked at.
+Succession succession_of(const QuantizedFrame& frame, const Bases& bases,
+                         std::span<const QuietRun> quiet);
 
 // Survivors and newcomers as one list. Both rise.
 std::vector<EntityState> merged(std::vector<EntityState> kept,

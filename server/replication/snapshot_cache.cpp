@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "replication/snapshot_cache.h"
 
+#include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "wire/quantize.h"
 
 namespace jostle::server {
 namespace {
+
+static_assert(PoseList::block_size == wire::crc_block);
 
 wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spec) {
     const auto& p = e.pose.position;
@@ -40,39 +44,78 @@ SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) {
 SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
     if (Entry* known = find(frame->tick)) return *known;
     const auto newest = entries_.empty() ? nullptr : &entries_.rbegin()->second;
+    // The one that makes room is as long, and mostly says the same. A thread that was held up may
+    // ask for a frame older than the ring.
+    Entry oldest;
+    if (entries_.size() >= ring && entries_.begin()->first < frame->tick) {
+        oldest = std::move(entries_.begin()->second);
+        entries_.erase(entries_.begin());
+    }
     Entry& entry = entries_[frame->tick];
     entry.frame = frame;
-    quantize(entry, newest);
+    quantize(entry, newest, std::move(oldest));
     entry.channels = channels_of(*frame);
-    // The oldest other one: a thread that was held up may ask for a frame older than the ring.
-    if (entries_.size() > ring) {
-        const auto oldest = entries_.begin();
-        entries_.erase(&oldest->second == &entry ? std::next(oldest) : oldest);
-    }
+    if (entries_.size() > ring) entries_.erase(std::next(entries_.begin()));
     return entry;
 }
 
-// What stayed in its block stays as it was made of the frame before.
-void SnapshotCache::quantize(Entry& entry, const Entry* before) const {
+// What is in the same block as in a frame before is what was made of it then.
+void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) const {
     const Frame& frame = *entry.frame;
     const auto& blocks = frame.entities.blocks();
-    const bool same_list = before && before->frame->entity_list == frame.entity_list &&
-                           before->frame->entities.size() == frame.entities.size();
-    if (same_list) {
-        entry.quantized = before->quantized;
-        entry.crc = before->crc;
+    const auto is_of_same = [&](const Entry* other) {
+        return other && other->frame && other->frame->entity_list == frame.entity_list &&
+               other->frame->entities.size() == frame.entities.size();
+    };
+    if (!is_of_same(before)) before = nullptr;
+    FramePtr began;  // what is in `entry` is of this frame
+    if (before && is_of_same(&oldest)) {
+        began = oldest.frame;
+        entry.quantized = std::move(oldest.quantized);
+        entry.block_crcs = std::move(oldest.block_crcs);
+        entry.block_rests = std::move(oldest.block_rests);
     }
     entry.quantized.frame = frame.tick;
     entry.quantized.entities.resize(frame.entities.size());
-    bool changed = !same_list;
+    entry.block_crcs.resize(frame.entities.size() / PoseList::block_size);
+    entry.block_rests.resize(blocks.size());
+    bool changed = !before;
     for (std::size_t b = 0; b < blocks.size(); b++) {
-        if (same_list && before->frame->entities.blocks()[b] == blocks[b]) continue;
-        changed = true;
-        auto to = entry.quantized.entities.begin() +
-                  static_cast<std::ptrdiff_t>(b * PoseList::block_size);
-        for (const EntityPose& pose : *blocks[b]) *to++ = quantized_pose(pose, spec_);
+        const bool known = before && before->frame->entities.blocks()[b] == blocks[b];
+        changed |= !known;
+        if (began && began->entities.blocks()[b] == blocks[b]) continue;
+        const std::size_t first = b * PoseList::block_size, size = blocks[b]->size();
+        const auto to = std::span(entry.quantized.entities).subspan(first, size);
+        if (known) {
+            std::ranges::copy(std::span(before->quantized.entities).subspan(first, size),
+                              to.begin());
+            entry.block_rests[b] = before->block_rests[b];
+            if (b < entry.block_crcs.size()) entry.block_crcs[b] = before->block_crcs[b];
+            continue;
+        }
+        std::ranges::transform(*blocks[b], to.begin(),
+                               [&](const EntityPose& pose) { return quantized_pose(pose, spec_); });
+        entry.block_rests[b] = std::ranges::all_of(to, &wire::EntityState::at_rest);
+        if (b < entry.block_crcs.size()) entry.block_crcs[b] = wire::block_crc(to);
     }
-    if (changed) entry.crc = wire::frame_crc(entry.quantized);
+    entry.crc = changed ? wire::frame_crc(entry.quantized, entry.block_crcs) : before->crc;
+}
+
+// Blocks that both share, and in which all rests.
+std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& base) {
+    std::vector<wire::QuietRun> runs;
+    if (entry.frame->entity_list != base.frame->entity_list) return runs;
+    const auto &blocks = entry.frame->entities.blocks(), &before = base.frame->entities.blocks();
+    if (blocks.size() != before.size()) return runs;
+    for (std::size_t b = 0; b < blocks.size(); b++) {
+        if (blocks[b] != before[b] || !entry.block_rests[b]) continue;
+        const std::size_t begin = b * PoseList::block_size, end = begin + blocks[b]->size();
+        if (!runs.empty() && runs.back().end == begin)
+            runs.back().end = end;
+        else
+            runs.push_back({begin, end});
+    }
+    return runs;
 }
 
 SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames bases,
@@ -113,8 +156,12 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
         const Entry* base = number != 0 ? find(number) : nullptr;
         return base ? &base->quantized : nullptr;
     };
-    at->second = wire::encode_frame(
-        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_, codec);
+    const Entry* const base = find(bases.base);
+    const std::vector<wire::QuietRun> quiet =
+        base ? quiet_runs(entry, *base) : std::vector<wire::QuietRun>();
+    at->second = wire::encode_frame(entry.quantized,
+                                    {poses(bases.base), poses(bases.base2), poses(bases.base3)},
+                                    spec_, codec, quiet);
     made_++;
     return at->second;
 }

@@ -72,6 +72,9 @@ private:
         FramePtr frame;
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
+        // Of each block of the frame's poses, the last one included only where it is full.
+        std::vector<std::uint32_t> block_crcs;
+        std::vector<bool> block_rests;  // all of it lies at rest
         wire::Channels channels;
         std::map<std::pair<wire::BaseFrames, wire::Codec>, std::vector<std::byte>> packed;
         std::map<Asked, SharedBytes> encodings;
@@ -82,8 +85,9 @@ private:
     const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& bases,
                                          wire::Codec codec);
     Entry& entry_of(const FramePtr& frame);
-    void quantize(Entry& entry, const Entry* before) const;
+    void quantize(Entry& entry, const Entry* before, Entry oldest) const;
     Entry* find(std::uint32_t frame);
+    static std::vector<wire::QuietRun> quiet_runs(const Entry& entry, const Entry& base);
 
     const wire::QuantSpec spec_;
     const Serialize serialize_;

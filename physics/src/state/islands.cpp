@@ -150,4 +150,22 @@ void split_island(WorldState& world, std::uint32_t island) {
     }
 }
 
+void find_awake_islands(const WorldState& world, std::vector<std::uint32_t>& islands) {
+    constexpr std::size_t scan_worth = 8;  // islands that are looked at in the time to sort one
+    islands.clear();
+    const std::uint32_t count = world.islands.ids.size();
+    if (scan_worth * world.bodies.awake.size() > count) {
+        for (std::uint32_t i = 0; i < count; i++)
+            if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
+                islands.push_back(i);
+        return;
+    }
+    for (const BodyWarm& warm : world.bodies.awake) {
+        const std::uint32_t island = world.bodies.cold[warm.body].island;
+        if (island != none) islands.push_back(island);  // kinematic bodies have none
+    }
+    std::sort(islands.begin(), islands.end());
+    islands.erase(std::unique(islands.begin(), islands.end()), islands.end());
+}
+
 }  // namespace jostle::physics

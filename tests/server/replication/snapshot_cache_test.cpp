@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <deque>
 #include <map>
@@ -112,6 +113,46 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
         EXPECT_EQ(receivers[c].bases.base, receivers[c].ring.rbegin()[1].frame)
             << "the last one sent";
         EXPECT_NE(receivers[c].bases.base3, 0u);
+    }
+}
+
+// Of 700 bodies a few move, rise and fall asleep, and blocks are shared from frame to frame: what a
+// client has is what the poses are, at every cadence, and past the end of the ring.
+TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_poses) {
+    SnapshotCache cache({}, serialize);
+    const auto list = std::make_shared<const EntityList>();
+    std::vector<EntityPose> poses;
+    for (EntityId id = 1; id <= 700; id++)
+        poses.push_back({id, {.position = {2.0 * id, 0, 0}, .rotation = {}}, false});
+    PoseEditor editor;
+    editor.assign(poses);
+    BaselineTracker trackers[2];
+    Receiver receivers[2];
+    std::mt19937 random(9);
+    for (std::uint32_t tick = 1; tick <= 150; tick++) {
+        for (unsigned k = 0; k < random() % 4; k++) {
+            EntityPose& pose = poses[tick % 20 < 10 ? random() % 700 : 130 + random() % 5];
+            pose.pose.position.y += random() % 2 == 0 ? 0.3 : 0;
+            pose.awake = random() % 3 != 0;
+            editor.set(pose.id - 1, pose.pose, pose.awake);
+        }
+        const auto frame = std::make_shared<Frame>();
+        frame->tick = tick;
+        frame->entity_list = list;
+        bool changed = false;
+        frame->entities = editor.take(changed);
+        for (const std::uint32_t every : {1u, 4u}) {
+            if (tick % every != 0) continue;
+            const std::size_t c = every == 1 ? 0 : 1;
+            receivers[c].take(*cache.encoding(frame, trackers[c].bases_for(tick)));
+            trackers[c].on_sent(tick);
+            const wire::QuantizedFrame& has = receivers[c].ring.back();
+            ASSERT_EQ(has, cache.quantized(frame));
+            for (std::size_t k = 0; k < poses.size(); k++) {
+                ASSERT_EQ(has.entities[k].at_rest, !poses[k].awake) << tick << ' ' << k;
+                ASSERT_EQ(has.entities[k].position[1], std::lround(512 * poses[k].pose.position.y));
+            }
+        }
     }
 }
 

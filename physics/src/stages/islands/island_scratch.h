@@ -25,7 +25,8 @@ struct IslandExtent {
 };
 
 struct IslandScratch {
-    std::vector<IslandExtent> extents;         // by island
+    std::vector<std::uint32_t> awake;          // islands, rising
+    std::vector<IslandExtent> extents;         // by island, of these
     std::vector<std::uint32_t> weights;        // by island
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     // By colour set, in a world with a tolerance: whether it has an island of unknown error.

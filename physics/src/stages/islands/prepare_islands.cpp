@@ -15,6 +15,7 @@
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/island_tiers.h"
+#include "state/islands.h"
 
 namespace jostle::physics {
 namespace {
@@ -29,10 +30,12 @@ bool stands(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
 }
 
 // What stands of each island: not what flies past or falls.
-void measure_extents(const BodyStore& bodies, const IslandStore& islands,
-                     std::vector<IslandExtent>& extents, Vec3 gravity) {
+void measure_extents(const BodyStore& bodies, const IslandStore& islands, IslandScratch& scratch,
+                     Vec3 gravity) {
     const Vec3 up = -normalized(gravity);
-    extents.assign(islands.ids.size(), {});
+    std::vector<IslandExtent>& extents = scratch.extents;
+    extents.resize(islands.ids.size());
+    for (const std::uint32_t i : scratch.awake) extents[i] = {};
     const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 north = cross(east, up);
     for (const BodyWarm& warm : bodies.awake) {
@@ -130,13 +133,12 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
         move_to_set(world, tied, {common, island.colour_set.batch});
 }
 
-void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
+void choose_tiers(WorldState& world, IslandScratch& scratch) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_extents(world.bodies, world.islands, extents, world.def.gravity);
+    find_awake_islands(world, scratch.awake);
+    measure_extents(world.bodies, world.islands, scratch, world.def.gravity);
     std::optional<TiedIslands> tied;  // when first needed: moves to other sets leave it true
-    for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
-        if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
-            choose_tier(world, extents, tied, i, up);
+    for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, tied, i, up);
 }
 
 // ---- loads that went ----
@@ -160,7 +162,7 @@ Skipped prepare_islands(StepContext& step) {
     if (!look && !world.islands.some_lost && !controls_error(world.def))
         return "islands are looked at in every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
-    if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands.extents);
+    if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
     if (controls_error(world.def))
         choose_rungs(step);
     else if (world.steps % tuning::batch_interval == 1)

@@ -10,7 +10,8 @@
 namespace jostle::physics {
 
 struct SleepScratch {
-    // By island: the time at rest of its most restless and of its most restful body, s.
+    std::vector<std::uint32_t> islands;  // that are awake, rising
+    // By island, of these: the time at rest of its most restless and of its most restful body, s.
     std::vector<double> shortest, longest;
     std::vector<std::uint8_t> restless;  // by hot index: has not rested for long
     // By hot index: restless, touches one that is, or is jointed to one of either.

@@ -115,8 +115,9 @@ void put_parts_to_sleep(StepContext& step) {
     if (world.steps % tuning::partial_sleep_interval != 0) return;
     SleepScratch& scratch = step.scratch.sleep;
     const bool any =
-        std::any_of(scratch.longest.begin(), scratch.longest.end(),
-                    [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
+        std::any_of(scratch.islands.begin(), scratch.islands.end(), [&](std::uint32_t island) {
+            return scratch.longest[island] >= tuning::partial_sleep_time;
+        });
     if (!any) return;
     ASSERT(scratch.longest.size() == world.islands.ids.size());
     find_restless(world.bodies, world.graph, scratch);

@@ -45,8 +45,12 @@ void keep_carried_awake(WorldState& world) {
 
 // The rest time of each awake island's most restless and most restful body.
 void measure_rest(const BodyStore& bodies, const IslandStore& islands, SleepScratch& scratch) {
-    scratch.shortest.assign(islands.ids.size(), 1e300);
-    scratch.longest.assign(islands.ids.size(), 0);
+    scratch.shortest.resize(islands.ids.size());
+    scratch.longest.resize(islands.ids.size());
+    for (const std::uint32_t i : scratch.islands) {
+        scratch.shortest[i] = 1e300;
+        scratch.longest[i] = 0;
+    }
     for (const BodyWarm& warm : bodies.awake) {
         const std::uint32_t island = bodies.cold[warm.body].island;
         if (island == none) continue;  // kinematic
@@ -76,13 +80,12 @@ Skipped update_sleep(StepContext& step) {
     SleepScratch& scratch = step.scratch.sleep;
     keep_carried_awake(world);
     keep_towed_awake(world, step.scratch.solver.jointed.all);
+    find_awake_islands(world, scratch.islands);
     measure_rest(world.bodies, world.islands, scratch);
-    // Splitting adds islands at the end or in holes; those wait for the next step's measure.
-    const std::uint32_t count = world.islands.ids.size();
+    // Splitting adds islands; those wait for the next step's measure.
     std::uint32_t sleepiest = none;
     int awake = 0;
-    for (std::uint32_t i = 0; i < count; i++) {
-        if (!world.islands.ids.alive(i) || world.islands.islands[i].asleep) continue;
+    for (const std::uint32_t i : scratch.islands) {
         awake++;
         if (scratch.longest[i] < tuning::time_to_sleep) continue;
         const bool all_rest = scratch.shortest[i] >= tuning::time_to_sleep;

@@ -44,6 +44,12 @@ protected:
             if (entity.id == id) return wire::dequantize(entity, {}).position[0];
         return -1;
     }
+    // Of a picture of that tick.
+    double shown(std::uint32_t number, std::uint32_t id) const {
+        for (const auto& entity : cells.shown(number, {}, 1e6 / 60).entities)
+            if (entity.id == id) return wire::dequantize(entity, {}).position[0];
+        return -1;
+    }
     SeenCells cells;
 };
 
@@ -99,6 +105,60 @@ TEST_F(SeenCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number)
         ASSERT_TRUE(apply(whole).ok());
         EXPECT_NEAR(x_of(1), x, 0.001);
     }
+}
+
+// Both run at 12 m/s, 0.2 m a tick. Near cells are told with every snapshot, far ones with every
+// fourth: in pictures the far one took steps of 0.8 m and stood between them.
+TEST_F(SeenCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
+    wire::QuantizedFrame near_before, far_before;
+    double near_worst = 0, far_worst = 0, far_least = 1;
+    double last_near = 0, last_far = 0;
+    for (std::uint32_t tick = 1; tick <= 100; tick++) {
+        const double x = 0.2 * tick;
+        v1::Snapshot snapshot;
+        snapshot.set_frame(tick);
+        const auto near = state(tick, {{1, x}}), far = state(tick, {{2, 100 + x}});
+        add_cell(snapshot, 7, near, tick > 1 ? &near_before : nullptr);
+        if (tick % 4 == 1) {
+            add_cell(snapshot, 8, far, tick > 1 ? &far_before : nullptr);
+            far_before = far;
+        }
+        near_before = near;
+        ASSERT_TRUE(apply(snapshot).ok());
+        EXPECT_NEAR(shown(tick, 1), x, 0.002) << "what is near is shown at once";
+        if (tick > 20) {
+            near_worst = std::max(near_worst, shown(tick, 1) - last_near);
+            far_worst = std::max(far_worst, shown(tick, 2) - last_far);
+            far_least = std::min(far_least, shown(tick, 2) - last_far);
+            EXPECT_NEAR(shown(tick, 2), 100 + x - 0.6, 0.003) << "three ticks later";
+        }
+        last_near = shown(tick, 1);
+        last_far = shown(tick, 2);
+    }
+    EXPECT_LT(near_worst, 0.204);
+    EXPECT_LT(far_worst, 0.204);
+    EXPECT_GT(far_least, 0.196);
+}
+
+TEST_F(SeenCellsTest, what_begins_to_move_after_a_rest_is_shown_at_once) {
+    wire::QuantizedFrame before;
+    std::uint32_t tick = 1;
+    const auto tell = [&](double x) {
+        v1::Snapshot snapshot;
+        snapshot.set_frame(tick);
+        const auto now = state(tick, {{1, x}});
+        add_cell(snapshot, 7, now, tick > 1 ? &before : nullptr);
+        before = now;
+        ASSERT_TRUE(apply(snapshot).ok());
+    };
+    for (; tick < 10; tick++) tell(0.1 * tick);
+    for (; tick < 100; tick++) {  // nothing of it is told
+        v1::Snapshot snapshot;
+        snapshot.set_frame(tick);
+        ASSERT_TRUE(apply(snapshot).ok());
+    }
+    tell(1.2);
+    EXPECT_NEAR(shown(tick, 1), 1.2, 0.002);
 }
 
 }  // namespace

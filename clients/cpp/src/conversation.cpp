@@ -218,7 +218,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     const WorldView::Times times = view_.times_of(snapshot);
     newest_ = {snapshot.frame(), times.due_us};
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
-    buffer_.add(view_.frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
+    buffer_.add(view_.shown_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
                 times.still_until_us.has_value());
     if (!clock_.ready()) return;
     const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pose_blend.h"
+
 namespace jostle::client {
 namespace {
 
 constexpr std::size_t frames_max = 64;
 constexpr double extrapolate_us = 50'000;
-constexpr double fastest = 100;  // m/s
 // Who did not draw for so long shows the world anew: nobody saw what it looked like before.
 constexpr std::int64_t unseen_us = 250'000;
 
@@ -19,32 +20,6 @@ const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint
         std::lower_bound(entities.begin(), entities.end(), id,
                          [](const wire::EntityState& e, std::uint32_t n) { return e.id < n; });
     return at != entities.end() && at->id == id ? &*at : nullptr;
-}
-
-double distance(const wire::Pose& a, const wire::Pose& b) {
-    return std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],
-                      b.position[2] - a.position[2]);
-}
-
-bool is_jump(const wire::Pose& a, const wire::Pose& b, double width_us) {
-    return distance(a, b) * 1e6 > fastest * width_us;
-}
-
-// t in 0..1 between a and b; beyond 1 the motion goes on.
-wire::Pose blend(const wire::Pose& a, const wire::Pose& b, double t) {
-    wire::Pose out;
-    double dot = 0, norm = 0;
-    for (std::size_t k = 0; k < 3; k++)
-        out.position[k] = a.position[k] + t * (b.position[k] - a.position[k]);
-    for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
-    // Normalised linear interpolation along the shorter way: steps are small.
-    for (std::size_t k = 0; k < 4; k++) {
-        const double to = dot < 0 ? -b.rotation[k] : b.rotation[k];
-        out.rotation[k] = a.rotation[k] + t * (to - a.rotation[k]);
-        norm += out.rotation[k] * out.rotation[k];
-    }
-    for (double& c : out.rotation) c /= std::sqrt(norm);
-    return out;
 }
 
 Pace pace_between(const wire::Pose& a, const wire::Pose& b, double width_us) {

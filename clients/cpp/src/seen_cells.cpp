@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "pose_blend.h"
 #include "wire/base_frames.h"
+#include "wire/survivors.h"
 
 namespace jostle::client {
 
@@ -48,6 +50,8 @@ Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spe
         if (!state.ok()) return state.error();
         fresh.emplace_back(part.cell(), *std::move(state));
     }
+    if (newest_ != 0 && snapshot.frame() > newest_) step_ = snapshot.frame() - newest_;
+    newest_ = snapshot.frame();
     for (const std::uint32_t cell : snapshot.cells_left()) cells_.erase(cell);
     for (auto& [cell, state] : fresh) {
         States& states = cells_[cell];
@@ -59,15 +63,14 @@ Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spe
     return {};
 }
 
-wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
-    struct Seen {
-        const wire::EntityState* entity;
-        std::uint32_t number;
-    };
-    std::vector<Seen> all;
-    for (const auto& [cell, states] : cells_)
-        for (const wire::EntityState& entity : states.back().entities)
-            all.push_back({&entity, states.back().frame});
+namespace {
+
+struct Seen {
+    const wire::EntityState* entity;
+    std::uint32_t number;
+};
+
+wire::QuantizedFrame together(std::vector<Seen> all, std::uint32_t number) {
     std::ranges::sort(all, [](const Seen& a, const Seen& b) {
         return a.entity->id != b.entity->id ? a.entity->id < b.entity->id : a.number > b.number;
     });
@@ -77,6 +80,56 @@ wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
         if (frame.entities.empty() || frame.entities.back().id != seen.entity->id)
             frame.entities.push_back(*seen.entity);
     return frame;
+}
+
+wire::EntityState between(const wire::EntityState& a, const wire::EntityState& b, double t,
+                          const wire::QuantSpec& spec, double width_us) {
+    if (wire::same_pose(a, b)) return b;
+    const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
+    if (is_jump(from, to, width_us)) return a;
+    return wire::quantize(b.id, blend(from, to, t), b.at_rest, spec);
+}
+
+}  // namespace
+
+wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
+    std::vector<Seen> all;
+    for (const auto& [cell, states] : cells_)
+        for (const wire::EntityState& entity : states.back().entities)
+            all.push_back({&entity, states.back().frame});
+    return together(std::move(all), number);
+}
+
+// A cell in which nothing moved for a while is told as seldom as it likes: its shortest interval of
+// late is how often it is told.
+double SeenCells::progress(const States& states, std::uint32_t number) const {
+    constexpr std::size_t intervals = 3;
+    constexpr std::uint32_t longest = 12;  // ticks: nobody is shown later than that
+    if (states.size() < 2) return 1;
+    std::uint32_t shortest = longest;
+    for (std::size_t k = states.size() - 1; k > 0 && k + intervals >= states.size(); k--)
+        shortest = std::min(shortest, states[k].frame - states[k - 1].frame);
+    const std::uint32_t since = number - std::min(number, states.back().frame);
+    return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
+}
+
+wire::QuantizedFrame SeenCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
+                                      double tick_us) const {
+    std::vector<Seen> all;
+    std::deque<wire::EntityState> made;
+    for (const auto& [cell, states] : cells_) {
+        const wire::QuantizedFrame& now = states.back();
+        const double t = progress(states, number);
+        const wire::QuantizedFrame* const before = t < 1 ? &states[states.size() - 2] : nullptr;
+        const double width_us = before ? (now.frame - before->frame) * tick_us : 0;
+        wire::Finder in_before(before);
+        for (const wire::EntityState& entity : now.entities) {
+            const wire::EntityState* const was = in_before.find(entity.id);
+            if (was) made.push_back(between(*was, entity, t, spec, width_us));
+            all.push_back({was ? &made.back() : &entity, now.frame});
+        }
+    }
+    return together(std::move(all), number);
 }
 
 }  // namespace jostle::client

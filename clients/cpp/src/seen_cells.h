@@ -24,6 +24,10 @@ public:
     // All entities that are in sight, in rising order of id: of one that is in two cells, on its
     // way from one to the other, the newer.
     wire::QuantizedFrame frame(std::uint32_t number) const;
+    // The same for a picture: a cell that is told with some snapshots only moves on evenly from one
+    // telling to the next, and is shown so much later. `tick_us`: of a tick of the world.
+    wire::QuantizedFrame shown(std::uint32_t number, const wire::QuantSpec& spec,
+                               double tick_us) const;
     void clear() { cells_.clear(); }
 
 private:
@@ -31,7 +35,11 @@ private:
     Result<wire::QuantizedFrame> decode(const v1::CellPart& part, const wire::QuantSpec& spec,
                                         wire::Codec codec) const;
 
+    // How far on the way from the state before to the newest one a picture is.
+    double progress(const States& states, std::uint32_t number) const;
+
     std::map<std::uint32_t, States> cells_;
+    std::uint32_t newest_ = 0, step_ = 1;  // snapshots: the last one, and ticks from the one before
 };
 
 }  // namespace jostle::client

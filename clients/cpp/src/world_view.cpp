@@ -168,6 +168,13 @@ Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
     return decoded;
 }
 
+wire::QuantizedFrame WorldView::shown_frame() const {
+    if (!cells_ || frames_.empty()) return frame();
+    wire::QuantizedFrame shown = cells_->shown(frame().frame, spec_, tick_us_);
+    std::erase_if(shown.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+    return shown;
+}
+
 WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
     constexpr auto most = static_cast<std::int64_t>(latest_time_us);
     const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);

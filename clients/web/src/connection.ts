@@ -390,7 +390,8 @@ export class Connection {
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(bases[0]));
       if (s.still > 0) this.frames.hold(this.dueUs(bases[0] + s.still, s.lateUs));
-      const told = this.frames.add(frame, serverUs, this.spec, channels);
+      const blends = this.welcome?.cells ? this.cells.blends(s.frame) : undefined;
+      const told = this.frames.add(frame, serverUs, this.spec, channels, blends, 1e6 / (this.welcome?.tickHz || 60));
       this.needKeyframe = false;
       this.snapshots++;
       this.decodedAt = nowUs();
@@ -418,7 +419,7 @@ export class Connection {
 
   /** The cells that are in sight. */
   private partOf(s: Snapshot): QuantizedFrame {
-    this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec);
+    this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec, s.frame);
     const seen = this.cells.frame(s.frame);
     // Who was removed may still be in a cell that comes late.
     return { frame: seen.frame, entities: seen.entities.filter((e) => this.entities.has(e.id)) };

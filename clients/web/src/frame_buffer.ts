@@ -2,6 +2,7 @@
 
 import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
 import { NO_CHANNELS, type Channels } from './channels';
+import type { Blend } from './seen_cells';
 
 export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 
@@ -17,8 +18,26 @@ export interface PoseFrame {
 }
 
 const RING = 32;
+const FASTEST = 100; // m/s: what went further did not fly there
+
+interface Placed {
+  readonly position: ArrayLike<number>;
+  readonly rotation: ArrayLike<number>;
+}
+
+/** POSE_FLOATS. */
+function poseBetween(a: Placed, b: Placed, t: number, widthUs: number): number[] {
+  const [p, q, r, s] = [a.position, b.position, a.rotation, b.rotation];
+  if (Math.hypot(q[0]! - p[0]!, q[1]! - p[1]!, q[2]! - p[2]!) * 1e6 > FASTEST * widthUs) return [...Array.from(p), ...Array.from(r)];
+  const turn = [0, 1, 2, 3];
+  const sign = turn.reduce((dot, k) => dot + r[k]! * s[k]!, 0) < 0 ? -1 : 1; // the shorter way round
+  const mixed = turn.map((k) => r[k]! + t * (sign * s[k]! - r[k]!));
+  const size = Math.hypot(...mixed);
+  return [...[0, 1, 2].map((k) => p[k]! + t * (q[k]! - p[k]!)), ...mixed.map((c) => c / size)];
+}
 
 export class FrameBuffer {
+  private onTheirWay: ReadonlyMap<number, Blend> | undefined; // of the newest frame
   private frames: { quantized: QuantizedFrame; drawn: PoseFrame }[] = [];
 
   find(frame: number): QuantizedFrame | undefined {
@@ -30,14 +49,19 @@ export class FrameBuffer {
     return this.frames.find((f) => f.quantized.frame === frame)?.drawn.channels ?? NO_CHANNELS;
   }
 
-  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS): PoseFrame {
+  /** `blends`: who is drawn on its way to where the frame has it (SeenCells), and how long a tick is. */
+  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS, blends?: ReadonlyMap<number, Blend>, tickUs = 0): PoseFrame {
+    const wereOnTheirWay = this.onTheirWay;
+    this.onTheirWay = blends;
     const before = this.newest;
     const poses = new Float64Array(quantized.entities.length * POSE_FLOATS);
     let from = 0;
     quantized.entities.forEach((entity, i) => {
       // The decoder hands on the very object of an entity that did not change: its floats need no square root.
       while (before && from < before.entities.length && before.entities[from]!.id < entity.id) from++;
-      if (before?.entities[from] === entity) {
+      const blend = blends?.get(entity.id);
+      if (blend) return poses.set(poseBetween(dequantize(blend.from, spec), dequantize(entity, spec), blend.t, blend.ticks * tickUs), i * POSE_FLOATS);
+      if (before?.entities[from] === entity && !wereOnTheirWay?.has(entity.id)) {
         const start = from * POSE_FLOATS;
         poses.set(before.poses.subarray(start, start + POSE_FLOATS), i * POSE_FLOATS);
         return;

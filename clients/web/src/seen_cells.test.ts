@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { DecodeError, frameCrc, type EntityState } from './decode_frame';
+import { FrameBuffer } from './frame_buffer';
 import { SeenCells, type CellPart } from './seen_cells';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
@@ -50,5 +51,27 @@ describe('cells in sight', () => {
       [4, 1],
     ]);
     expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
+  });
+
+  // The story of tests/clients/seen_cells_test.cpp: 12 m/s, told with every fourth snapshot.
+  it('that are told less often move evenly in pictures', () => {
+    const cells = new SeenCells();
+    const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
+    const frames = new FrameBuffer();
+    const at = (id: number, x: number): EntityState => ({ id, position: [Math.round(512 * x), 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false });
+    const far: { frame: number; entities: EntityState[] }[] = [];
+    const steps: number[] = [];
+    let last = 0;
+    for (let tick = 1; tick <= 100; tick++) {
+      if (tick % 4 === 1) far.push({ frame: tick, entities: [at(2, 0.2 * tick)] });
+      known.set(8, far);
+      cells.apply([], [], SPEC, 1, tick);
+      const { poses } = frames.add(cells.frame(tick), tick * 16_667, SPEC, [], cells.blends(tick), 16_667);
+      if (tick > 20) steps.push(poses[0]! - last);
+      last = poses[0]!;
+    }
+    expect(Math.max(...steps)).toBeLessThan(0.204);
+    expect(Math.min(...steps)).toBeGreaterThan(0.196);
+    expect(last, 'three ticks later').toBeCloseTo(0.2 * 97, 2);
   });
 });

@@ -13,13 +13,26 @@ export interface CellPart {
 }
 
 const RING = 32;
+const INTERVALS = 3;
+const LONGEST = 12; // ticks: nobody is shown later than that
+
+/** Of an entity that is on its way to where it was told to be. */
+export interface Blend {
+  readonly from: EntityState;
+  readonly t: number; // from 0 there to 1
+  readonly ticks: number; // from one to the other
+}
 
 export class SeenCells {
   private cells = new Map<number, QuantizedFrame[]>();
+  private newest = 0; // snapshot
+  private step = 1; // ticks from the one before
 
   /** Throws a DecodeError, and everything is as it was. */
-  apply(parts: readonly CellPart[], left: readonly number[], spec: QuantSpec, codec: number): void {
+  apply(parts: readonly CellPart[], left: readonly number[], spec: QuantSpec, codec: number, frame = 0): void {
     const fresh = parts.map((part) => ({ cell: part.cell, state: this.decode(part, spec, codec) }));
+    if (this.newest !== 0 && frame > this.newest) this.step = frame - this.newest;
+    this.newest = frame;
     for (const cell of left) this.cells.delete(cell);
     for (const { cell, state } of fresh) {
       let states = this.cells.get(cell) ?? [];
@@ -45,8 +58,41 @@ export class SeenCells {
     return { frame: number, entities };
   }
 
+  /**
+   * For a picture of the newest snapshot: a cell that is told with some snapshots only moves on evenly from one telling to the next, and is
+   * shown so much later. By entity, of those that are not where frame() has them.
+   */
+  blends(number: number): Map<number, Blend> {
+    const blends = new Map<number, Blend>();
+    for (const states of this.cells.values()) {
+      const t = this.progress(states, number);
+      if (t === 1) continue;
+      const [before, now] = states.slice(-2) as [QuantizedFrame, QuantizedFrame];
+      let from = 0;
+      for (const { id } of now.entities) {
+        while (from < before.entities.length && before.entities[from]!.id < id) from++;
+        const was = before.entities[from];
+        if (was?.id === id) blends.set(id, { from: was, t, ticks: now.frame - before.frame });
+      }
+    }
+    return blends;
+  }
+
+  // How far on the way from the state before to the newest one a picture is. A cell in which nothing moved for a while is told as seldom
+  // as it likes: its shortest interval of late is how often it is told.
+  private progress(states: readonly QuantizedFrame[], number: number): number {
+    const last = states.length - 1;
+    if (last < 1) return 1;
+    let shortest = LONGEST;
+    for (let k = last; k > 0 && k + INTERVALS > last; k--) shortest = Math.min(shortest, states[k]!.frame - states[k - 1]!.frame);
+    const since = Math.max(0, number - states[last]!.frame);
+    return shortest <= this.step ? 1 : Math.min(1, (since + this.step) / shortest);
+  }
+
   clear(): void {
     this.cells.clear();
+    this.newest = 0;
+    this.step = 1;
   }
 
   private decode(part: CellPart, spec: QuantSpec, codec: number): QuantizedFrame {

@@ -60,6 +60,9 @@ public:
         if (shown_) return *shown_;
         return frames_.empty() ? none_ : frames_.back().state;
     }
+    // The same for pictures: of who sees a part of a world, what is far away and told less often
+    // moves evenly from one telling to the next, a few ticks later.
+    wire::QuantizedFrame shown_frame() const;
     // Of the newest frame's number n: bit k says that frame n - 1 - k is known.
     std::uint32_t known_before() const;
     // By id: what they look like, and who owns them.

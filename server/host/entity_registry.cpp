@@ -32,6 +32,7 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
             std::max(description->reach, reach_of(world, shape, state.pose.position));
     }
     description->mass = state.mass;
+    description->jointed = !world.joints_of(body).empty();
     const physics::BodyDef def = *world.definition(body);
     description->linear_damping = def.linear_damping;
     description->angular_damping = def.angular_damping;

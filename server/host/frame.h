@@ -27,6 +27,7 @@ struct EntityDescription {
     std::string name;
     double mass = 0;        // kg
     bool drivable = false;  // a module lets somebody drive it
+    bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
     double reach = 0;  // m from its origin to its furthest corner; infinite for planes

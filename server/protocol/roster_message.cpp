@@ -73,6 +73,7 @@ public:
         to.set_name(entity.name);
         to.set_mass(entity.mass);
         to.set_drivable(entity.drivable);
+        to.set_jointed(entity.jointed);
         to.set_linear_damping(entity.linear_damping);
         to.set_angular_damping(entity.angular_damping);
         if (entity.gravity_scale != 1) to.set_gravity_scale(entity.gravity_scale);

@@ -46,14 +46,16 @@ bool was_pushed(const Motion& guess, const ToldBody& told) {
             gap(guess.angular, told.velocity->angular) > pushed_spin);
 }
 
-// What hangs on a module that is not here floats as fast as frames say.
+// What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
+// on as it goes there, and nothing here moves it.
 LocalBody local_body(const ToldBody& told, bool own) {
-    return {.type = told.type,
-            .mass = told.mass,
-            .linear_damping = told.linear_damping,
-            .angular_damping = told.angular_damping,
-            .gravity_scale = told.drivable && !own ? 0 : told.gravity_scale,
-            .locks = told.locks};
+    return {
+        .type = told.jointed && told.type == BodyType::dynamic ? BodyType::kinematic : told.type,
+        .mass = told.mass,
+        .linear_damping = told.linear_damping,
+        .angular_damping = told.angular_damping,
+        .gravity_scale = told.drivable && !own ? 0 : told.gravity_scale,
+        .locks = told.locks};
 }
 
 // Statics do not, nor what stands on its rails.
@@ -424,7 +426,8 @@ void Foresight::on_frame(const ToldFrame& told) {
     const std::uint32_t frame = told.number;
     const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     const bool driven = own && is_driven(told);
-    if (!own || (own->drivable ? !driven : own->type != BodyType::dynamic)) return forget_world();
+    const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
+    if (!own || (own->drivable ? !driven : !is_free)) return forget_world();
     if (frame == newest_frame_) {
         if (driven) take_drive(told.drive);
         return;

@@ -121,6 +121,7 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
                           .at_rest = state.at_rest,
                           .velocity = motions.of(state.id),
                           .drivable = about.drivable(),
+                          .jointed = about.jointed(),
                           .linear_damping = about.linear_damping(),
                           .angular_damping = about.angular_damping(),
                           .gravity_scale = about.has_gravity_scale() ? about.gravity_scale() : 1,

@@ -102,7 +102,7 @@ void jostle_predictor_add_body(JostlePredictor* p, uint32_t entity, uint32_t typ
 
 void jostle_predictor_set_body(JostlePredictor* p, uint32_t entity, double linear_damping,
                                double angular_damping, double gravity_scale, uint32_t locks,
-                               uint32_t drivable) {
+                               uint32_t moved_by) {
     const auto body = p->known.find(entity);
     if (body == p->known.end()) return;
     ToldBody& about = body->second.about;
@@ -110,7 +110,8 @@ void jostle_predictor_set_body(JostlePredictor* p, uint32_t entity, double linea
     about.angular_damping = angular_damping;
     about.gravity_scale = gravity_scale;
     about.locks = static_cast<physics::AxisLocks>(locks & 63);
-    about.drivable = drivable != 0;
+    about.drivable = (moved_by & 1) != 0;
+    about.jointed = (moved_by & 2) != 0;
 }
 
 void jostle_predictor_remove_body(JostlePredictor* p, uint32_t entity) {

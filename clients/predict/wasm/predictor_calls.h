@@ -44,11 +44,12 @@ void jostle_predictor_begin(JostlePredictor*, double tick_hz, double x, double y
 JOSTLE_CALL(add_body)
 void jostle_predictor_add_body(JostlePredictor*, uint32_t entity, uint32_t type, double mass);
 // How it moves, where that is not as usual: dampings (1/s), gravity scale, locks (AxisLocks), and
-// whether a module of the server moves it (0 or 1; Entity.drivable). After add_body.
+// what else moves it there: 1 a module of the server (Entity.drivable), 2 joints (Entity.jointed),
+// 3 both. After add_body.
 JOSTLE_CALL(set_body)
 void jostle_predictor_set_body(JostlePredictor*, uint32_t entity, double linear_damping,
                                double angular_damping, double gravity_scale, uint32_t locks,
-                               uint32_t drivable);
+                               uint32_t moved_by);
 JOSTLE_CALL(remove_body) void jostle_predictor_remove_body(JostlePredictor*, uint32_t entity);
 // Its shapes, as shape_numbers.h has them. The host calls it when it is asked (below), and once for
 // each body. 1: they were understood.

@@ -79,6 +79,7 @@ TEST(RosterMessage, carries_what_a_viewer_draws) {
 TEST(RosterMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
     EntityDescription plain = *entity_with(1, physics::Box{}),
                       odd = *entity_with(2, physics::Box{});
+    odd.jointed = true;
     odd.linear_damping = 0.05;
     odd.angular_damping = 0.2;
     odd.gravity_scale = 0;
@@ -94,6 +95,7 @@ TEST(RosterMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
     const v1::Roster roster = parse(messages.rosters[0]).roster();
     EXPECT_EQ(roster.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
     const v1::Entity& told = roster.added(1);
+    EXPECT_TRUE(told.jointed());
     EXPECT_EQ(told.linear_damping(), 0.05);
     EXPECT_EQ(told.angular_damping(), 0.2);
     EXPECT_TRUE(told.has_gravity_scale());

@@ -24,7 +24,7 @@ export interface Calls {
   numbers(p: Pointer, count: number): Pointer;
   begin(p: Pointer, tickHz: number, x: number, y: number, z: number, substeps: number): void;
   add_body(p: Pointer, entity: number, type: number, mass: number): void;
-  set_body(p: Pointer, entity: number, linearDamping: number, angularDamping: number, gravityScale: number, locks: number, drivable: number): void;
+  set_body(p: Pointer, entity: number, linearDamping: number, angularDamping: number, gravityScale: number, locks: number, movedBy: number): void;
   remove_body(p: Pointer, entity: number): void;
   set_shapes(p: Pointer, entity: number, count: number): number;
   follow(p: Pointer, entity: number): void;
@@ -143,8 +143,8 @@ export class Predictor {
   addBody(entity: Entity): void {
     this.entities.set(entity.id, entity);
     this.calls.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
-    const { id, linearDamping, angularDamping, gravityScale = 1, locks, drivable } = entity;
-    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), drivable ? 1 : 0);
+    const { id, linearDamping, angularDamping, gravityScale = 1, locks, drivable, jointed } = entity;
+    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), (drivable ? 1 : 0) + (jointed ? 2 : 0));
   }
 
   removeBody(entity: number): void {

@@ -540,8 +540,8 @@ TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
     }
 }
 
-// A lamp swings beside us on a joint that nobody tells us of. As a free body it would be seen to
-// fall by 0.1 m, a round trip long, in every picture.
+// A lamp swings beside us on a joint that nobody tells us of. As a free body it is seen up to 2 m
+// from where it comes to be.
 TEST(Predictor, what_hangs_on_a_joint_swings_on) {
     Yard yard;
     constexpr std::uint32_t lamp = 9;
@@ -567,7 +567,7 @@ TEST(Predictor, what_hangs_on_a_joint_swings_on) {
     for (const auto& [tick, at] : seen)
         worst_m = std::max(worst_m, length(at - yard.truth.at(tick).at(lamp)));
     RecordProperty("worst_m", std::to_string(worst_m));
-    EXPECT_LT(worst_m, 0.1) << "it goes on straight for 0.13 s, at up to 3 m/s";
+    EXPECT_LT(worst_m, 0.3) << "it goes on straight for 0.2 s, at up to 3 m/s";
     yard.predictor.follow(lamp);
     yard.run(1);
     EXPECT_EQ(yard.predictor.bodies(), 0u) << "it is not foreseen";

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "jostle/client/client.h"
+#include "jostle/client/predictor.h"
 #include "jostle/scenes/catalog.h"
 #include "protocol/world_control.h"
 #include "rpc/grpc_server.h"
@@ -104,6 +105,49 @@ TEST_F(DatagramsTest, snapshots_come_by_datagrams_and_each_input_is_applied_once
     }
     EXPECT_EQ(player->stats().inputs_sent, 20u) << "said again is not sent again";
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
+}
+
+// What it drives comes by the stream, before or after the frame of its tick.
+TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
+    ASSERT_TRUE(worlds.create("course", *scenes::find_scene("parkour")).ok());
+    client::ClientOptions options{.target = "127.0.0.1:" + std::to_string(server.port())};
+    options.world = "course";
+    options.channels = {client::motion_channel};
+    options.timed_inputs = options.datagrams = true;
+    const auto walker = Client::connect(loop, options);
+    ASSERT_TRUE(goes_by_datagrams(*walker));
+    client::Predictor predictor;
+    v1::Welcome welcome;
+    welcome.set_tick_hz(60);
+    welcome.mutable_gravity()->set_y(-9.81);
+    predictor.begin(welcome);
+    std::uint32_t body = 0;
+    walker->read([&](const client::WorldView& view) {
+        for (const auto& [id, entity] : view.entities())
+            if (entity.name() == "walker5") body = id;
+    });
+    const auto send = [&](v1::Input input) {
+        input.set_tick(walker->input_tick(client::Clock::now()));
+        predictor.add_input(walker->send(input), input);
+    };
+    v1::Input possess, walk;
+    possess.mutable_possess()->set_entity(body);
+    walk.mutable_control()->add_axes(0);
+    walk.mutable_control()->add_axes(1000);
+    send(possess);
+    send(walk);
+    predictor.follow(body);
+    EXPECT_TRUE(wait_until([&] {
+        std::this_thread::sleep_for(4ms);
+        predictor.on_results(walker->take_results());
+        walker->read([&](const client::WorldView& view) { predictor.on_frame(view); });
+        const auto now = client::Clock::now();
+        predictor.sample(walker->input_position(now), static_cast<std::int64_t>(client::to_us(now)),
+                         walker->interpolated(now));
+        return predictor.stats().drives >= 30;
+    }));
+    EXPECT_GT(walker->stats().datagram_snapshots, 60u);
+    EXPECT_LT(predictor.stats().drive_corrections, 10u) << "of 30, on a machine that is busy";
 }
 
 TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/mutate_numbers.h"
@@ -52,9 +53,21 @@ void draw(JostlePredictor* p, double position, double now_us) {
         expect(std::isfinite(numbers[k]), "what is drawn is somewhere");
 }
 
+// Words as they come, of a module that there is or one that there is not.
+void drive(JostlePredictor* p, std::uint32_t entity, std::uint32_t tick, Reader& in) {
+    constexpr std::string_view tags[] = {"vehicle", "character", "boat"};
+    const std::string_view tag = tags[tick % 3];
+    std::vector<double> told(tag.begin(), tag.end());
+    while (in.rest().size() >= sizeof(std::uint32_t) && told.size() < 4096)
+        told.push_back(in.number<std::uint32_t>());
+    std::ranges::copy(told, jostle_predictor_numbers(p, static_cast<std::uint32_t>(told.size())));
+    jostle_predictor_drive(p, entity, tick, static_cast<std::uint32_t>(tag.size()),
+                           static_cast<std::uint32_t>(told.size() - tag.size()));
+}
+
 void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
     const std::uint32_t entity = whole(in.number<double>()), tick = whole(in.number<double>());
-    switch (kind % 9) {
+    switch (kind % 12) {
         case 0:
             return jostle_predictor_add_body(p, entity, tick % 3, in.number<double>());
         case 1:
@@ -78,8 +91,17 @@ void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
         case 7:
             jostle_predictor_motions(p, put(p, in) / 7);
             return;
-        default:
+        case 8:
             return jostle_predictor_remove_body(p, entity);
+        case 9: {
+            const auto linear = in.number<double>(), angular = in.number<double>();
+            return jostle_predictor_set_body(p, entity, linear, angular, in.number<double>(), tick,
+                                             kind >> 6);
+        }
+        case 10:
+            return jostle_predictor_steer(p, entity, tick, put(p, in), kind);
+        default:
+            return drive(p, entity, tick, in);
     }
 }
 
@@ -88,7 +110,7 @@ void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
 void run(Bytes input) {
     Reader in(input);
     const std::unique_ptr<JostlePredictor, Destroy> p(jostle_predictor_create());
-    jostle_predictor_begin(p.get(), 60, 0, -9.81, 0);
+    jostle_predictor_begin(p.get(), 60, 0, -9.81, 0, 8);
     for (int k = 0; k < calls_max && !in.done(); k++) {
         const Record record = take_record(in);
         call(p.get(), record.kind, Reader(record.bytes));

@@ -23,6 +23,8 @@
 #include "fuzz/small_server.h"
 #include "host/host_image.h"
 #include "host/hosted_world.h"
+#include "jostle/modules/character.h"
+#include "jostle/modules/driven.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
@@ -317,13 +319,33 @@ std::string call(std::uint8_t kind, std::initializer_list<double> numbers) {
     return record(kind, bytes);
 }
 
+// Of a character that walks, for entity 4 and tick 7: what its module tells of it.
+std::string driven_character() {
+    physics::World world;
+    world
+        .create_body({.type = physics::BodyType::static_body, .pose = {{0, -0.5, 0}, {}}},
+                     {.geometry = physics::Box{{50, 0.5, 50}}})
+        .value();
+    modules::Characters crowd;
+    const modules::CharacterId hero = crowd.add(world, {.feet = {0, 0.02, 0}}).value();
+    const physics::BodyId body = crowd.state(world, hero)->body;
+    std::string bytes;
+    put(bytes, 4.0);
+    put(bytes, 7.0);
+    const auto words =
+        modules::tell_driven(world, crowd, body, [](physics::BodyId) { return 4u; }).value();
+    for (const std::uint32_t word : words) put(bytes, word);
+    return bytes;
+}
+
 // Kinds of calls: tests/fuzz/predictor_calls.cpp. A crate on a floor is pushed, held and put right.
 void write_predictor(const fs::path& folder) {
     Seeds calls(folder, "predictor_calls");
     const auto box = [](double entity, double x, double y) {
         return call(
-            1, {entity,       1, 1, 3, 0, 0, 0, 0, 0, 0, 1, x, y, x, 0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1,
-                4294967295.0, 0, 0});
+            1,
+            {entity,       1, 1, 3,    0, 0, 0, 0, 0, 0, 1, x, y, x, 0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1,
+             4294967295.0, 0, 0, 1000, 0});
     };
     const auto frame = [](double number, double x) {
         return call(2, {1, number, 1, 0, -0.5, 0, 0, 0, 0, 1, 1, 2, x, 0.25, 0, 0, 0, 0, 1, 0});
@@ -333,6 +355,13 @@ void write_predictor(const fs::path& folder) {
               call(4, {3, 9, 300, 0, 0}) + call(3, {1, 1, 10, 1.02e6}) + call(4, {4, 11, 0, 1, 0}) +
               call(4, {5, 12, 1, 1, 1}) + frame(8, 0.2) + call(5, {5, 30}) + frame(40, 1) +
               call(3, {1, 1, 50, 1.3e6}) + call(7, {2, 1}) + frame(41, 1));
+    // A character that is driven: kind 69 is set_body of one that a module moves.
+    calls.add(call(0, {1, 3, 0}) + box(1, 50, 0.5) + call(0, {4, 1, 0}) +
+              call(1, {4, 1, 1, 2, 0, 0.9,          0, 0, 0,    0, 1, 0.28, 0.6, 0.5, 0, 0, 0, 0,
+                       0, 0, 1, 4, 1, 4294967295.0, 0, 0, 1000, 0}) +
+              call(69, {4, 1, 0, 0, 1}) + call(6, {4, 1}) + record(11, driven_character()) +
+              call(2, {1, 7, 1, 0, -0.5, 0, 0, 0, 0, 1, 1, 4, 0, 0, 0, 0, 0, 0, 1, 1}) +
+              call(10, {1, 9, 0, 1}) + call(3, {1, 1, 20, 1e6}));
 }
 
 // Kinds of the first byte: tests/fuzz/gltf_skeleton.cpp. Without a mesh it is small.

@@ -45,6 +45,9 @@ Result<std::vector<std::uint32_t>> with_changes(std::span<const std::uint32_t> b
     const auto wrong = [](const std::string& why) {
         return Error{ErrorCode::corrupt_data, "a list of words: " + why};
     };
+    if (size > words_max)
+        return wrong("it has " + std::to_string(size) + ", and may have " +
+                     std::to_string(words_max));
     if (values.size() != word_bytes * bits_of(changed))
         return wrong(std::to_string(bits_of(changed)) + " are said to have changed, and " +
                      std::to_string(values.size()) + " bytes are told");

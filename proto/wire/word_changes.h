@@ -17,10 +17,13 @@ struct WordChanges {
     std::string values;   // of these words, 4 bytes each, little-endian
 };
 
+inline constexpr std::size_t words_max = 16 * 1024;  // of a list
+
 // Words that `before` does not have count as 0 there.
 WordChanges changes_between(std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> now);
-// The list of `size` words. corrupt_data: the bytes, which are foreign, do not belong together.
+// The list of `size` words. corrupt_data: it is too long, or the bytes, which are foreign, do not
+// belong together.
 Result<std::vector<std::uint32_t>> with_changes(std::span<const std::uint32_t> before,
                                                 std::size_t size, std::string_view changed,
                                                 std::string_view values);

@@ -27,8 +27,9 @@ inline constexpr std::size_t channels_max = 4096;     // of a frame
 inline constexpr std::size_t channel_values_max = 16 * 1024;
 inline constexpr std::size_t frame_values_max = 256 * 1024;
 
-// Beside those of modules: how the dynamic bodies move that are awake, for clients that simulate.
-// Six numbers each: the velocity of the centre of mass and the spin, in 1/128 m/s and 1/128 rad/s.
+// Beside those of modules: how bodies move that are awake and not static, for clients that
+// simulate. Six numbers each: the velocity of the centre of mass and the spin, in 1/128 m/s and
+// 1/128 rad/s.
 inline constexpr const char* motion_kind = "jostle.motion";
 inline constexpr double motion_units = 128;
 

@@ -58,6 +58,31 @@ protected:
     WorldView view;
 };
 
+// What it drives is told as what changed of it, and nothing is made up where that is not known.
+TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
+    v1::Driven part;
+    part.set_entity(5);
+    part.set_tick(7);
+    part.set_module("vehicle");
+    part.set_words(2);
+    part.set_changed("\x02");
+    part.set_values(std::string("\x09\0\0\0", 4));
+    EXPECT_EQ(view.apply(part).error().code, ErrorCode::failed_precondition);
+    EXPECT_EQ(view.driven().entity, 0u);
+    v1::Driven whole = part;
+    whole.set_whole(true);
+    whole.set_changed("\x01");
+    ASSERT_TRUE(view.apply(whole).ok());
+    ASSERT_TRUE(view.apply(part).ok());
+    EXPECT_EQ(view.driven().words, (std::vector<std::uint32_t>{9, 9}));
+    EXPECT_EQ(view.driven().module, "vehicle");
+    part.set_values("short");
+    EXPECT_EQ(view.apply(part).error().code, ErrorCode::corrupt_data);
+    EXPECT_EQ(view.driven().entity, 0u) << "what comes next is not told against that";
+    welcome();
+    EXPECT_EQ(view.driven().tick, 0u);
+}
+
 }  // namespace
 
 TEST_F(WorldViewTest, a_channel_stays_until_it_changes_or_ends) {

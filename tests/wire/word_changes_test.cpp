@@ -46,6 +46,7 @@ TEST(WordChanges, that_do_not_belong_together_are_refused) {
         EXPECT_EQ(words.error().code, ErrorCode::corrupt_data);
         EXPECT_NE(words.error().message.find("list of words"), std::string::npos);
     }
+    EXPECT_FALSE(with_changes(before, words_max + 1, "", "").ok()) << "memory for nothing";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pose_blend.h"
 
@@ -35,11 +36,11 @@ void InterpolationBuffer::clear() {
     *this = {};
 }
 
-void InterpolationBuffer::add(const wire::QuantizedFrame& frame, std::int64_t server_us,
+void InterpolationBuffer::add(wire::QuantizedFrame frame, std::int64_t server_us,
                               std::int64_t arrived_us, bool after_rest) {
     if (!frames_.empty() && server_us <= frames_.back().server_us) return;
     clock_.on_frame(server_us, arrived_us, after_rest);
-    frames_.push_back({frame, server_us});
+    frames_.push_back({std::move(frame), server_us});
     if (frames_.size() > frames_max) frames_.pop_front();
 }
 

@@ -68,18 +68,14 @@ void WorldView::apply(const v1::Roster& roster) {
 }
 
 Status WorldView::apply(const v1::Driven& driven) {
-    constexpr std::uint32_t words_max = 16 * 1024;
     if (!driven.whole() && driven.entity() != driven_.entity)
         return Error{ErrorCode::failed_precondition,
                      "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
-    if (driven.words() > words_max)
-        return Error{ErrorCode::corrupt_data,
-                     "driven: it has more than " + std::to_string(words_max) + " words"};
     if (driven.whole()) driven_ = {};
     Result<std::vector<std::uint32_t>> words =
         wire::with_changes(driven_.words, driven.words(), driven.changed(), driven.values());
     driven_ = {};
-    if (!words.ok()) return words.error();
+    if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
     driven_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
     return {};
 }

@@ -188,7 +188,7 @@ void Foresight::again_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) {
+Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) const {
     std::vector<std::pair<double, const ToldBody*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
     for (const ToldBody& body : frame.bodies) {

@@ -107,7 +107,7 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Around look_around(const ToldFrame& frame, const physics::Vec3& center);
+    Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
     bool add(const ToldFrame& frame, const ToldBody& body, const Motion& motion);
     void add_fixed(const ToldFrame& frame, const Bodies& near);
     bool rim_changed(const Bodies& rim) const;

@@ -32,27 +32,32 @@ async function enter(page, url, until) {
   await until('the clock of inputs runs', () => page.evaluate(() => window.jostle.inputTick > 0));
 }
 
+/** In window.seen: how long after the next event of that kind a body was first drawn so many m from where it was, and what was foreseen then. */
+const watch = (page, body, event, least) =>
+  page.evaluate(
+    ([id, kind, way]) => {
+      const seen = (window.seen = { movedMs: 0, foreseen: undefined });
+      const begin = () => {
+        const began = performance.now();
+        const stood = window.jostle.pose(id);
+        const look = () => {
+          const now = window.jostle.pose(id);
+          if (Math.hypot(now[0] - stood[0], now[1] - stood[1], now[2] - stood[2]) <= way) return requestAnimationFrame(look);
+          seen.foreseen = window.jostle.foreseen;
+          seen.movedMs = performance.now() - began;
+        };
+        look();
+      };
+      addEventListener(kind, begin, { capture: true, once: true });
+    },
+    [body, event, least],
+  );
+
 /** How long after it was taken the box was seen to move, and what was foreseen then. */
 async function drag(page, until) {
   const box = (await page.evaluate((ids) => ids.sort((a, b) => window.jostle.pose(b)[1] - window.jostle.pose(a)[1]), await towers(page)))[0];
   const at = await page.evaluate((id) => window.jostle.screen(id), box);
-  // When the button went down, and when the box was first drawn 20 mm from where it stood.
-  await page.evaluate((id) => {
-    const seen = (window.seen = { movedMs: 0, foreseen: undefined });
-    const down = () => {
-      const began = performance.now();
-      const stood = window.jostle.pose(id);
-      const look = () => {
-        const now = window.jostle.pose(id);
-        const way = Math.hypot(now[0] - stood[0], now[1] - stood[1], now[2] - stood[2]);
-        if (way <= 0.02) return requestAnimationFrame(look);
-        seen.foreseen = window.jostle.foreseen;
-        seen.movedMs = performance.now() - began;
-      };
-      look();
-    };
-    addEventListener('pointerdown', down, { capture: true, once: true });
-  }, box);
+  await watch(page, box, 'pointerdown', 0.02);
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
   for (let i = 1; i <= 30; i++) {
@@ -74,22 +79,7 @@ async function walk(page, url, until) {
   await page.keyboard.press('8');
   await page.locator('#driver button', { hasText: /^walker5$/ }).click();
   await until('walker5 is driven and foreseen', () => page.evaluate(() => window.jostle.driven && window.jostle.foreseen.drives > 3));
-  await page.evaluate(() => {
-    const id = window.jostle.driven;
-    const seen = (window.seen = { movedMs: 0, foreseen: undefined });
-    const down = () => {
-      const began = performance.now();
-      const stood = window.jostle.pose(id);
-      const look = () => {
-        const now = window.jostle.pose(id);
-        if (Math.hypot(now[0] - stood[0], now[2] - stood[2]) <= 0.05) return requestAnimationFrame(look);
-        seen.foreseen = window.jostle.foreseen;
-        seen.movedMs = performance.now() - began;
-      };
-      look();
-    };
-    addEventListener('keydown', down, { capture: true, once: true });
-  });
+  await watch(page, await page.evaluate(() => window.jostle.driven), 'keydown', 0.05);
   await page.keyboard.down('w');
   const seen = await until('it walks', () => page.evaluate(() => window.seen.movedMs && window.seen));
   await new Promise((done) => setTimeout(done, 2 * ROUND_TRIP_MS)); // until the server has told of it

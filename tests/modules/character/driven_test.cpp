@@ -4,8 +4,8 @@
 // the one that it walks with.
 #include "jostle/modules/driven.h"
 
+#include "modules/forged_words.h"
 #include "stage.h"
-#include "support/random.h"
 
 namespace jostle::modules {
 namespace {
@@ -82,14 +82,8 @@ TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
     test::Random random(6);
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
-        std::vector<std::uint32_t> forged = good;
-        if (k % 3 == 0) forged.resize(random.below(good.size()));
-        for (int flips = 0; flips < 4 && !forged.empty(); flips++) {
-            const auto at = random.below(forged.size());
-            forged[at] ^= 1u << random.below(32);
-        }
         const Transform before = test::must(of.here.world.body(of.copy)).pose;
-        if (!of.take(forged)) {
+        if (!of.take(test::forged(good, random))) {
             refused++;
             EXPECT_EQ(test::must(of.here.world.body(of.copy)).pose, before);
         }

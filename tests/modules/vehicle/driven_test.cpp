@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "support/random.h"
+#include "modules/forged_words.h"
 #include "test_car.h"
 
 namespace jostle::test {
@@ -93,14 +93,8 @@ TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
     Random random(5);
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
-        std::vector<std::uint32_t> forged = good;
-        if (k % 3 == 0) forged.resize(random.below(good.size()));
-        for (int flips = 0; flips < 4 && !forged.empty(); flips++) {
-            const auto at = random.below(forged.size());
-            forged[at] ^= 1u << random.below(32);
-        }
         const Transform before = of.world.body(of.chassis)->pose;
-        if (!of.take(forged)) {
+        if (!of.take(forged(good, random))) {
             refused++;
             EXPECT_EQ(of.world.body(of.chassis)->pose, before);
         }

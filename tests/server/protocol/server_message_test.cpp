@@ -86,6 +86,14 @@ TEST(ServerMessage, welcome_lists_the_kinds_of_channels) {
     EXPECT_EQ(message.welcome().channels(1).divisor(), 60u);
 }
 
+TEST(ServerMessage, welcome_tells_those_who_simulate_how_the_world_steps) {
+    const auto message =
+        parse(encode_welcome({.tick_hz = 50, .gravity = {0, -1.6, 0}, .substeps = 12}));
+    EXPECT_EQ(message.welcome().tick_hz(), 50);
+    EXPECT_EQ(message.welcome().gravity().y(), -1.6);
+    EXPECT_EQ(message.welcome().substeps(), 12u);
+}
+
 TEST(ServerMessage, results_and_notices_keep_code_and_text) {
     const InputResult refused{.sequence = 5,
                               .status = Error{ErrorCode::permission_denied, "not yours"},

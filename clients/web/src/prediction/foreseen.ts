@@ -1,6 +1,6 @@
 // Whose motion the viewer foresees, and when it does not: what it drives, else the body that a hand holds or a push hits, until it rests.
-// What the predictor gets wrong again and again is left to the server: clients are not told of joints, so parts of ragdolls are not
-// foreseen for long.
+// What the predictor gets wrong again and again is left to the server, and what hangs on joints (parts of ragdolls): clients are not told
+// what these do.
 
 import type { Foresees, Input } from '../connection';
 import type { FrameBuffer, PoseFrame } from '../frame_buffer';

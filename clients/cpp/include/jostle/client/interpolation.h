@@ -27,7 +27,7 @@ public:
     // A frame was decoded: when its tick was due, on the server's clock, and when it came, on ours;
     // in microseconds. A frame that is not newer than the last one is left out.
     // After a rest, of which no frames were sent, its distance to the one before tells nothing.
-    void add(const wire::QuantizedFrame& frame, std::int64_t server_us, std::int64_t arrived_us,
+    void add(wire::QuantizedFrame frame, std::int64_t server_us, std::int64_t arrived_us,
              bool after_rest = false);
     // What the newest frame shows was so until that time.
     void hold(std::int64_t server_us);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Words that somebody tampered with.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "support/random.h"
+
+namespace jostle::test {
+
+// A few bits are others; every third list is cut off, too.
+inline std::vector<std::uint32_t> forged(std::span<const std::uint32_t> good, Random& random) {
+    std::vector<std::uint32_t> words(good.begin(), good.end());
+    if (random.below(3) == 0) words.resize(random.below(words.size()));
+    for (int flips = 0; flips < 4 && !words.empty(); flips++)
+        words[random.below(words.size())] ^= 1u << random.below(32);
+    return words;
+}
+
+}  // namespace jostle::test

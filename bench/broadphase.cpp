@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "broadphase.h"
+#include "bench/broadphase.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -7,12 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "broadphase/kd_tree.h"
-#include "broadphase/loose_octree.h"
-#include "broadphase_workload.h"
-#include "collision/broadphase/broad_phase.h"
-#include "measure.h"
-#include "result_file.h"
+#include "bench/broadphase/kd_tree.h"
+#include "bench/broadphase/loose_octree.h"
+#include "bench/broadphase_workload.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "physics/src/collision/broadphase/broad_phase.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "broadphase_workload.h"
+#include "bench/broadphase_workload.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "collision/broadphase/fat_box.h"
-#include "foundation/tuning.h"
+#include "physics/src/collision/broadphase/fat_box.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::bench {
 namespace {

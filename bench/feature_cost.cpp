@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "feature_cost.h"
+#include "bench/feature_cost.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/measure.h"
+#include "bench/result_file.h"
 #include "jostle/modules/boats.h"
 #include "jostle/modules/character.h"
 #include "jostle/modules/destruction.h"
@@ -19,8 +21,6 @@
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/physics.h"
-#include "measure.h"
-#include "result_file.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kept.h"
+#include "bench/kept.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "durability/checkpoint_image.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/lab.h"
-#include "measure.h"
-#include "persistence/compressed.h"
-#include "result_file.h"
+#include "server/recovery/checkpoint_image.h"
+#include "server/storage/compressed.h"
 
 namespace jostle::bench {
 namespace {

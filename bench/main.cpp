@@ -4,19 +4,19 @@
 // callback that leaves its exit status behind.
 #include <CLI/CLI.hpp>
 
-#include "accuracy/accuracy.h"
-#include "accuracy/stability.h"
-#include "broadphase.h"
-#include "feature_cost.h"
-#include "integrators/integrators.h"
-#include "kept.h"
-#include "modules.h"
-#include "network/network.h"
-#include "roads/roads.h"
-#include "rollback.h"
-#include "speed/speed.h"
-#include "stream/stream.h"
-#include "thread_scaling.h"
+#include "bench/accuracy/accuracy.h"
+#include "bench/accuracy/stability.h"
+#include "bench/broadphase.h"
+#include "bench/feature_cost.h"
+#include "bench/integrators/integrators.h"
+#include "bench/kept.h"
+#include "bench/modules.h"
+#include "bench/network/network.h"
+#include "bench/roads/roads.h"
+#include "bench/rollback.h"
+#include "bench/speed/speed.h"
+#include "bench/stream/stream.h"
+#include "bench/thread_scaling.h"
 
 namespace {
 

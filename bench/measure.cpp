@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "measure.h"
+#include "bench/measure.h"
 
 #include <time.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "jostle/convergence/thread_time.h"
+#include "jostle/analysis/thread_time.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "module_cases.h"
+#include "bench/module_cases.h"
 
 #include <array>
 #include <cstdint>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "modules.h"
+#include "bench/modules.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "measure.h"
-#include "module_cases.h"
-#include "result_file.h"
+#include "bench/measure.h"
+#include "bench/module_cases.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "recorded_scene.h"
+#include "bench/recorded_scene.h"
 
 #include <algorithm>
 
+#include "bench/measure.h"
 #include "jostle/scenes/catalog.h"
-#include "measure.h"
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
 
 namespace jostle::bench {
 namespace {

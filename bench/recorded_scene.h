@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "wire/entity_state.h"
+#include "jostle/snapshot/entity_state.h"
 
 namespace jostle::bench {
 

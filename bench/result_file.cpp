@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "result_file.h"
+#include "bench/result_file.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rollback.h"
+#include "bench/rollback.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/measure.h"
+#include "bench/result_file.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/lab.h"
-#include "measure.h"
-#include "result_file.h"
 
 namespace jostle::bench {
 namespace {

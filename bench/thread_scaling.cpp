@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "thread_scaling.h"
+#include "bench/thread_scaling.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "measure.h"
-#include "result_file.h"
-#include "speed/engine_kinds.h"
-#include "speed/lab_scenes.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/engine_kinds.h"
+#include "bench/speed/lab_scenes.h"
 
 namespace jostle::bench {
 namespace {

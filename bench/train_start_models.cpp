@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // train-start-models FOLDER: how codec 2's models begin, counted over scenes of the catalogue. It
-// wrote proto/wire/start_models.cpp and clients/web/src/start_models.ts, which are part of the
-// format: running it again, over scenes that move differently by now, makes another codec.
+// wrote proto/snapshot/src/start_models.cpp and clients/web/src/start_models.ts, which are part of
+// the format: running it again, over scenes that move differently by now, makes another codec.
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
 
-#include "recorded_scene.h"
-#include "wire/range_walk.h"
+#include "bench/recorded_scene.h"
+#include "jostle/snapshot/range_walk.h"
 
 namespace jostle::bench {
 namespace {

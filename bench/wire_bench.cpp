@@ -7,9 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "measure.h"
-#include "recorded_scene.h"
-#include "wire/frame_codec.h"
+#include "bench/measure.h"
+#include "bench/recorded_scene.h"
+#include "jostle/snapshot/frame_codec.h"
 
 namespace {
 

@@ -15,6 +15,9 @@ endif()
 
 add_library(jostle_flags INTERFACE)
 
+# Private headers are included by their path from the project folder, public ones by jostle/LIBRARY/NAME.h.
+target_include_directories(jostle_flags INTERFACE ${PROJECT_SOURCE_DIR})
+
 # Floating point: the same bits from every compiler, optimisation level and CPU. Contraction would fuse a*b+c on some
 # targets only; fast-math would reorder sums. errno from sqrt is never read, and leaving it out lets sqrt be one instruction.
 target_compile_options(jostle_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
@@ -77,11 +80,13 @@ function(jostle_unoptimised_when_sanitized)
     endif()
 endfunction()
 
-# A static library of ours: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...])
+# A static library of ours: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...] [INCLUDE folder of public headers])
 function(jostle_library name)
     cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;INCLUDE" ${ARGN})
     add_library(${name} STATIC ${arg_SOURCES})
-    target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${arg_INCLUDE}>" $<INSTALL_INTERFACE:include>)
+    if(arg_INCLUDE)
+        target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${arg_INCLUDE}>" $<INSTALL_INTERFACE:include>)
+    endif()
     target_compile_features(${name} PUBLIC cxx_std_20)
     target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jostle_flags>)
     jostle_precompiled(${name} libraries)
@@ -105,7 +110,6 @@ function(jostle_test name)
         set(apart APART)
     endif()
     jostle_program(${name} ${apart} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     jostle_precompiled(${name} tests)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT arg_TIMEOUT)

@@ -23,17 +23,14 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/base/include/ ${PROJECT_SOURCE_DIR}/phys
 
 jostle_install(modules ${jostle_modules})
 foreach(module ${jostle_modules})
-    string(REPLACE jostle_ "" folder ${module})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/modules/${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+    get_target_property(headers ${module} JOSTLE_PUBLIC_HEADERS)
+    install(DIRECTORY ${headers}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 endforeach()
 
 if(JOSTLE_RPC)
-    jostle_install(client jostle_wire jostle_datagram jostle_proto jostle_rpc jostle_client)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
-    # "wire/quantize.h" is too common a name for the top of an include folder.
-    target_include_directories(jostle_wire PUBLIC $<INSTALL_INTERFACE:include/jostle>)
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/wire DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/jostle COMPONENT dev
-        FILES_MATCHING PATTERN "*.h")
+    jostle_install(client jostle_snapshot jostle_datagram jostle_proto jostle_rpc jostle_client)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/core/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/snapshot/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
     install(DIRECTORY ${PROJECT_BINARY_DIR}/proto/jostle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
         FILES_MATCHING PATTERN "*.pb.h")
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/jostle DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/proto COMPONENT dev

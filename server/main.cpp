@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/health_probe.h"
-#include "app/server_app.h"
-#include "base/log.h"
-#include "config/config_loader.h"
-#include "config/exposure.h"
 #include "jostle/scenes/catalog.h"
+#include "server/app/health_probe.h"
+#include "server/app/server_app.h"
+#include "server/config/config_loader.h"
+#include "server/config/exposure.h"
+#include "server/util/log.h"
 
 namespace {
 

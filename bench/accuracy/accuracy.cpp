@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/accuracy.h"
+#include "bench/accuracy/accuracy.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,15 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/accuracy_plot.h"
-#include "accuracy/accuracy_report.h"
-#include "accuracy/accuracy_sheet.h"
-#include "accuracy/choices.h"
-#include "accuracy/doc_tables.h"
-#include "accuracy/run_row.h"
-#include "accuracy/short_form.h"
-#include "measure.h"
-#include "result_file.h"
+#include "bench/accuracy/accuracy_plot.h"
+#include "bench/accuracy/accuracy_report.h"
+#include "bench/accuracy/accuracy_sheet.h"
+#include "bench/accuracy/choices.h"
+#include "bench/accuracy/doc_tables.h"
+#include "bench/accuracy/run_row.h"
+#include "bench/accuracy/short_form.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/accuracy_plot.h"
+#include "bench/accuracy/accuracy_plot.h"
 
 #include <algorithm>
 
-#include "accuracy/analysis.h"
-#include "jostle/plots/log_axis.h"
-#include "speed/series_style.h"
+#include "bench/accuracy/analysis.h"
+#include "bench/speed/series_style.h"
+#include "jostle/analysis/log_axis.h"
 
 namespace jostle::bench::lab {
 namespace {

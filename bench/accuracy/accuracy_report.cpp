@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/accuracy_report.h"
+#include "bench/accuracy/accuracy_report.h"
 
 #include <cmath>
 #include <cstdio>
 
-#include "accuracy/choices.h"
+#include "bench/accuracy/choices.h"
+#include "bench/result_file.h"
 #include "jostle/base/format_text.h"
-#include "result_file.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/analysis.h"
+#include "bench/accuracy/analysis.h"
 
 namespace jostle::bench::lab {
 

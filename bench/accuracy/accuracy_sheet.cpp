@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/accuracy_sheet.h"
+#include "bench/accuracy/accuracy_sheet.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "accuracy/lab_engine_kinds.h"
-#include "jostle/plots/log_axis.h"
-#include "speed/series_style.h"
+#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/speed/series_style.h"
+#include "jostle/analysis/log_axis.h"
 
 namespace jostle::bench::lab {
 namespace {

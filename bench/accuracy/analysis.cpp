@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/analysis.h"
+#include "bench/accuracy/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "jostle/convergence/work_error.h"
+#include "jostle/analysis/work_error.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/body_tree.h"
+#include "bench/accuracy/body_tree.h"
 
 namespace jostle::bench::lab {
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "accuracy/bullet_lab_library.h"
-#include "accuracy/bullet_tree_engine.h"
+#include "bench/accuracy/bullet_lab_library.h"
+#include "bench/accuracy/bullet_tree_engine.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "accuracy/lab_engine.h"
+#include "bench/accuracy/lab_engine.h"
 
 // What the library exports.
 extern "C" jostle::bench::lab::Engine* make_bullet_lab_engine();

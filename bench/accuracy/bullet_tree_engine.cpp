@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/bullet_tree_engine.h"
+#include "bench/accuracy/bullet_tree_engine.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "accuracy/body_tree.h"
+#include "bench/accuracy/body_tree.h"
 
 namespace jostle::bench::lab {
 namespace {

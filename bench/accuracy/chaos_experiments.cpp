@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/meters.h"
-#include "accuracy/reference.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/meters.h"
+#include "bench/accuracy/reference.h"
 
 namespace jostle::bench::lab {
 namespace {

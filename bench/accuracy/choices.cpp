@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/choices.h"
+#include "bench/accuracy/choices.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
-#include "accuracy/lab_engine_kinds.h"
-#include "accuracy/reference.h"
-#include "measure.h"
+#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/reference.h"
+#include "bench/measure.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/experiment.h"
+#include "bench/accuracy/experiment.h"
 
 namespace jostle::bench::lab {
 

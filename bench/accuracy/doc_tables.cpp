@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/doc_tables.h"
+#include "bench/accuracy/doc_tables.h"
 
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 
-#include "accuracy/choices.h"
-#include "accuracy/lab_engine_kinds.h"
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/choices.h"
+#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/stress_test.h"
+#include "bench/result_file.h"
 #include "jostle/base/format_text.h"
-#include "result_file.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/experiment.h"
+#include "bench/accuracy/experiment.h"
 
 namespace jostle::bench::lab {
 namespace {

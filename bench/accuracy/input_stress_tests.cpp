@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/stress_test.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::bench::lab {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/meters.h"
-#include "accuracy/run_row.h"
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/meters.h"
+#include "bench/accuracy/run_row.h"
+#include "bench/accuracy/stress_test.h"
 
 namespace jostle::bench::lab {
 namespace {

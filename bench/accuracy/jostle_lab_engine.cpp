@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_engine_kinds.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/world.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "accuracy/lab_scene.h"
+#include "bench/accuracy/lab_scene.h"
 
 namespace jostle::bench::lab {
 

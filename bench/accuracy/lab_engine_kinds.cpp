@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/lab_engine_kinds.h"
 
-#include "accuracy/box2d_lab_engine.h"
-#include "accuracy/bullet_lab_library.h"
-#include "accuracy/mujoco_lab_engine.h"
-#include "accuracy/ode_lab_engine.h"
+#include "bench/accuracy/box2d_lab_engine.h"
+#include "bench/accuracy/bullet_lab_library.h"
+#include "bench/accuracy/mujoco_lab_engine.h"
+#include "bench/accuracy/ode_lab_engine.h"
 
 namespace jostle::bench::lab {
 namespace {

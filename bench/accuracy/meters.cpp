@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/meters.h"
+#include "bench/accuracy/meters.h"
 
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_bodies.h"
 
 namespace jostle::bench::lab {
 namespace {

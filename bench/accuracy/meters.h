@@ -8,8 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "accuracy/experiment.h"
-#include "jostle/convergence/work_error.h"
+#include "bench/accuracy/experiment.h"
+#include "jostle/analysis/work_error.h"
 
 namespace jostle::bench::lab {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/run_row.h"
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/run_row.h"
+#include "bench/accuracy/stress_test.h"
 
 namespace jostle::bench::lab {
 namespace {

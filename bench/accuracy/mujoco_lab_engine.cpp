@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/mujoco_lab_engine.h"
+#include "bench/accuracy/mujoco_lab_engine.h"
 
 #include <mujoco/mujoco.h>
 #include <unistd.h>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/mujoco_model.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/mujoco_model.h"
 
 namespace jostle::bench::lab {
 namespace {

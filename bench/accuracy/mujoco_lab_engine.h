@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "accuracy/lab_engine.h"
+#include "bench/accuracy/lab_engine.h"
 
 namespace jostle::bench::lab {
 

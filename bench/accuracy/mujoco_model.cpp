@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/mujoco_model.h"
+#include "bench/accuracy/mujoco_model.h"
 
 #include <cstdarg>
 #include <cstdio>

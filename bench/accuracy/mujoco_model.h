@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "accuracy/body_tree.h"
+#include "bench/accuracy/body_tree.h"
 #include "jostle/base/result.h"
 
 namespace jostle::bench::lab {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/ode_lab_engine.h"
+#include "bench/accuracy/ode_lab_engine.h"
 
 #include <ode/ode.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_bodies.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/meters.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/meters.h"
 
 namespace jostle::bench::lab {
 namespace {

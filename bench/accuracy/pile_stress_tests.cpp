@@ -6,10 +6,10 @@
 #include <random>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/meters.h"
-#include "accuracy/stress_test.h"
-#include "measure.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/meters.h"
+#include "bench/accuracy/stress_test.h"
+#include "bench/measure.h"
 
 namespace jostle::bench::lab {
 namespace {

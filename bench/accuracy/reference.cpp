@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/reference.h"
+#include "bench/accuracy/reference.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_bodies.h"
 
 namespace jostle::bench::lab {
 namespace {

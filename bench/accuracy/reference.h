@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/lab_scene.h"
+#include "bench/accuracy/lab_scene.h"
 
 namespace jostle::bench::lab {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/run_row.h"
+#include "bench/accuracy/run_row.h"
 
 #include <sys/resource.h>
 
@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "measure.h"
-#include "result_file.h"
-#include "speed/child_process.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/child_process.h"
 
 namespace jostle::bench::lab {
 namespace {

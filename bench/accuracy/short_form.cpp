@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/short_form.h"
+#include "bench/accuracy/short_form.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string_view>
 
-#include "accuracy/lab_engine_kinds.h"
-#include "measure.h"
-#include "result_file.h"
+#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/run_row.h"
+#include "bench/accuracy/run_row.h"
 
 namespace jostle::bench::lab {
 

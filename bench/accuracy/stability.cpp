@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/stability.h"
+#include "bench/accuracy/stability.h"
 
 #include <sys/resource.h>
 
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/choices.h"
-#include "accuracy/doc_tables.h"
-#include "accuracy/stress_test.h"
-#include "measure.h"
-#include "result_file.h"
-#include "speed/child_process.h"
+#include "bench/accuracy/choices.h"
+#include "bench/accuracy/doc_tables.h"
+#include "bench/accuracy/stress_test.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/child_process.h"
 
 namespace jostle::bench {
 namespace {

@@ -3,9 +3,9 @@
 // C8 to C11: what should stand, and twice what should fall.
 #include <utility>
 
-#include "accuracy/lab_bodies.h"
-#include "accuracy/meters.h"
-#include "accuracy/stack_scenes.h"
+#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/meters.h"
+#include "bench/accuracy/stack_scenes.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/stack_scenes.h"
+#include "bench/accuracy/stack_scenes.h"
 
 #include <cmath>
 
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_bodies.h"
 
 namespace jostle::bench::lab {
 namespace {

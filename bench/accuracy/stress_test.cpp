@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/stress_test.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
-#include "accuracy/run_row.h"
-#include "result_file.h"
+#include "bench/accuracy/run_row.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench::lab {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "broadphase/kd_tree.h"
+#include "bench/broadphase/kd_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 // boxes have moved twice on average the tree is built anew.
 #pragma once
 
-#include "collision/broadphase/broad_phase_index.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
 
 namespace jostle::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "broadphase/loose_octree.h"
+#include "bench/broadphase/loose_octree.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "collision/broadphase/broad_phase_index.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
 
 namespace jostle::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "integrators/particle_field.h"
+#include "bench/integrators/particle_field.h"
 
 namespace jostle::bench::integrators {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/integrator_kinds.h"
+#include "bench/integrators/integrator_kinds.h"
 
 #include <array>
 
-#include "integrators/textbook_integrators.h"
-#include "integrators/world_integrator.h"
+#include "bench/integrators/textbook_integrators.h"
+#include "bench/integrators/world_integrator.h"
 
 namespace jostle::bench::integrators {
 namespace {

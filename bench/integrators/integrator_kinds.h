@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "integrators/integrator.h"
+#include "bench/integrators/integrator.h"
 
 namespace jostle::bench::integrators {
 

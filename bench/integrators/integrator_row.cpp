@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/integrator_row.h"
+#include "bench/integrators/integrator_row.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "jostle/convergence/work_error.h"
-#include "measure.h"
-#include "result_file.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "jostle/analysis/work_error.h"
 
 namespace jostle::bench::integrators {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "integrators/integrator_kinds.h"
+#include "bench/integrators/integrator_kinds.h"
 
 namespace jostle::bench::integrators {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/integrators.h"
+#include "bench/integrators/integrators.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "integrators/integrator_row.h"
-#include "measure.h"
-#include "result_file.h"
+#include "bench/integrators/integrator_row.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/particle_field.h"
+#include "bench/integrators/particle_field.h"
 
 #include <cmath>
 #include <vector>

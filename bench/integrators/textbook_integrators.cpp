@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/textbook_integrators.h"
+#include "bench/integrators/textbook_integrators.h"
 
 namespace jostle::bench::integrators {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "integrators/integrator.h"
+#include "bench/integrators/integrator.h"
 
 namespace jostle::bench::integrators {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "network/giesen_model.h"
+#include "bench/network/giesen_model.h"
 
 #include <algorithm>
 #include <bit>

@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-#include "wire/entity_state.h"
+#include "jostle/snapshot/entity_state.h"
 
 namespace jostle::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "network/network.h"
+#include "bench/network/network.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -7,11 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "measure.h"
-#include "network/giesen_model.h"
-#include "recorded_scene.h"
-#include "result_file.h"
-#include "wire/frame_codec.h"
+#include "bench/measure.h"
+#include "bench/network/giesen_model.h"
+#include "bench/recorded_scene.h"
+#include "bench/result_file.h"
+#include "jostle/snapshot/frame_codec.h"
 
 namespace jostle::bench {
 namespace {

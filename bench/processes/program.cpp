@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "processes/program.h"
+#include "bench/processes/program.h"
 
 #include <fcntl.h>
 #include <signal.h>

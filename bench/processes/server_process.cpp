@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "processes/server_process.h"
+#include "bench/processes/server_process.h"
 
 #include <unistd.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "processes/program.h"
+#include "bench/processes/program.h"
 
 namespace jostle::bench {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "roads/contact_scene.h"
+#include "bench/roads/contact_scene.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "jostle/convergence/work_error.h"
+#include "jostle/analysis/work_error.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::bench::roads {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roads/road.h"
+#include "bench/roads/road.h"
 
 namespace jostle::bench::roads {
 namespace {

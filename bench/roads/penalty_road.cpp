@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/roads/road.h"
 #include "jostle/physics/scalar.h"
-#include "roads/road.h"
 
 namespace jostle::bench::roads {
 namespace {

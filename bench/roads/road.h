@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roads/contact_scene.h"
+#include "bench/roads/contact_scene.h"
 
 namespace jostle::bench::roads {
 

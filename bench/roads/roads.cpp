@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "roads/roads.h"
+#include "bench/roads/roads.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "measure.h"
-#include "result_file.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
 
 namespace jostle::bench {
 namespace roads {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "roads/road.h"
+#include "bench/roads/road.h"
 
 namespace CLI {
 class App;

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roads/road.h"
+#include "bench/roads/road.h"
 
 namespace jostle::bench::roads {
 namespace {

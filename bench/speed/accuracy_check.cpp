@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/accuracy_check.h"
+#include "bench/speed/accuracy_check.h"
 
 #include <algorithm>
 #include <array>

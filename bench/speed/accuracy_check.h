@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "speed/portable_scene.h"
+#include "bench/speed/portable_scene.h"
 
 namespace jostle::bench {
 

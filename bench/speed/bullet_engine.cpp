@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/bullet_engine.h"
+#include "bench/speed/bullet_engine.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "bench/speed/portable_scene.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "speed/portable_scene.h"
 
 namespace jostle::bench {
 namespace {

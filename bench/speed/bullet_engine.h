@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "speed/engine.h"
+#include "bench/speed/engine.h"
 
 namespace jostle::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/child_process.h"
+#include "bench/speed/child_process.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "speed/engine_kinds.h"
+#include "bench/speed/engine_kinds.h"
 
-#include "speed/bullet_engine.h"
-#include "speed/jostle_engine.h"
-#include "speed/ode_engine.h"
+#include "bench/speed/bullet_engine.h"
+#include "bench/speed/jostle_engine.h"
+#include "bench/speed/ode_engine.h"
 
 namespace jostle::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "speed/engine.h"
+#include "bench/speed/engine.h"
 
 namespace jostle::bench {
 

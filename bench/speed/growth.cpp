@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "speed/growth.h"
+#include "bench/speed/growth.h"
 
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/child_process.h"
+#include "bench/speed/field_json.h"
 #include "jostle/scenes/lab.h"
-#include "measure.h"
-#include "result_file.h"
-#include "speed/child_process.h"
-#include "speed/field_json.h"
 
 namespace jostle::bench {
 namespace {

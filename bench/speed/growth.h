@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "speed/engine_kinds.h"
+#include "bench/speed/engine_kinds.h"
 
 namespace jostle::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/jostle_engine.h"
+#include "bench/speed/jostle_engine.h"
 
 #include <optional>
 

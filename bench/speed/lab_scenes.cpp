@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/lab_scenes.h"
+#include "bench/speed/lab_scenes.h"
 
 #include <stdexcept>
 #include <string>

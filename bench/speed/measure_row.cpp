@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "speed/measure_row.h"
+#include "bench/speed/measure_row.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "measure.h"
-#include "result_file.h"
-#include "speed/accuracy_check.h"
-#include "speed/child_process.h"
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/accuracy_check.h"
+#include "bench/speed/child_process.h"
 
 namespace jostle::bench {
 namespace {

@@ -3,9 +3,9 @@
 // Fills one row of the speed table.
 #pragma once
 
-#include "speed/engine_kinds.h"
-#include "speed/lab_scenes.h"
-#include "speed/speed_row.h"
+#include "bench/speed/engine_kinds.h"
+#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_row.h"
 
 namespace jostle::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/measure_server_row.h"
+#include "bench/speed/measure_server_row.h"
 
 #include <signal.h>
 
@@ -10,10 +10,10 @@
 #include <fstream>
 #include <thread>
 
-#include "measure.h"
-#include "processes/server_process.h"
-#include "result_file.h"
-#include "speed/tick_times.h"
+#include "bench/measure.h"
+#include "bench/processes/server_process.h"
+#include "bench/result_file.h"
+#include "bench/speed/tick_times.h"
 
 namespace jostle::bench {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "speed/lab_scenes.h"
-#include "speed/server_row.h"
+#include "bench/speed/lab_scenes.h"
+#include "bench/speed/server_row.h"
 
 namespace jostle::bench {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "speed/ode_engine.h"
+#include "bench/speed/ode_engine.h"
 
 #include <ode/ode.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "speed/portable_scene.h"
+#include "bench/speed/portable_scene.h"
 
 namespace jostle::bench {
 namespace {

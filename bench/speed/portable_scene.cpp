@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/portable_scene.h"
+#include "bench/speed/portable_scene.h"
 
 #include <stdexcept>
 #include <string>

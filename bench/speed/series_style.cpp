@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/series_style.h"
+#include "bench/speed/series_style.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "jostle/plots/svg.h"
+#include "jostle/analysis/svg.h"
 
 namespace jostle::bench {
 

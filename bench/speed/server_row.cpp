@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "speed/server_row.h"
+#include "bench/speed/server_row.h"
 
-#include "speed/field_json.h"
+#include "bench/speed/field_json.h"
 
 namespace jostle::bench {
 namespace {

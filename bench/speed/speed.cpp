@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/speed.h"
+#include "bench/speed/speed.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "bench/measure.h"
+#include "bench/result_file.h"
+#include "bench/speed/engine_kinds.h"
+#include "bench/speed/growth.h"
+#include "bench/speed/lab_scenes.h"
+#include "bench/speed/measure_row.h"
+#include "bench/speed/measure_server_row.h"
+#include "bench/speed/speed_plot.h"
+#include "bench/speed/speed_table.h"
 #include "jostle/scenes/catalog.h"
-#include "measure.h"
-#include "result_file.h"
-#include "speed/engine_kinds.h"
-#include "speed/growth.h"
-#include "speed/lab_scenes.h"
-#include "speed/measure_row.h"
-#include "speed/measure_server_row.h"
-#include "speed/speed_plot.h"
-#include "speed/speed_table.h"
 
 namespace jostle::bench {
 namespace {

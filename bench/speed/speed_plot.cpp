@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "speed/speed_plot.h"
+#include "bench/speed/speed_plot.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "jostle/plots/log_axis.h"
-#include "speed/series_style.h"
+#include "bench/speed/series_style.h"
+#include "jostle/analysis/log_axis.h"
 
 namespace jostle::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "speed/growth.h"
-#include "speed/speed_row.h"
+#include "bench/speed/growth.h"
+#include "bench/speed/speed_row.h"
 
 namespace jostle::bench {
 

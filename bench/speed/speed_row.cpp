@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "speed/speed_row.h"
+#include "bench/speed/speed_row.h"
 
 #include <algorithm>
 
-#include "speed/field_json.h"
+#include "bench/speed/field_json.h"
 
 namespace jostle::bench {
 namespace {

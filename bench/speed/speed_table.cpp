@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/speed_table.h"
+#include "bench/speed/speed_table.h"
 
 #include <cstdio>
 

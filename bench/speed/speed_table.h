@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "speed/growth.h"
-#include "speed/server_row.h"
-#include "speed/speed_row.h"
+#include "bench/speed/growth.h"
+#include "bench/speed/server_row.h"
+#include "bench/speed/speed_row.h"
 
 namespace jostle::bench {
 

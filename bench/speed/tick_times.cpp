@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/tick_times.h"
+#include "bench/speed/tick_times.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "stream/floor.h"
+#include "bench/stream/floor.h"
 
 namespace jostle::bench {
 namespace {

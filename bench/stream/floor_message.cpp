@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "bench/stream/floor.h"
 #include "jostle/v1/play.pb.h"
-#include "stream/floor.h"
 
 namespace jostle::bench {
 

@@ -13,7 +13,7 @@
 #include <cstring>
 #include <vector>
 
-#include "stream/floor.h"
+#include "bench/stream/floor.h"
 
 namespace jostle::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <list>
 #include <memory>
 
-#include "stream/floor.h"
+#include "bench/stream/floor.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stream/stream.h"
+#include "bench/stream/stream.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -9,13 +9,13 @@
 #include <map>
 #include <memory>
 
+#include "bench/measure.h"
+#include "bench/processes/server_process.h"
+#include "bench/result_file.h"
+#include "bench/stream/floor.h"
+#include "bench/stream/stream_row.h"
 #include "jostle/base/format_text.h"
-#include "load/load_run.h"
-#include "measure.h"
-#include "processes/server_process.h"
-#include "result_file.h"
-#include "stream/floor.h"
-#include "stream/stream_row.h"
+#include "tools/load/load_run.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stream/stream_row.h"
+#include "bench/stream/stream_row.h"
 
 #include <atomic>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <fstream>
 #include <memory>
 
-#include "load/load_run.h"
-#include "load/sink_crowd.h"
-#include "processes/server_process.h"
-#include "result_file.h"
+#include "bench/processes/server_process.h"
+#include "bench/result_file.h"
+#include "tools/load/load_run.h"
+#include "tools/load/sink_crowd.h"
 
 namespace jostle::bench {
 namespace {

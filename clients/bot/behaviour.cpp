@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bot/behaviour.h"
+#include "clients/bot/behaviour.h"
 
 #include <algorithm>
 #include <cmath>

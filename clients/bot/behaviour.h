@@ -9,8 +9,8 @@
 #include <deque>
 #include <vector>
 
-#include "bot/lap_counter.h"
-#include "bot/script.h"
+#include "clients/bot/lap_counter.h"
+#include "clients/bot/script.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::bots {

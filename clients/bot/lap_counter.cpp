@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bot/lap_counter.h"
+#include "clients/bot/lap_counter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include <string>
 #include <thread>
 
-#include "bot/player.h"
-#include "flags/security_flags.h"
+#include "clients/bot/player.h"
+#include "clients/cpp/cli/security_flags.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bot/player.h"
+#include "clients/bot/player.h"
 
 namespace jostle::bots {
 

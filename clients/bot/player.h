@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "bot/behaviour.h"
+#include "clients/bot/behaviour.h"
 #include "jostle/client/client.h"
 
 namespace jostle::bots {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bot/script.h"
+#include "clients/bot/script.h"
 
 #include <charconv>
 #include <fstream>

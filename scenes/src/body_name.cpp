@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_name.h"
+#include "scenes/src/body_name.h"
 
 #include <charconv>
 

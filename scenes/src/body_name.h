@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <string>
 
-#include "field_reader.h"
 #include "jostle/scenes/scene.h"
+#include "scenes/src/field_reader.h"
 
 namespace jostle::scenes {
 

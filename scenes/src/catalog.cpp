@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "hovercraft.h"
+#include "examples/hovercraft/hovercraft.h"
 #include "jostle/modules/boats.h"
 #include "jostle/modules/character.h"
 #include "jostle/modules/destruction.h"
@@ -12,7 +12,7 @@
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
-#include "katamari.h"
+#include "scenes/src/katamari.h"
 
 namespace jostle::scenes {
 namespace {

@@ -2,7 +2,7 @@
 //
 // One feature each: shapes, belts, gates, locks.
 #include "jostle/physics/compound.h"
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "field_reader.h"
+#include "scenes/src/field_reader.h"
 
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jostle/physics/hull.h"
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A craft that a module flies: the one of physics/examples.
+// A craft that a module flies: the one of examples.
 #include "jostle/physics/height_field.h"
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "joint_message.h"
+#include "scenes/src/joint_message.h"
 
 #include <optional>
 
-#include "body_name.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/limits.h"
 #include "jostle/v1/scene.pb.h"
-#include "message_fields.h"
+#include "scenes/src/body_name.h"
+#include "scenes/src/message_fields.h"
 
 namespace jostle::scenes {
 

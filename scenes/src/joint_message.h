@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "field_reader.h"
 #include "jostle/scenes/scene.h"
+#include "scenes/src/field_reader.h"
 
 namespace jostle::v1 {
 class Joint;

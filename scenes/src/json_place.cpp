@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "json_place.h"
+#include "scenes/src/json_place.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "katamari.h"
+#include "scenes/src/katamari.h"
 
 #include <cmath>
 
 #include "jostle/modules/settings.h"
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

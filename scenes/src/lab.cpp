@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "lab_parts.h"
-#include "lab_ragdoll.h"
-#include "parts.h"
+#include "scenes/src/lab_parts.h"
+#include "scenes/src/lab_ragdoll.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -6,9 +6,9 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "lab_parts.h"
-#include "lab_ragdoll.h"
-#include "parts.h"
+#include "scenes/src/lab_parts.h"
+#include "scenes/src/lab_ragdoll.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

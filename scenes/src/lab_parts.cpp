@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lab_parts.h"
+#include "scenes/src/lab_parts.h"
 
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "message_fields.h"
+#include "scenes/src/message_fields.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "field_reader.h"
 #include "jostle/physics/joint_fields.h"
+#include "scenes/src/field_reader.h"
 
 namespace google::protobuf {
 class Message;

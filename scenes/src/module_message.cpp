@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "module_message.h"
+#include "scenes/src/module_message.h"
 
 #include <algorithm>
 
-#include "body_name.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
-#include "module_things.h"
+#include "scenes/src/body_name.h"
+#include "scenes/src/module_things.h"
 
 namespace jostle::scenes {
 

@@ -3,8 +3,8 @@
 // jostle.v1.Module to SceneModule and back.
 #pragma once
 
-#include "field_reader.h"
 #include "jostle/scenes/scene.h"
+#include "scenes/src/field_reader.h"
 
 namespace jostle::v1 {
 class Module;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "module_things.h"
+#include "scenes/src/module_things.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "body_name.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/v1/modules.pb.h"
+#include "scenes/src/body_name.h"
 
 namespace jostle::scenes {
 

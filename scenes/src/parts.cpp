@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 #include "jostle/physics/hull.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Many mixed bodies that fall on each other.
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

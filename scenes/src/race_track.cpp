@@ -10,7 +10,7 @@
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -13,16 +13,16 @@
 #include <iterator>
 #include <memory>
 
-#include "joint_message.h"
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
-#include "json_place.h"
-#include "module_message.h"
-#include "scene_json.h"
-#include "shape_reader.h"
+#include "scenes/src/joint_message.h"
+#include "scenes/src/json_place.h"
+#include "scenes/src/module_message.h"
+#include "scenes/src/scene_json.h"
+#include "scenes/src/shape_reader.h"
 
 namespace jostle::scenes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene_json.h"
+#include "scenes/src/scene_json.h"
 
 #include <google/protobuf/descriptor.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "json_place.h"
+#include "scenes/src/json_place.h"
 
 namespace jostle::scenes {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/scenes/shape_message.h"
 
-#include "jostle/decomposition/decompose.h"
+#include "jostle/modules/convex_decomposition.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/limits.h"
 #include "jostle/physics/mesh.h"
 #include "jostle/v1/scene.pb.h"
-#include "shape_reader.h"
+#include "scenes/src/shape_reader.h"
 
 namespace jostle::scenes {
 

@@ -3,8 +3,8 @@
 // The reading half of shape_message.h, for readers of whole scenes that note one fault for all.
 #pragma once
 
-#include "field_reader.h"
 #include "jostle/physics/defs.h"
+#include "scenes/src/field_reader.h"
 
 namespace jostle::v1 {
 class Shape;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Stacks and walls: what must stand.
-#include "parts.h"
+#include "scenes/src/parts.h"
 
 namespace jostle::scenes {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/hard_exit.h"
+#include "server/app/hard_exit.h"
 
 #include <cstdlib>
 
-#include "base/log.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "base/clock.h"
+#include "server/util/clock.h"
 
 namespace jostle::server {
 

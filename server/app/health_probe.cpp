@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/health_probe.h"
+#include "server/app/health_probe.h"
 
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/tls_certificate_provider.h>
@@ -21,8 +21,8 @@
 #include <iterator>
 #include <optional>
 
-#include "base/clock.h"
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "server/util/clock.h"
 
 namespace jostle::server {
 namespace {

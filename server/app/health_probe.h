@@ -9,7 +9,7 @@
 #include <chrono>
 #include <string>
 
-#include "config/config.h"
+#include "server/config/config.h"
 
 namespace jostle::server {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/server_app.h"
+#include "server/app/server_app.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -14,25 +14,25 @@
 #include <optional>
 #include <random>
 
-#include "app/hard_exit.h"
-#include "app/service_manager.h"
-#include "app/shutdown.h"
-#include "app/upkeep.h"
-#include "base/log.h"
-#include "config/exposure.h"
-#include "durability/world_archive.h"
-#include "gateway/admin_routes.h"
-#include "gateway/gateway.h"
-#include "gateway/http_routes.h"
-#include "host/world_watch.h"
 #include "jostle/scenes/scene_file.h"
-#include "protocol/query_control.h"
-#include "protocol/world_control.h"
-#include "rpc/admin_methods.h"
-#include "rpc/grpc_server.h"
-#include "rpc/query_methods.h"
-#include "rpc/world_methods.h"
-#include "tls/certificate_store.h"
+#include "server/app/hard_exit.h"
+#include "server/app/service_manager.h"
+#include "server/app/shutdown.h"
+#include "server/app/upkeep.h"
+#include "server/config/exposure.h"
+#include "server/grpc/admin_methods.h"
+#include "server/grpc/grpc_server.h"
+#include "server/grpc/query_methods.h"
+#include "server/grpc/world_methods.h"
+#include "server/http/admin_routes.h"
+#include "server/http/gateway.h"
+#include "server/http/http_routes.h"
+#include "server/recovery/world_archive.h"
+#include "server/services/query_control.h"
+#include "server/services/world_control.h"
+#include "server/tls/certificate_store.h"
+#include "server/util/log.h"
+#include "server/world/world_watch.h"
 
 namespace jostle::server {
 namespace {

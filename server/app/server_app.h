@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "config/config.h"
+#include "server/config/config.h"
 
 namespace jostle::server {
 

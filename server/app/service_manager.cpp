@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/service_manager.h"
+#include "server/app/service_manager.h"
 
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -12,7 +12,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/log.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/shutdown.h"
+#include "server/app/shutdown.h"
 
-#include "app/service_manager.h"
-#include "base/log.h"
+#include "server/app/service_manager.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 

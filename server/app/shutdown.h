@@ -10,9 +10,9 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 
-#include "gateway/gateway.h"
-#include "protocol/play_context.h"
-#include "rpc/grpc_server.h"
+#include "server/grpc/grpc_server.h"
+#include "server/http/gateway.h"
+#include "server/session/play_context.h"
 
 namespace jostle::server {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/upkeep.h"
+#include "server/app/upkeep.h"
 
 #include <utility>
 
-#include "app/service_manager.h"
-#include "base/log.h"
+#include "server/app/service_manager.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 

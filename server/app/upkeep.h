@@ -12,8 +12,8 @@
 #include <functional>
 #include <thread>
 
-#include "identity/gate.h"
-#include "tls/certificate_store.h"
+#include "server/auth/gate.h"
+#include "server/tls/certificate_store.h"
 
 namespace jostle::server {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/config.h"
+#include "server/config/config.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/config_loader.h"
+#include "server/config/config_loader.h"
 
 #include <toml++/toml.h>
 #include <filesystem>

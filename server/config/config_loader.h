@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/config.h"
+#include "server/config/config.h"
 
 namespace jostle::server {
 

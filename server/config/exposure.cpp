@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/exposure.h"
+#include "server/config/exposure.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

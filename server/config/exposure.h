@@ -4,7 +4,7 @@
 // anything listens.
 #pragma once
 
-#include "config/config.h"
+#include "server/config/config.h"
 
 namespace jostle::server {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/acked_frames.h"
+#include "server/replication/acked_frames.h"
 
 namespace jostle::server {
 

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include "base/fifo.h"
-#include "replication/baseline_tracker.h"
+#include "server/replication/baseline_tracker.h"
+#include "server/util/fifo.h"
 
 namespace jostle::server {
 

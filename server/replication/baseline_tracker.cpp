@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/baseline_tracker.h"
+#include "server/replication/baseline_tracker.h"
 
 namespace jostle::server {
 namespace {

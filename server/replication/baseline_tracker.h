@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/fifo.h"
-#include "replication/snapshot_cache.h"
+#include "server/replication/snapshot_cache.h"
+#include "server/util/fifo.h"
 
 namespace jostle::server {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "replication/cell_feed.h"
+#include "server/replication/cell_feed.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "wire/frame_codec.h"
+#include "jostle/snapshot/frame_codec.h"
 
 namespace jostle::server {
 

@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
-#include "replication/cell_grid.h"
-#include "replication/snapshot_cache.h"
+#include "server/replication/cell_grid.h"
+#include "server/replication/snapshot_cache.h"
 
 namespace jostle::server {
 

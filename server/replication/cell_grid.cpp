@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/cell_grid.h"
+#include "server/replication/cell_grid.h"
 
 #include <algorithm>
 #include <cmath>

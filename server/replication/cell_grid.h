@@ -12,8 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "host/frame.h"
-#include "wire/entity_state.h"
+#include "jostle/snapshot/entity_state.h"
+#include "server/world/frame.h"
 
 namespace jostle::server {
 

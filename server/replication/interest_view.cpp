@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/interest_view.h"
+#include "server/replication/interest_view.h"
 
 #include <algorithm>
 #include <utility>

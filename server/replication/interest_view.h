@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/clock.h"
-#include "replication/baseline_tracker.h"
-#include "replication/cell_feed.h"
+#include "server/replication/baseline_tracker.h"
+#include "server/replication/cell_feed.h"
+#include "server/util/clock.h"
 
 namespace jostle::server {
 

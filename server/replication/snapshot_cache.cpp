@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "replication/snapshot_cache.h"
+#include "server/replication/snapshot_cache.h"
 
 #include <algorithm>
 #include <iterator>
 #include <span>
 #include <utility>
 
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
 namespace {

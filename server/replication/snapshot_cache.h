@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "host/frame.h"
-#include "wire/base_frames.h"
-#include "wire/channel_codec.h"
-#include "wire/frame_codec.h"
+#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/channel_codec.h"
+#include "jostle/snapshot/frame_codec.h"
+#include "server/world/frame.h"
 
 namespace jostle::server {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "tls/certificate_store.h"
+#include "server/tls/certificate_store.h"
 
-#include "base/log.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 

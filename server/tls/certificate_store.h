@@ -16,8 +16,8 @@
 #include <mutex>
 #include <string>
 
-#include "base/watched_file.h"
-#include "tls/material.h"
+#include "server/tls/material.h"
+#include "server/util/watched_file.h"
 
 namespace jostle::server {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tls/material.h"
+#include "server/tls/material.h"
 
 #include <openssl/bio.h>
 #include <openssl/err.h>
@@ -11,8 +11,8 @@
 #include <ctime>
 #include <memory>
 
-#include "base/free_with.h"
-#include "base/watched_file.h"
+#include "server/util/free_with.h"
+#include "server/util/watched_file.h"
 
 namespace jostle::server {
 

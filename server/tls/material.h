@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/wall_time.h"
-#include "config/config.h"
+#include "server/config/config.h"
+#include "server/util/wall_time.h"
 
 namespace jostle::server {
 

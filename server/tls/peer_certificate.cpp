@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tls/peer_certificate.h"
+#include "server/tls/peer_certificate.h"
 
 #include <openssl/bio.h>
 #include <openssl/x509.h>
 
 #include <memory>
 
-#include "base/free_with.h"
+#include "server/util/free_with.h"
 
 namespace jostle::server {
 

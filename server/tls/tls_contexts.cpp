@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tls/tls_contexts.h"
+#include "server/tls/tls_contexts.h"
 
 #include <boost/asio/buffer.hpp>
 
-#include "base/log.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 

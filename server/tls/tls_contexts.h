@@ -7,7 +7,7 @@
 #include <boost/asio/ssl/context.hpp>
 #include <memory>
 
-#include "tls/certificate_store.h"
+#include "server/tls/certificate_store.h"
 
 namespace jostle::server {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "support/joined.h"
-#include "support/near.h"
+#include "tests/support/joined.h"
+#include "tests/support/near.h"
 
 namespace jostle::test {
 namespace {

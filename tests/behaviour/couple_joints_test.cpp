@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/joined.h"
-#include "support/near.h"
+#include "tests/support/joined.h"
+#include "tests/support/near.h"
 
 namespace jostle::test {
 namespace {

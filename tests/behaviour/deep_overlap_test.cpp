@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

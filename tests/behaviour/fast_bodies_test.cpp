@@ -3,8 +3,8 @@
 // Nothing flies through a wall, and nothing is held up by a wall that it passes.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,8 +3,8 @@
 // A body in flight follows its parabola: constant force is integrated exactly, whatever the step.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

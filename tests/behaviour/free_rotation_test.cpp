@@ -4,8 +4,8 @@
 // equations, solved here by Runge-Kutta at steps of 1/19200 s.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/ball_net.h"
-#include "support/world_builder.h"
+#include "tests/support/ball_net.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

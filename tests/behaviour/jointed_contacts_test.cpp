@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

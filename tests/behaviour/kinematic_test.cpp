@@ -3,8 +3,8 @@
 // Kinematic bodies move by their velocity alone, carry by friction and push without giving way.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

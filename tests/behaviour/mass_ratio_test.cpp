@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,9 +3,9 @@
 // 64 boxes fall together in empty space: impulses come in pairs, so the sums stay.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

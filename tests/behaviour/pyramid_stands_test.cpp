@@ -3,7 +3,7 @@
 // 465 boxes in 30 rows still stand after 33 seconds without the help of sleep.
 #include <gtest/gtest.h>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,8 +3,8 @@
 // Bounces: a ball dropped from h comes back to e^2 h; equal balls exchange their speeds.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,8 +3,8 @@
 // Boxes put one on the other stay where they are put, and go to sleep there.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,8 +3,8 @@
 // Triggers tell who comes, stays and goes, and touch nothing.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -4,7 +4,7 @@
 // at once.
 #include <gtest/gtest.h>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

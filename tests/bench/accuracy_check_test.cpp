@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The accuracy check against closed forms.
-#include "speed/accuracy_check.h"
+#include "bench/speed/accuracy_check.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "parts.h"
-#include "support/random.h"
+#include "scenes/src/parts.h"
+#include "tests/support/random.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is made of rows, on rows that are made up.
-#include "accuracy/analysis.h"
+#include "bench/accuracy/analysis.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "accuracy/accuracy_plot.h"
-#include "accuracy/accuracy_report.h"
-#include "accuracy/accuracy_sheet.h"
-#include "accuracy/doc_tables.h"
+#include "bench/accuracy/accuracy_plot.h"
+#include "bench/accuracy/accuracy_report.h"
+#include "bench/accuracy/accuracy_sheet.h"
+#include "bench/accuracy/doc_tables.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "broadphase/kd_tree.h"
-#include "broadphase/loose_octree.h"
-#include "support/broad_phase_oracle.h"
+#include "bench/broadphase/kd_tree.h"
+#include "bench/broadphase/loose_octree.h"
+#include "tests/support/broad_phase_oracle.h"
 
 namespace jostle::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "parts.h"
-#include "speed/engine_kinds.h"
-#include "support/near.h"
+#include "bench/speed/engine_kinds.h"
+#include "scenes/src/parts.h"
+#include "tests/support/near.h"
 
 namespace {
 

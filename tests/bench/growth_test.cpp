@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/growth.h"
+#include "bench/speed/growth.h"
 
 #include <gtest/gtest.h>
 

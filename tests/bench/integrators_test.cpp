@@ -3,7 +3,7 @@
 // The orders that textbooks promise, in every field, and what becomes of the energy.
 #include <gtest/gtest.h>
 
-#include "integrators/integrator_row.h"
+#include "bench/integrators/integrator_row.h"
 
 namespace {
 

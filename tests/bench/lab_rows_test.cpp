@@ -4,9 +4,9 @@
 // scenes.
 #include <gtest/gtest.h>
 
-#include "accuracy/lab_engine_kinds.h"
-#include "accuracy/run_row.h"
-#include "accuracy/stress_test.h"
+#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/run_row.h"
+#include "bench/accuracy/stress_test.h"
 
 namespace {
 

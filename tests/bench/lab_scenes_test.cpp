@@ -2,15 +2,15 @@
 //
 // Which scenes are measured, and what is done with each. What is in them:
 // tests/scenes/lab_test.cpp.
-#include "speed/lab_scenes.h"
+#include "bench/speed/lab_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "speed/accuracy_check.h"
-#include "speed/portable_scene.h"
-#include "support/near.h"
+#include "bench/speed/accuracy_check.h"
+#include "bench/speed/portable_scene.h"
+#include "tests/support/near.h"
 
 namespace {
 

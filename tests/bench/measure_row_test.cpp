@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Rows of the table: what they hold, that they survive JSON, and that a crash is a row.
-#include "speed/measure_row.h"
+#include "bench/speed/measure_row.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <stdexcept>
 
-#include "speed/child_process.h"
-#include "speed/speed_table.h"
+#include "bench/speed/child_process.h"
+#include "bench/speed/speed_table.h"
 
 namespace {
 

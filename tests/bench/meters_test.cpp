@@ -2,13 +2,13 @@
 //
 // An engine that knows the truth has no error: the meters of the experiments against motions in
 // closed form, and against motions that are wrong by a known amount.
-#include "accuracy/meters.h"
+#include "bench/accuracy/meters.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/lab_bodies.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "speed/series_style.h"
-#include "speed/speed_plot.h"
+#include "bench/speed/series_style.h"
+#include "bench/speed/speed_plot.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/portable_scene.h"
+#include "bench/speed/portable_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "jostle/physics/mesh.h"
-#include "parts.h"
-#include "support/near.h"
+#include "scenes/src/parts.h"
+#include "tests/support/near.h"
 
 namespace {
 

@@ -2,14 +2,14 @@
 //
 // The laboratory's truth: closed forms against the Runge-Kutta method, and the figures that are
 // known from elsewhere.
-#include "accuracy/reference.h"
+#include "bench/accuracy/reference.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "accuracy/experiment.h"
-#include "accuracy/lab_bodies.h"
+#include "bench/accuracy/experiment.h"
+#include "bench/accuracy/lab_bodies.h"
 #include "jostle/physics/geometry.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What each road to contact is known for, in numbers.
-#include "roads/roads.h"
+#include "bench/roads/roads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "speed/tick_times.h"
+#include "bench/speed/tick_times.h"
 
 #include <gtest/gtest.h>
 
-#include "speed/server_row.h"
+#include "bench/speed/server_row.h"
 
 namespace jostle::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace jostle::test {
 

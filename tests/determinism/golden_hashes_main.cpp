@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "determinism/golden_hashes.h"
+#include "tests/determinism/golden_hashes.h"
 
 namespace jostle::test {
 namespace {

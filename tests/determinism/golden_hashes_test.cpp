@@ -3,7 +3,7 @@
 // A changed hash is a changed result, down to the last bit. If it is meant: run
 // build/PRESET/bin/golden_hashes and say why in docs/format_changes.md. Other compilers and CPUs:
 // scripts/determinism-check.
-#include "determinism/golden_hashes.h"
+#include "tests/determinism/golden_hashes.h"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "clients/cpp/prediction/wasm/predictor_calls.h"
 #include "jostle/modules/driven.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
-#include "predictor_calls.h"
 
 namespace {
 

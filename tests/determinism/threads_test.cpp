@@ -4,7 +4,7 @@
 // which takes fifteen times as long and looks for something else, a quarter of them.
 #include <gtest/gtest.h>
 
-#include "support/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace jostle::test {
 namespace {

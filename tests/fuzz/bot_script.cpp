@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Scripts of bots: lines of behaviours and numbers. What was taken has a line for every bot.
-#include "bot/script.h"
+#include "clients/bot/script.h"
 
-#include "fuzz/target.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -5,10 +5,10 @@
 // would come past it.
 #include <deque>
 
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
-#include "wire/channel_codec.h"
-#include "wire/channel_motion.h"
+#include "jostle/snapshot/channel_codec.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
+#include "tests/proto/snapshot/channel_motion.h"
 
 namespace jostle::fuzz {
 

@@ -3,12 +3,12 @@
 // What the C++ client library makes of a server that says anything: welcomes, rosters, snapshots,
 // pongs with wild clocks. Snapshots whose bytes can be decoded get the right CRC, which no fuzzer
 // guesses.
-#include "conversation.h"
+#include "clients/cpp/core/src/conversation.h"
 
-#include "fuzz/mutate_message.h"
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
-#include "wire/base_frames.h"
+#include "jostle/snapshot/base_frames.h"
+#include "tests/fuzz/mutate_message.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -2,14 +2,14 @@
 //
 // A whole conversation: what a client sends, whatever its order, while the world ticks and time
 // passes when the input says so. What the server says is checked as the tests check it.
-#include "protocol/client_link.h"
+#include "server/session/client_link.h"
 
-#include "fuzz/mutate_message.h"
-#include "fuzz/reader.h"
-#include "fuzz/small_server.h"
-#include "fuzz/target.h"
 #include "jostle/v1/play.pb.h"
-#include "system/play_state.h"
+#include "tests/fuzz/mutate_message.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/small_server.h"
+#include "tests/fuzz/target.h"
+#include "tests/system/play_state.h"
 
 namespace jostle::fuzz {
 

@@ -2,8 +2,8 @@
 //
 // The server's configuration: TOML or not, with settings in their ranges or not. A refusal names
 // the file and leaves all as it was.
-#include "config/config_loader.h"
-#include "fuzz/target.h"
+#include "server/config/config_loader.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

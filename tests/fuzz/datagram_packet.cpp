@@ -3,11 +3,11 @@
 // What comes by datagrams, from strangers and from who has the key: packets that nobody sealed are
 // refused, contents are read or refused, and parts put together in any order keep within their
 // bound and give back what was cut.
-#include "datagram/content.h"
-#include "datagram/packet.h"
-#include "datagram/reassembly.h"
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
+#include "jostle/datagram/content.h"
+#include "jostle/datagram/packet.h"
+#include "jostle/datagram/reassembly.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <memory>
 
-#include "fuzz/mutate_numbers.h"
-#include "fuzz/target.h"
 #include "jostle/modules/destruction.h"
+#include "tests/fuzz/mutate_numbers.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -2,8 +2,8 @@
 //
 // Packed frames from a stranger, each against those before it that could be read. What could be
 // read says the same when it is written and read again.
-#include "fuzz/frames.h"
-#include "fuzz/target.h"
+#include "tests/fuzz/frames.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "fuzz/frames.h"
-#include "fuzz/target.h"
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
+#include "tests/fuzz/frames.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -6,8 +6,8 @@
 
 #include <deque>
 
-#include "fuzz/reader.h"
-#include "wire/frame_codec.h"
+#include "jostle/snapshot/frame_codec.h"
+#include "tests/fuzz/reader.h"
 
 namespace jostle::fuzz {
 

@@ -4,8 +4,8 @@
 // a file whose buffer is made here, so that the fuzzer need not write base64.
 #include <nlohmann/json.hpp>
 
-#include "fuzz/target.h"
 #include "jostle/modules/ragdoll_gltf.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -6,11 +6,11 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
-#include "gateway/peer_bytes.h"
-#include "identity/allowed_hosts.h"
-#include "identity/gate.h"
+#include "server/auth/allowed_hosts.h"
+#include "server/auth/gate.h"
+#include "server/http/peer_bytes.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -2,16 +2,16 @@
 //
 // Requests as the gateway has read them, line by line: method, target, host, origin, content type,
 // If-None-Match, authorization, and the body. Each is answered, never with "our mistake".
-#include "gateway/http_routes.h"
+#include "server/http/http_routes.h"
 
 #include <google/protobuf/util/json_util.h>
 
 #include <nlohmann/json.hpp>
 
-#include "fuzz/small_server.h"
-#include "fuzz/target.h"
-#include "fuzz/try_scene.h"
 #include "jostle/v1/world.pb.h"
+#include "tests/fuzz/small_server.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/try_scene.h"
 
 namespace jostle::fuzz {
 

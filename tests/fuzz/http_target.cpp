@@ -2,9 +2,9 @@
 //
 // Targets of HTTP requests, as file names and as questions: nothing leads out of the viewer's
 // folder.
-#include "fuzz/target.h"
-#include "gateway/percent_decode.h"
-#include "gateway/web_files.h"
+#include "server/http/percent_decode.h"
+#include "server/http/web_files.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

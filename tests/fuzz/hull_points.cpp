@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/mutate_numbers.h"
-#include "fuzz/points.h"
-#include "fuzz/target.h"
-#include "geometry/hull_builder.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/geometry/hull_builder.h"
+#include "tests/fuzz/mutate_numbers.h"
+#include "tests/fuzz/points.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -2,11 +2,11 @@
 //
 // Tokens: as a stranger wrote them, or, when the first byte is odd, a header and claims (a line
 // each) that are signed here with a key that is believed, which no fuzzer guesses.
-#include "identity/json_web_token.h"
+#include "server/auth/json_web_token.h"
 
-#include "fuzz/target.h"
-#include "identity/key_set.h"
-#include "support/tokens.h"
+#include "server/auth/key_set.h"
+#include "tests/fuzz/target.h"
+#include "tests/support/tokens.h"
 
 namespace jostle::fuzz {
 

@@ -3,12 +3,12 @@
 // What is kept of a hosted world: an image of what it is beside its bodies, a journal of commands,
 // what it is made of, a checkpoint. What is read is the same when it is written and read again; all
 // else is refused.
-#include "durability/checkpoint_image.h"
-#include "durability/journal_codec.h"
-#include "durability/world_record.h"
-#include "fuzz/target.h"
-#include "host/host_image.h"
-#include "persistence/compressed.h"
+#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/journal_codec.h"
+#include "server/recovery/world_record.h"
+#include "server/storage/compressed.h"
+#include "server/world/host_image.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

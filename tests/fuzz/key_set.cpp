@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Key sets of login services: JSON or not, with points of the curve or others.
-#include "identity/key_set.h"
+#include "server/auth/key_set.h"
 
-#include "fuzz/target.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/mutate_message.h"
+#include "tests/fuzz/mutate_message.h"
 
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/reader.h"
+#include "tests/fuzz/reader.h"
 
 namespace jostle::fuzz {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-#include "fuzz/values.h"
+#include "tests/fuzz/values.h"
 
 namespace jostle::fuzz {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "fuzz/target.h"
-#include "fuzz/values.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/values.h"
 
 namespace jostle::fuzz {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // What a client sends: decoded, and each input admitted or refused with a reason.
-#include "fuzz/mutate_message.h"
-#include "fuzz/target.h"
 #include "jostle/v1/play.pb.h"
-#include "protocol/client_message.h"
-#include "session/admission.h"
+#include "server/limits/admission.h"
+#include "server/messages/client_message.h"
+#include "tests/fuzz/mutate_message.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "fuzz/reader.h"
 #include "jostle/physics/vec3.h"
+#include "tests/fuzz/reader.h"
 
 namespace jostle::fuzz {
 

@@ -2,7 +2,7 @@
 //
 // A predictor called by a host that hands on what a server sent: bodies of any shapes, frames and
 // answers in any order. Records: which call, and doubles.
-#include "predictor_calls.h"
+#include "clients/cpp/prediction/wasm/predictor_calls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/mutate_numbers.h"
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
+#include "tests/fuzz/mutate_numbers.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fuzz/target.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -7,10 +7,10 @@
 #include <memory>
 #include <sstream>
 
-#include "fuzz/target.h"
+#include "clients/cpp/recording/src/recording_format.h"
 #include "jostle/client/playback.h"
 #include "jostle/client/recording_summary.h"
-#include "recording_format.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

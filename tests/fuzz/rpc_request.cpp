@@ -3,15 +3,15 @@
 // Requests of WorldService, QueryService and AdminService: the first byte names the method, the
 // rest is the message. Each is answered or refused with a reason, never with "our mistake". Those
 // that wait for a world's thread are left out.
-#include "fuzz/mutate_message.h"
-#include "fuzz/reader.h"
-#include "fuzz/small_server.h"
-#include "fuzz/target.h"
-#include "fuzz/try_scene.h"
 #include "jostle/v1/admin.pb.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
-#include "protocol/admin_control.h"
+#include "server/services/admin_control.h"
+#include "tests/fuzz/mutate_message.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/small_server.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/try_scene.h"
 
 namespace jostle::fuzz {
 

@@ -4,13 +4,13 @@
 // before and after each step, that can be asked, saved and loaded again.
 #include <vector>
 
-#include "fuzz/mutate_numbers.h"
-#include "fuzz/saved_world.h"
-#include "fuzz/target.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/physics/world.h"
-#include "state/validate.h"
-#include "state/world_access.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/fuzz/mutate_numbers.h"
+#include "tests/fuzz/saved_world.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <span>
 
-#include "persist/checksum.h"
+#include "physics/src/serialization/checksum.h"
 
 namespace jostle::fuzz {
 

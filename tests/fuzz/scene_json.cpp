@@ -3,9 +3,9 @@
 // Scene files: text that is JSON or not, with the fields of a scene or others.
 #include <google/protobuf/util/json_util.h>
 
-#include "fuzz/target.h"
-#include "fuzz/try_scene.h"
 #include "jostle/scenes/scene_file.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/try_scene.h"
 
 namespace jostle::fuzz {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Scenes as CreateWorld takes them: read, written and read again, built and stepped.
-#include "fuzz/mutate_message.h"
-#include "fuzz/target.h"
-#include "fuzz/try_scene.h"
 #include "jostle/scenes/scene_file.h"
+#include "tests/fuzz/mutate_message.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/try_scene.h"
 
 namespace jostle::fuzz {
 

@@ -9,7 +9,7 @@
 
 #include "jostle/physics/world.h"
 #include "jostle/v1/scene.pb.h"
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::fuzz {
 

@@ -2,12 +2,12 @@
 //
 // What a server sends to a sink of jostle-load, over each transport: however the bytes are cut, the
 // same messages arrive and the stream ends for the same reason.
-#include "fuzz/reader.h"
-#include "fuzz/target.h"
-#include "load/http2_framing.h"
-#include "load/raw_framing.h"
-#include "load/sink_conversation.h"
-#include "load/websocket_framing.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/target.h"
+#include "tools/load/http2_framing.h"
+#include "tools/load/raw_framing.h"
+#include "tools/load/sink_conversation.h"
+#include "tools/load/websocket_framing.h"
 
 namespace jostle::fuzz {
 

@@ -7,10 +7,10 @@
 #include <spdlog/spdlog.h>
 
 #include "jostle/scenes/scene.h"
-#include "protocol/play_context.h"
-#include "protocol/query_control.h"
-#include "protocol/world_control.h"
-#include "support/small_scene.h"
+#include "server/services/query_control.h"
+#include "server/services/world_control.h"
+#include "server/session/play_context.h"
+#include "tests/support/small_scene.h"
 
 namespace jostle::fuzz {
 

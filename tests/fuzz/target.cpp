@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The end of libFuzzer that all targets share.
-#include "fuzz/target.h"
+#include "tests/fuzz/target.h"
 
 #include <google/protobuf/stubs/logging.h>
 

@@ -4,12 +4,12 @@
 // falling ball can be asked about.
 #include <cmath>
 
-#include "fuzz/mutate_numbers.h"
-#include "fuzz/points.h"
-#include "fuzz/target.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
 #include "jostle/physics/world.h"
+#include "tests/fuzz/mutate_numbers.h"
+#include "tests/fuzz/points.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -4,9 +4,9 @@
 // built runs for a few steps.
 #pragma once
 
-#include "fuzz/target.h"
 #include "jostle/scenes/scene.h"
 #include "jostle/v1/scene.pb.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -8,8 +8,8 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
-#include "fuzz/target.h"
-#include "gateway/peer_bytes.h"
+#include "server/http/peer_bytes.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The hovercraft of physics/examples in its scene: it stays above the waves, on its circle, and is
+// The hovercraft of examples in its scene: it stays above the waves, on its circle, and is
 // the same after a load and after a restore point.
-#include "hovercraft.h"
+#include "examples/hovercraft/hovercraft.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
-#include "support/step_time.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::scenes {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The player of the scene "katamari" keeps the yard busy, always in the same way.
-#include "katamari.h"
+#include "scenes/src/katamari.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
-#include "support/step_time.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::scenes {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "jostle/scenes/catalog.h"
-#include "support/near.h"
+#include "tests/support/near.h"
 
 namespace jostle::scenes {
 namespace {

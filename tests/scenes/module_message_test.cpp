@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Modules of a scene: read, made, given their settings, kept and written again.
-#include "module_message.h"
+#include "scenes/src/module_message.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/scene.pb.h"
-#include "scenes/turntable.h"
-#include "support/step_time.h"
+#include "tests/scenes/turntable.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::scenes {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The modules that come with Jostle, as scene files say them: lists of things with ranges, found by
 // line and field when something is wrong with them.
-#include "module_things.h"
+#include "scenes/src/module_things.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>
@@ -18,7 +18,7 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/scene.pb.h"
-#include "module_message.h"
+#include "scenes/src/module_message.h"
 
 namespace jostle::scenes {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
-#include "support/step_time.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::scenes {
 namespace {

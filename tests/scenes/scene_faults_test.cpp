@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/scenes/scene_file.h"
-#include "scenes/turntable.h"
+#include "tests/scenes/turntable.h"
 
 namespace jostle::scenes {
 namespace {

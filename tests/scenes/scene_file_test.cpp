@@ -12,7 +12,7 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
-#include "scenes/turntable.h"
+#include "tests/scenes/turntable.h"
 
 namespace jostle::scenes {
 namespace {

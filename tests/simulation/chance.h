@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::simulation {
 

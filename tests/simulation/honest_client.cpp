@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/honest_client.h"
+#include "tests/simulation/honest_client.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
 
 namespace jostle::simulation {
 

@@ -11,10 +11,10 @@
 #include <set>
 #include <string>
 
-#include "bot/behaviour.h"
-#include "conversation.h"
-#include "host/world_host.h"
-#include "simulation/line.h"
+#include "clients/bot/behaviour.h"
+#include "clients/cpp/core/src/conversation.h"
+#include "server/world/world_host.h"
+#include "tests/simulation/line.h"
 
 namespace jostle::simulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/hostile_client.h"
+#include "tests/simulation/hostile_client.h"
 
 #include <utility>
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "jostle/v1/play.pb.h"
-#include "simulation/honest_client.h"
+#include "tests/simulation/honest_client.h"
 
 namespace jostle::simulation {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/line.h"
+#include "tests/simulation/line.h"
 
 #include <utility>
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "protocol/client_link.h"
-#include "simulation/chance.h"
-#include "simulation/pipe.h"
+#include "server/session/client_link.h"
+#include "tests/simulation/chance.h"
+#include "tests/simulation/pipe.h"
 
 namespace jostle::simulation {
 

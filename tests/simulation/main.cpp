@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "simulation/simulation.h"
+#include "tests/simulation/simulation.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "base/clock.h"
+#include "server/util/clock.h"
 
 namespace jostle::simulation {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/simulation.h"
+#include "tests/simulation/simulation.h"
 
 #include <algorithm>
 #include <bit>
 #include <utility>
 
-#include "support/small_scene.h"
+#include "tests/support/small_scene.h"
 
 namespace jostle::simulation {
 

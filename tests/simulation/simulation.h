@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "simulation/honest_client.h"
-#include "simulation/hostile_client.h"
+#include "tests/simulation/honest_client.h"
+#include "tests/simulation/hostile_client.h"
 
 namespace jostle::simulation {
 

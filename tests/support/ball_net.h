@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 

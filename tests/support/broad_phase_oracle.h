@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <map>
 
-#include "collision/broadphase/broad_phase.h"
 #include "jostle/physics/queries.h"
-#include "support/random.h"
+#include "physics/src/collision/broadphase/broad_phase.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 

@@ -16,7 +16,7 @@
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/transform.h"
-#include "support/distance_field.h"
+#include "tests/support/distance_field.h"
 
 namespace jostle::test {
 

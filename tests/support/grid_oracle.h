@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jostle/physics/vec2.h"
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 

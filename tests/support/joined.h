@@ -3,7 +3,7 @@
 // Two bodies and a joint between them, as the tests of joints want them.
 #pragma once
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 

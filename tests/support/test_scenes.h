@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "jostle/physics/thread_trials.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "jostle/v1/play.grpc.pb.h"
-#include "system/player.h"
+#include "tests/system/player.h"
 
 namespace jostle::test {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "system/server_process.h"
+#include "tests/system/server_process.h"
 
 namespace jostle::test {
 namespace {

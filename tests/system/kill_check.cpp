@@ -17,14 +17,14 @@
 #include <thread>
 #include <vector>
 
-#include "durability/recover_world.h"
+#include "bench/processes/server_process.h"
 #include "jostle/client/client.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/v1/admin.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
-#include "persistence/compressed.h"
-#include "persistence/sqlite_store.h"
-#include "processes/server_process.h"
+#include "server/recovery/recover_world.h"
+#include "server/storage/compressed.h"
+#include "server/storage/sqlite_store.h"
 
 namespace jostle {
 namespace {

@@ -16,8 +16,8 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
-#include "system/player.h"
-#include "system/server_process.h"
+#include "tests/system/player.h"
+#include "tests/system/server_process.h"
 
 namespace jostle::test {
 namespace {

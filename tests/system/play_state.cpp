@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "system/play_state.h"
+#include "tests/system/play_state.h"
 
 #include <algorithm>
 #include <span>
 
-#include "wire/base_frames.h"
+#include "jostle/snapshot/base_frames.h"
 
 namespace jostle::test {
 

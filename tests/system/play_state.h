@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "jostle/snapshot/frame_codec.h"
 #include "jostle/v1/play.pb.h"
-#include "wire/frame_codec.h"
 
 namespace jostle::test {
 

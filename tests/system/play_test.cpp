@@ -11,8 +11,8 @@
 #include <set>
 #include <thread>
 
-#include "system/player.h"
-#include "system/server_process.h"
+#include "tests/system/player.h"
+#include "tests/system/server_process.h"
 
 namespace jostle::test {
 namespace {

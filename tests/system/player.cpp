@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "system/player.h"
+#include "tests/system/player.h"
 
 #include <thread>
 

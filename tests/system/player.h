@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "system/play_state.h"
+#include "tests/system/play_state.h"
 
 namespace jostle::test {
 

@@ -19,8 +19,8 @@
 #include "jostle/client/client.h"
 #include "jostle/client/query_client.h"
 #include "jostle/v1/query.grpc.pb.h"
-#include "system/player.h"
-#include "system/server_process.h"
+#include "tests/system/player.h"
+#include "tests/system/server_process.h"
 
 namespace jostle::test {
 namespace {

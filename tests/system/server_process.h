@@ -3,7 +3,7 @@
 // The jostle-server of this build as a child process.
 #pragma once
 
-#include "processes/server_process.h"
+#include "bench/processes/server_process.h"
 
 namespace jostle::test {
 

@@ -9,7 +9,7 @@
 #include <deque>
 #include <thread>
 
-#include "system/player.h"
+#include "tests/system/player.h"
 
 namespace jostle::test {
 

@@ -1,139 +1,174 @@
 #!/usr/bin/env python3
-"""Reads every include of our sources and fails, naming both files, when an arrow points up.
+"""Reads every include of the sources and fails, naming both files, if an include points to a higher layer.
 
 Usage: check_layers.py ROOT
-The floors are those of docs/architecture.md. A file may include its own floor and those listed for it.
+LAYERS is the table of docs/design/architecture.md: a file may include its own layer, base and the layers listed for its own.
+Public headers are included as jostle/LIBRARY/NAME.h, private headers by their path from the project folder.
 """
 
 import pathlib
 import re
 import sys
 
-# What everything may include: how errors are reported.
-BASE = "base/include"
-# Folder (longest prefix wins) -> floors it may include beside BASE. A floor is named by its folder; "*.pb.h" files are "generated".
+FOLDERS = ("base", "physics", "modules", "scenes", "proto", "server", "clients", "tools", "bench", "examples")
+BASE = "base"
 PUBLIC = "physics/include"
-FLOORS = {
+# The layers of the solver, lowest first: each may include those before it.
+PHYSICS = ["physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision",
+           "physics/src/constraint_graph", "physics/src/state"]
+MODULES = ["modules/core", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction"]
+SERVER_LOW = ["server/util", "server/config", "server/metrics", "server/auth", "server/tls"]
+GENERATED = "generated"  # *.pb.h
+# Folder (the longest prefix wins) -> layers that it may include besides BASE.
+LAYERS = {
     BASE: [],
-    "physics/include": [],
+    PUBLIC: [],
     "physics/src/foundation": [PUBLIC],
-    "physics/src/math": [PUBLIC, "physics/src/foundation"],
-    "physics/src/geometry": [PUBLIC, "physics/src/foundation", "physics/src/math"],
-    "physics/src/collision": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry"],
-    "physics/src/constraint_graph": [PUBLIC, "physics/src/foundation", "physics/src/math"],
-    "physics/src/state": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/constraint_graph"],
-    "physics/src/constraints": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraint_graph"],
-    "physics/src/persist": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraint_graph"],
-    "physics/src/stages": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/constraint_graph"],
-    "physics/src/world": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/stages", "physics/src/persist", "physics/src/constraint_graph"],
-    "physics/examples": [PUBLIC],
-    "modules/module_base": [PUBLIC],
-    "modules/fields": [PUBLIC, "modules/module_base"],
-    "modules/hand": [PUBLIC],
-    "modules/character": [PUBLIC, "modules/module_base"],
-    "modules/ragdoll": [PUBLIC, "modules/module_base"],
-    "modules/ragdoll_gltf": [PUBLIC, "modules/ragdoll"],
-    "modules/vehicle": [PUBLIC, "modules/module_base"],
-    "modules/destruction": [PUBLIC, "modules/module_base"],
-    "proto/wire": [],
-    "proto/status": [],
+    "physics/src/math": [PUBLIC, *PHYSICS[:1]],
+    "physics/src/geometry": [PUBLIC, *PHYSICS[:2]],
+    "physics/src/collision": [PUBLIC, *PHYSICS[:3]],
+    "physics/src/constraint_graph": [PUBLIC, *PHYSICS[:2]],
+    "physics/src/state": [PUBLIC, *PHYSICS[:5]],
+    "physics/src/constraints": [PUBLIC, *PHYSICS],
+    "physics/src/serialization": [PUBLIC, *PHYSICS],
+    "physics/src/stages": [PUBLIC, *PHYSICS, "physics/src/constraints"],
+    "physics/src/world": [PUBLIC, *PHYSICS, "physics/src/constraints", "physics/src/serialization", "physics/src/stages"],
+    "examples": [PUBLIC],
+    "modules/core": [PUBLIC],
+    "modules/convex_decomposition": [PUBLIC],
+    "modules/player_interaction": [PUBLIC],
+    "modules/fields": [PUBLIC, "modules/core"],
+    "modules/character": [PUBLIC, "modules/core"],
+    "modules/ragdoll": [PUBLIC, "modules/core"],
+    "modules/ragdoll/gltf": [PUBLIC, "modules/ragdoll"],
+    "modules/vehicle": [PUBLIC, "modules/core"],
+    "modules/destruction": [PUBLIC, "modules/core"],
+    "proto/snapshot": [],
+    "proto/grpc_status": [],
     "proto/datagram": [],
     "scenes/include": [PUBLIC],
-    "scenes/src": [PUBLIC, "decomposition", "physics/examples", "modules/module_base", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
-    "decomposition": [PUBLIC],
-    "convergence": [],
-    "linear_systems": [PUBLIC, "convergence"],
-    "plots": [],
-    "sim": [PUBLIC, "convergence", "linear_systems", "plots", "scenes/include"],
-    "convert": [PUBLIC, "decomposition", "modules/destruction", "scenes/include"],
-    "server/base": [],
-    "server/config": ["server/base"],
-    "server/telemetry": ["server/base"],
-    "server/identity": ["server/base", "server/config"],
-    "server/tls": ["server/base", "server/config"],
-    "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
-    "server/persistence": ["server/base"],
-    "server/datagram": ["server/base", "server/config", "server/telemetry", "proto/datagram"],
-    "server/host": ["modules/destruction", "modules/fields", "modules/hand", "modules/module_base", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
-    "server/durability": ["server/base", "server/telemetry", "server/config", "server/persistence", "server/host", PUBLIC, "scenes/include"],
-    "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
-    "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
-    "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/datagram", PUBLIC, "proto/wire", "proto/datagram", "scenes/include", "generated"],
-    "server/rpc": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
-    "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
-    "server/app": ["server/base", "server/connection", "server/datagram", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/durability", "server/persistence", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
-    "server": ["server/base", "server/config", "server/app", "scenes/include"],
-    "clients/cpp": ["proto/wire", "proto/datagram", "proto/status", "generated"],
-    "clients/predict": ["clients/cpp", "modules/character", "modules/hand", "modules/module_base", "modules/vehicle", "scenes/include", PUBLIC, "proto/wire", "generated"],
-    "clients/recording": ["clients/cpp", "proto/wire", "generated"],
-    "clients/record": ["clients/cpp", "clients/recording", "clients/flags"],
-    "clients/replay": ["clients/cpp", "clients/recording", "clients/ctl", "proto/wire", "generated"],
-    "replay": ["clients/replay", "clients/recording", "clients/cpp", "server/durability", "server/persistence", "server/host", "server/base", "scenes/include", PUBLIC],
-    "clients/bot": ["clients/cpp", "clients/flags", "generated"],
-    "clients/flags": ["clients/cpp"],
-    "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
-    "clients/relay": [],
-    "clients/load": ["clients/cpp", "clients/bot", "clients/flags", "generated"],
+    "scenes/src": [PUBLIC, "scenes/include", "examples", "modules/convex_decomposition", *MODULES, GENERATED],
+    "server/util": [],
+    "server/config": ["server/util"],
+    "server/metrics": ["server/util"],
+    "server/auth": ["server/util", "server/config"],
+    "server/tls": ["server/util", "server/config"],
+    "server/grpc_proxy": ["server/util", "server/config", "server/metrics", "server/tls", PUBLIC],
+    "server/storage": ["server/util"],
+    "server/udp": ["server/util", "server/config", "server/metrics", "proto/datagram"],
+    "server/world": [*SERVER_LOW, PUBLIC, "scenes/include", "modules/core", "modules/destruction", "modules/fields",
+                     "modules/player_interaction"],
+    "server/recovery": ["server/util", "server/metrics", "server/config", "server/storage", "server/world", PUBLIC,
+                        "scenes/include"],
+    "server/limits": [*SERVER_LOW, "server/world", PUBLIC],
+    "server/replication": [*SERVER_LOW, "server/world", "server/limits", PUBLIC, "proto/snapshot"],
+    "server/messages": ["server/util", "server/config", "server/world", "server/limits", "server/replication", PUBLIC,
+                        "proto/snapshot", "proto/datagram", "scenes/include", GENERATED],
+    "server/session": [*SERVER_LOW, "server/udp", "server/world", "server/limits", "server/replication", "server/messages",
+                       PUBLIC, "proto/snapshot", "proto/datagram", GENERATED],
+    "server/services": [*SERVER_LOW, "server/world", "server/limits", "server/replication", "server/messages",
+                        "server/session", PUBLIC, "scenes/include", GENERATED],
+    "server/grpc": [*SERVER_LOW, "server/grpc_proxy", "server/udp", "server/world", "server/limits", "server/replication",
+                    "server/messages", "server/session", "server/services", "proto/grpc_status", GENERATED],
+    "server/http": [*SERVER_LOW, "server/world", "server/limits", "server/replication", "server/messages", "server/session",
+                    "server/services", GENERATED],
+    "server/app": [*SERVER_LOW, "server/grpc_proxy", "server/udp", "server/world", "server/recovery", "server/storage",
+                   "server/limits", "server/replication", "server/messages", "server/session", "server/services",
+                   "server/grpc", "server/http", "scenes/include", GENERATED],
+    "server": ["server/util", "server/config", "server/app", "scenes/include"],
+    "clients/cpp/core": ["proto/snapshot", "proto/datagram", "proto/grpc_status", GENERATED],
+    "clients/cpp/cli": ["clients/cpp/core"],
+    "clients/cpp/prediction": ["clients/cpp/core", "modules/core", "modules/character", "modules/player_interaction",
+                               "modules/vehicle", "scenes/include", PUBLIC, "proto/snapshot", GENERATED],
+    "clients/cpp/recording": ["clients/cpp/core", "proto/snapshot", GENERATED],
+    "clients/bot": ["clients/cpp/core", "clients/cpp/cli", GENERATED],
+    "tools/common": [],
+    "tools/analysis": [PUBLIC],
+    "tools/network_emulator": [],
+    "tools/sim": [PUBLIC, "tools/analysis", "scenes/include"],
+    "tools/mesh": [PUBLIC, "modules/convex_decomposition", "modules/destruction", "scenes/include"],
+    "tools/record": ["clients/cpp/core", "clients/cpp/cli", "clients/cpp/recording"],
+    "tools/replay": [PUBLIC, "tools/common", "clients/cpp/core", "clients/cpp/recording", "proto/snapshot", "scenes/include",
+                     "server/util", "server/storage", "server/world", "server/recovery", GENERATED],
+    "tools/ctl": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "proto/grpc_status", GENERATED],
+    "tools/load": ["clients/cpp/core", "clients/cpp/cli", "clients/bot", GENERATED],
+    "bench": [PUBLIC, *PHYSICS, "physics/src/constraints", "physics/src/serialization", "physics/src/stages",
+              "physics/src/world", *MODULES, "proto/snapshot", "scenes/include", "server/recovery", "server/storage",
+              "server/util", "server/world", "tools/analysis", "tools/load", GENERATED],
 }
-# Only host/ includes the World; scene.h brings it to those who build worlds.
+# Only these parts of the server include the World; scene.h provides it to code that builds worlds.
 WORLD = "jostle/physics/world.h"
-MAY_INCLUDE_WORLD = ("server/host", "server/durability")
-# Only scenes/src/scene_* knows the generated Scene message.
+MAY_INCLUDE_WORLD = ("server/world", "server/recovery")
+# Only these files of scenes/ know the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp", "scenes/src/locks_message.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
-
-SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "replay", "server", "clients",
-          "clients/cpp/include", "clients/cpp/src", "clients/predict/include", "clients/predict/src", "clients/recording/include", "clients/recording/src", "bench"]
+# Private headers that one other layer may include.
+SHARED = {"clients/cpp/core/src/credentials.h": "tools/ctl"}  # a gRPC channel with the client's TLS settings and token
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 
-def floor_of(path):
+def layer_of(path):
     best = ""
-    for folder in FLOORS:
+    for folder in LAYERS:
         if (path == folder or path.startswith(folder + "/")) and len(folder) > len(best):
             best = folder
     return best
 
 
-def resolve(root, including, name):
-    """The file of ours that an include names, relative to the root; None for a library's."""
-    beside = (root / including).parent / name
-    if beside.exists():
-        return str(beside.resolve().relative_to(root.resolve()))
-    for folder in SEARCH:
-        if (root / folder / name).exists():
-            return f"{folder}/{name}"
-    return None
+def public_headers(root):
+    """"jostle/LIBRARY/NAME.h" -> its path from the root."""
+    found = {}
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*.h")):
+            name = str(path.relative_to(root))
+            if "/include/jostle/" in name:
+                found[name[name.index("/include/jostle/") + len("/include/"):]] = name
+    return found
+
+
+def resolve(root, public, name):
+    """The project's file that an include names, relative to the root; None for a library's."""
+    if name in public:
+        return public[name]
+    return name if (root / name).is_file() else None
+
+
+def sources(root):
+    """Every C++ file of the code folders."""
+    return sorted(p for folder in FOLDERS for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}")
+                  if "node_modules" not in p.parts)
 
 
 def faults(root):
-    found = []
-    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "modules", "decomposition", "proto/wire", "proto/datagram", "proto/status", "scenes", "sim", "convert", "server", "clients")
-                   for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
+    found, files, public = [], sources(root), public_headers(root)
     for path in files:
         here = str(path.relative_to(root))
-        floor = floor_of(here)
-        if not floor:
-            found.append(f"{here}: stands on no floor that check_layers.py knows")
+        layer = layer_of(here)
+        if not layer:
+            found.append(f"{here}: belongs to no layer of check_layers.py")
             continue
         for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
             if name.endswith(".pb.h"):
-                if "generated" not in FLOORS[floor]:
-                    found.append(f"{here} includes {name}: {floor} may not know generated messages")
-                elif floor == "scenes/src" and here not in SCENE_MESSAGE_FILES:
-                    found.append(f"{here} includes {name}: only {SCENE_MESSAGE_FILES[0]} knows the message")
+                if GENERATED not in LAYERS[layer]:
+                    found.append(f"{here} includes {name}: {layer} must not include generated messages")
+                elif layer == "scenes/src" and here not in SCENE_MESSAGE_FILES:
+                    found.append(f"{here} includes {name}: only {', '.join(SCENE_MESSAGE_FILES)} may")
                 continue
-            target = resolve(root, here, name)
+            target = resolve(root, public, name)
             if target is None:
+                if "/" not in name and name.endswith(".h") and (path.parent / name).is_file():
+                    found.append(f"{here} includes {name}: include it as {(path.parent / name).relative_to(root)}")
                 continue
-            other = floor_of(target)
-            if other.startswith(("tests", "bench")) or target.startswith(("tests/", "bench/")):
-                found.append(f"{here} includes {target}: nothing may include tests")
-            elif other not in (floor, BASE) and other not in FLOORS[floor]:
-                found.append(f"{here} includes {target}: {floor} may not see {other or 'that'}")
-            elif name == WORLD and floor.startswith("server/") and floor not in MAY_INCLUDE_WORLD:
-                found.append(f"{here} includes {target}: only {MAY_INCLUDE_WORLD[0]} may include the World")
+            other = layer_of(target)
+            if target.startswith("tests/") or (other == "bench" and layer != "bench"):
+                found.append(f"{here} includes {target}: nothing may include tests or benchmarks")
+            elif other not in (layer, BASE) and other not in LAYERS[layer]:
+                found.append(f"{here} includes {target}: {layer} must not include {other or 'it'}")
+            elif "/src/" in target and layer not in (other, SHARED.get(target)) and not (layer.startswith("physics/") or layer == "bench"):
+                found.append(f"{here} includes {target}: it is private to {other}")
+            elif name == WORLD and layer.startswith("server/") and layer not in MAY_INCLUDE_WORLD:
+                found.append(f"{here} includes {target}: only {' and '.join(MAY_INCLUDE_WORLD)} may include the World")
     return found, len(files)
 
 
@@ -142,7 +177,7 @@ def main():
     found, count = faults(root)
     for fault in found:
         print(fault)
-    print(f"layers: {count} files, {len(found)} arrows that point up")
+    print(f"layers: {count} files, {len(found)} faults")
     return 1 if found or count == 0 else 0
 
 

@@ -10,7 +10,7 @@ import sys
 
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 # A path in backquotes that begins with one of our folders.
-PATH = re.compile(r"`((?:base|physics|proto|scenes|server|clients|sim|tests|scripts|docs|cmake)/[A-Za-z0-9_./-]+)`")
+PATH = re.compile(r"`((?:base|physics|modules|proto|scenes|server|clients|tools|bench|examples|tests|scripts|docs|cmake|docker|deploy)/[A-Za-z0-9_./-]+)`")
 
 
 def exists(root, path):

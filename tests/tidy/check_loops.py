@@ -7,30 +7,29 @@ understood, tested and moved together: they want to be one file, or three.
 """
 
 import pathlib
+import re
 import sys
 
-from check_layers import INCLUDE, resolve
+from check_layers import INCLUDE, public_headers, resolve, sources
 
-FOLDERS = ("base", "convergence", "linear_systems", "plots", "physics", "modules", "decomposition", "proto", "scenes", "sim", "convert", "server", "clients", "bench")
-# Loops that are being mended; each is the set of its files. Nothing may be added.
+# Where a header and its source are counted as one though they stand in two folders.
+PUBLIC = re.compile(r"^(clients/cpp/core|proto/\w+)/include/jostle/\w+/(?=\w+$)")
+# Loops that are being removed; each is the set of its files. Nothing may be added.
 KNOWN = []
 
 
 def pair_of(path):
-    """The name that a header shares with its source: the client library has them in two folders."""
-    return str(pathlib.PurePath(path).with_suffix("")).replace("clients/cpp/include/jostle/client/", "clients/cpp/src/")
+    """The name that a header shares with its source: LIBRARY/include/jostle/X/NAME.h and LIBRARY/src/NAME.cpp are one."""
+    return PUBLIC.sub(r"\1/src/", str(pathlib.PurePath(path).with_suffix("")))
 
 
 def arrows(root):
     """Each pair of files -> the pairs that it includes."""
-    graph = {}
-    for folder in FOLDERS:
-        for path in sorted(p for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}")):
-            if "node_modules" in path.parts:
-                continue
-            here = str(path.relative_to(root))
-            targets = (resolve(root, here, name) for name in INCLUDE.findall(path.read_text(encoding="utf-8")))
-            graph.setdefault(pair_of(here), set()).update(pair_of(t) for t in targets if t)
+    graph, public = {}, public_headers(root)
+    for path in sources(root):
+        here = str(path.relative_to(root))
+        targets = (resolve(root, public, name) for name in INCLUDE.findall(path.read_text(encoding="utf-8")))
+        graph.setdefault(pair_of(here), set()).update(pair_of(t) for t in targets if t)
     return {pair: sorted(others - {pair}) for pair, others in sorted(graph.items())}
 
 

@@ -31,7 +31,7 @@ def sources(root):
             line = text.count("\n", 0, match.start()) + 2
             name = path.relative_to(root)
             yield f"{name}:{line}", FRAME.format(line=line, name=name, code=match.group(1))
-    for path in sorted((root / "physics" / "examples").rglob("*.cpp")):
+    for path in sorted((root / "examples").rglob("*.cpp")):
         yield str(path.relative_to(root)), path.read_text(encoding="utf-8")
 
 
@@ -40,7 +40,7 @@ def main():
         print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
         return 2
     root, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    includes = [f"-I{root / folder}" for folder in ("physics/include", "base/include", "physics/examples", "physics/examples/hovercraft")]
+    includes = [f"-I{root / folder}" for folder in ("physics/include", "base/include", "")]
     count, faults = 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for name, text in sources(root):

@@ -47,7 +47,7 @@ COVERED_BY = {
     "stages/step_scratch.h":
         (["physics/world/stop_stepping_test.cpp"], "a step ends after the sub-step in which it is told to, and leaves a whole world"),
     "world/island_efforts.cpp":
-        (["physics/stages/islands/choose_rungs_test.cpp", "sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
+        (["physics/stages/islands/choose_rungs_test.cpp", "tools/sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
     "constraints/direct/block_pattern.cpp":
         (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),
     "constraints/direct/direct_body.h":
@@ -117,27 +117,27 @@ COVERED_BY = {
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
     "foundation/threads.h":
-        (["physics/foundation/task_team_test.cpp", "physics/persist/module_state_test.cpp"],
+        (["physics/foundation/task_team_test.cpp", "physics/serialization/module_state_test.cpp"],
          "names for the standard library's own, used by teams and by the register of modules"),
     "foundation/prefetch.h":
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
     "geometry/placed.h":
         (["physics/geometry/bounds_test.cpp"], "one line: shapes in any pose"),
-    "persist/byte_visitors.h":
-        (["physics/persist/save_load_test.cpp", "physics/persist/hostile_bytes_test.cpp"], "a saver and a loader, and forged bytes"),
-    "persist/derive.cpp":
-        (["physics/persist/save_load_test.cpp"], "a loaded world goes on with the same bits"),
-    "persist/field_list.h":
-        (["physics/persist/save_load_test.cpp", "physics/persist/state_hash_test.cpp", "physics/persist/divergence_test.cpp"],
+    "serialization/byte_visitors.h":
+        (["physics/serialization/save_load_test.cpp", "physics/serialization/hostile_bytes_test.cpp"], "a saver and a loader, and forged bytes"),
+    "serialization/derive.cpp":
+        (["physics/serialization/save_load_test.cpp"], "a loaded world goes on with the same bits"),
+    "serialization/field_list.h":
+        (["physics/serialization/save_load_test.cpp", "physics/serialization/state_hash_test.cpp", "physics/serialization/divergence_test.cpp"],
          "its four visitors: save, load, hash and first difference"),
-    "persist/hash_visitor.h":
-        (["physics/persist/state_hash_test.cpp", "physics/persist/restore_point_test.cpp"], "of a world, and of a kept moment"),
-    "persist/saved_world.h":
-        (["physics/persist/save_load_test.cpp", "physics/persist/restore_point_test.cpp"], "of a world, and of a kept moment"),
-    "persist/module_visitor.h":
-        (["physics/persist/module_state_test.cpp"], "modules saved, loaded, hashed, compared and restored"),
-    "persist/shared_geometry.cpp":
-        (["physics/persist/save_load_test.cpp", "physics/persist/hostile_bytes_test.cpp"],
+    "serialization/hash_visitor.h":
+        (["physics/serialization/state_hash_test.cpp", "physics/serialization/restore_point_test.cpp"], "of a world, and of a kept moment"),
+    "serialization/saved_world.h":
+        (["physics/serialization/save_load_test.cpp", "physics/serialization/restore_point_test.cpp"], "of a world, and of a kept moment"),
+    "serialization/module_visitor.h":
+        (["physics/serialization/module_state_test.cpp"], "modules saved, loaded, hashed, compared and restored"),
+    "serialization/shared_geometry.cpp":
+        (["physics/serialization/save_load_test.cpp", "physics/serialization/hostile_bytes_test.cpp"],
          "worlds of hulls, meshes, fields and compounds; and such bytes forged"),
     "stages/contacts/ask_listeners.cpp":
         (["behaviour/listeners_test.cpp"], "one-way platforms, frictions and belts by what a listener answers"),
@@ -205,7 +205,7 @@ COVERED_BY = {
     "state/joint_store.h":
         (["physics/state/joint_graph_test.cpp"], "its lists are walked there"),
     "state/listener_store.h":
-        (["physics/world/listeners_test.cpp", "physics/persist/module_state_test.cpp"],
+        (["physics/world/listeners_test.cpp", "physics/serialization/module_state_test.cpp"],
          "added, removed, in their order before and after a load"),
     "state/shape_store.h":
         (["physics/state/shape_proxy_test.cpp"], "two lines: planes, and a shape where its body takes it"),

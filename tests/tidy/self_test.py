@@ -8,18 +8,18 @@ import tempfile
 
 HERE = pathlib.Path(__file__).parent
 CASES = [
-    ("check_layers.py", "physics/src/foundation/low.h", '// SPDX-License-Identifier: MIT\n#include "state/high.h"\n',
+    ("check_layers.py", "physics/src/foundation/low.h", '// SPDX-License-Identifier: MIT\n#include "physics/src/state/high.h"\n',
      "physics/src/foundation/low.h includes physics/src/state/high.h"),
     ("check_layers.py", "base/include/jostle/base/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
-     "base/include may not see physics/include"),
-    ("check_layers.py", "server/rpc/a.h", '// SPDX-License-Identifier: MIT\n#include "gateway/b.h"\n',
-     "server/rpc/a.h includes server/gateway/b.h"),
-    ("check_layers.py", "server/session/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
-     "only server/host may include the World"),
-    ("check_layers.py", "proto/wire/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/v1/play.pb.h"\n',
-     "may not know generated messages"),
-    ("check_loops.py", "server/host/a.cpp", '// SPDX-License-Identifier: MIT\n#include "host/b.h"\n',
-     "2 files need each other: server/host/a, server/host/b"),
+     "base must not include physics/include"),
+    ("check_layers.py", "server/grpc/a.h", '// SPDX-License-Identifier: MIT\n#include "server/http/b.h"\n',
+     "server/grpc/a.h includes server/http/b.h"),
+    ("check_layers.py", "server/limits/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
+     "only server/world and server/recovery may include the World"),
+    ("check_layers.py", "proto/snapshot/include/jostle/snapshot/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/v1/play.pb.h"\n',
+     "must not include generated messages"),
+    ("check_loops.py", "server/world/a.cpp", '// SPDX-License-Identifier: MIT\n#include "server/world/b.h"\n',
+     "2 files need each other: server/world/a, server/world/b"),
     ("check_names.py", "physics/src/BadName.h", "// SPDX-License-Identifier: MIT\n", "file names are snake_case"),
     ("check_names.py", "physics/src/plain.h", "#pragma once\n", "does not begin with"),
     ("check_names.py", "docs/a.md", "see /home" + "/somebody\n", "a path of somebody's machine"),
@@ -34,13 +34,13 @@ CASES = [
     ("check_tests.py", "tests/physics/state/odd_test.cpp", "// SPDX-License-Identifier: MIT\n",
      "tests/physics/state/odd_test.cpp: mirrors no source"),
     ("check_tests.py", "physics/src/state/wake.cpp", "// SPDX-License-Identifier: MIT\n",
-     "physics/src/persist/derive.cpp is gone"),
-    ("check_tests.py", "physics/src/persist/derive.cpp", "// SPDX-License-Identifier: MIT\n",
-     "physics/src/persist/derive.cpp is said to be exercised by tests/physics/persist/save_load_test.cpp, which does not exist"),
+     "physics/src/serialization/derive.cpp is gone"),
+    ("check_tests.py", "physics/src/serialization/derive.cpp", "// SPDX-License-Identifier: MIT\n",
+     "physics/src/serialization/derive.cpp is said to be exercised by tests/physics/serialization/save_load_test.cpp, which does not exist"),
 ]
 # What the faulty files refer to.
-OTHERS = {"physics/src/state/high.h": "", "server/gateway/b.h": "", "physics/include/jostle/physics/world.h": "",
-          "server/host/a.h": "", "server/host/b.h": '#include "host/a.h"\n',
+OTHERS = {"physics/src/state/high.h": "", "server/http/b.h": "", "physics/include/jostle/physics/world.h": "",
+          "server/world/a.h": "", "server/world/b.h": '#include "server/world/a.h"\n',
           "physics/src/foundation/prefetch.h": "inline void prefetch() {}\n"}
 
 

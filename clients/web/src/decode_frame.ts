@@ -1,4 +1,4 @@
-// The twin of proto/wire in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
+// The twin of proto/snapshot/include/jostle/snapshot in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
 // codec 2 in range_frame.ts.
 
 import { BitReader, bitWidth, unZigZag } from './bit_reader';

@@ -1,4 +1,4 @@
-// Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/wire/frame_models.h.
+// Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/snapshot/include/jostle/snapshot/frame_models.h.
 
 import type { Models } from './range_decoder';
 import { START_LETTERS } from './start_models';

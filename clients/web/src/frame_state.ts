@@ -1,4 +1,4 @@
-// The state of frames as whole numbers, and what both codecs' decoders share. The twin of proto/wire/entity_state.h and
+// The state of frames as whole numbers, and what both codecs' decoders share. The twin of proto/snapshot/include/jostle/snapshot/entity_state.h and
 // survivors.h.
 
 export interface EntityState {

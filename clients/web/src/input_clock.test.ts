@@ -1,5 +1,5 @@
 // Inputs of every tick, sent thirty times a second over a bad link to a server that tells their margin over another.
-// tests/clients/input_clock_test.cpp tells the same.
+// tests/clients/cpp/core/input_clock_test.cpp tells the same.
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock';

@@ -1,6 +1,6 @@
 // Inputs on their way to the server, under numbers that rise from 1: those that wait to be sent, and those that were sent and are not
 // answered yet, which are sent again when the connection broke before they came. The C++ client library has the same
-// (clients/cpp/src/input_outbox.h), with datagrams beside the stream.
+// (clients/cpp/core/src/input_outbox.h), with datagrams beside the stream.
 
 const UNANSWERED_MAX = 8192; // a server that answers nothing: the oldest are not sent again
 

@@ -1,4 +1,4 @@
-// Where a body should be, from up to three earlier frames: the twin of proto/wire/predict.h. Integers, every product below 2^53.
+// Where a body should be, from up to three earlier frames: the twin of proto/snapshot/include/jostle/snapshot/predict.h. Integers, every product below 2^53.
 
 import { INT32_MAX, INT32_MIN, sameRotation, type EntityState, type Four, type Spacing, type Survivor, type Three } from './frame_state';
 

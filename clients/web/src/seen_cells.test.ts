@@ -53,7 +53,7 @@ describe('cells in sight', () => {
     expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
   });
 
-  // The story of tests/clients/seen_cells_test.cpp: 12 m/s, told with every fourth snapshot.
+  // The story of tests/clients/cpp/core/seen_cells_test.cpp: 12 m/s, told with every fourth snapshot.
   it('that are told less often move evenly in pictures', () => {
     const cells = new SeenCells();
     const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;

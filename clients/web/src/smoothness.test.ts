@@ -1,4 +1,4 @@
-// A minute of a known world over bad links, drawn 144 and 60 times a second: what a person sees. tests/clients/smoothness_test.cpp
+// A minute of a known world over bad links, drawn 144 and 60 times a second: what a person sees. tests/clients/cpp/core/smoothness_test.cpp
 // tells the same of the C++ client library, with the same links and bounds.
 
 import { describe, expect, it } from 'vitest';

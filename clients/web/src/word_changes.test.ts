@@ -1,4 +1,4 @@
-// What tests/wire/word_changes_test.cpp tells, in TypeScript.
+// What tests/proto/snapshot/word_changes_test.cpp tells, in TypeScript.
 
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';

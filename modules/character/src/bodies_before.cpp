@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bodies_before.h"
+#include "modules/character/src/bodies_before.h"
 
 namespace jostle::modules::character_detail {
 

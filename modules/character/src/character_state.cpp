@@ -3,11 +3,11 @@
 // Characters as bytes: saved, from scenes, from those who drive, and for clients.
 #include <string>
 
-#include "character_record.h"
-#include "check_character.h"
 #include "jostle/modules/character.h"
 #include "jostle/modules/settings.h"
-#include "steering.h"
+#include "modules/character/src/character_record.h"
+#include "modules/character/src/check_character.h"
+#include "modules/character/src/steering.h"
 
 namespace jostle::modules {
 

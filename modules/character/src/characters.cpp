@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "character_record.h"
-#include "check_character.h"
-#include "rigid_step.h"
-#include "steering.h"
-#include "sweep_step.h"
+#include "modules/character/src/character_record.h"
+#include "modules/character/src/check_character.h"
+#include "modules/character/src/rigid_step.h"
+#include "modules/character/src/steering.h"
+#include "modules/character/src/sweep_step.h"
 
 namespace jostle::modules {
 

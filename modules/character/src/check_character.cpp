@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check_character.h"
+#include "modules/character/src/check_character.h"
 
 #include <cstdio>
 

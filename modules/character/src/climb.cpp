@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "climb.h"
+#include "modules/character/src/climb.h"
 
-#include "footing.h"
+#include "modules/character/src/footing.h"
 
 namespace jostle::modules::character_detail {
 namespace {

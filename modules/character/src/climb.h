@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "surroundings.h"
+#include "modules/character/src/surroundings.h"
 
 namespace jostle::modules::character_detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "footing.h"
+#include "modules/character/src/footing.h"
 
-#include "nearest_velocity.h"
+#include "modules/character/src/nearest_velocity.h"
 
 namespace jostle::modules::character_detail {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nearest_velocity.h"
+#include "modules/character/src/nearest_velocity.h"
 
 #include <optional>
 

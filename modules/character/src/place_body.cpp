@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "place_body.h"
+#include "modules/character/src/place_body.h"
 
-#include "steering.h"
+#include "modules/character/src/steering.h"
 
 namespace jostle::modules::character_detail {
 

@@ -5,7 +5,7 @@
 // ground bears that, else its own mass.
 #pragma once
 
-#include "surroundings.h"
+#include "modules/character/src/surroundings.h"
 
 namespace jostle::modules::character_detail {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "rigid_step.h"
+#include "modules/character/src/rigid_step.h"
 
-#include "footing.h"
-#include "steering.h"
+#include "modules/character/src/footing.h"
+#include "modules/character/src/steering.h"
 
 namespace jostle::modules::character_detail {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "steering.h"
+#include "modules/character/src/steering.h"
 
-#include "surroundings.h"
+#include "modules/character/src/surroundings.h"
 
 namespace jostle::modules::character_detail {
 

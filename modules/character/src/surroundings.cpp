@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surroundings.h"
+#include "modules/character/src/surroundings.h"
 
 #include <algorithm>
 

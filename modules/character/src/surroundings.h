@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "character_record.h"
+#include "modules/character/src/character_record.h"
 
 namespace jostle::modules::character_detail {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "sweep_step.h"
+#include "modules/character/src/sweep_step.h"
 
-#include "bodies_before.h"
-#include "climb.h"
-#include "footing.h"
-#include "nearest_velocity.h"
-#include "place_body.h"
-#include "push_body.h"
-#include "steering.h"
+#include "modules/character/src/bodies_before.h"
+#include "modules/character/src/climb.h"
+#include "modules/character/src/footing.h"
+#include "modules/character/src/nearest_velocity.h"
+#include "modules/character/src/place_body.h"
+#include "modules/character/src/push_body.h"
+#include "modules/character/src/steering.h"
 
 namespace jostle::modules::character_detail {
 namespace {

@@ -3,7 +3,7 @@
 // One step of a sweeping character.
 #pragma once
 
-#include "character_record.h"
+#include "modules/character/src/character_record.h"
 
 namespace jostle::modules::character_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "block_ldl.h"
+#include "modules/destruction/src/block_ldl.h"
 
 #include <algorithm>
 #include <set>

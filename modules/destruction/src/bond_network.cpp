@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bond_network.h"
+#include "modules/destruction/src/bond_network.h"
 
 namespace jostle::modules::destruction_detail {
 

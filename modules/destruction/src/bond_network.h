@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "block_ldl.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/block_ldl.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convex_cell.h"
+#include "modules/destruction/src/convex_cell.h"
 
 #include <algorithm>
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string>
 
-#include "bond_network.h"
-#include "destruction_checks.h"
-#include "destruction_impact.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/destruction_checks.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

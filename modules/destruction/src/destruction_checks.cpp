@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "destruction_checks.h"
+#include "modules/destruction/src/destruction_checks.h"
 
 #include <string>
 

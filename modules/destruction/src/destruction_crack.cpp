@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "bond_network.h"
-#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

@@ -4,11 +4,11 @@
 // back what was more.
 #include <algorithm>
 
-#include "bond_network.h"
-#include "contact_motion.h"
-#include "destruction_impact.h"
-#include "given_back.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/contact_motion.h"
+#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/given_back.h"
 
 namespace jostle::modules {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "bond_network.h"
-#include "contact_motion.h"
-#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/contact_motion.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

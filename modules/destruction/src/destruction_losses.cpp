@@ -4,8 +4,8 @@
 // all else goes on.
 #include <algorithm>
 
-#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

@@ -4,9 +4,9 @@
 // one it came from, so mass and momenta are what they were.
 #include <algorithm>
 
-#include "bond_network.h"
-#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

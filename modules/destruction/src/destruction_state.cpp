@@ -3,12 +3,12 @@
 // What of destructibles is saved, what clients hear, and what a scene says of them.
 #include <algorithm>
 
-#include "bond_network.h"
-#include "destruction_checks.h"
-#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/modules/settings.h"
+#include "modules/destruction/src/bond_network.h"
+#include "modules/destruction/src/destruction_checks.h"
+#include "modules/destruction/src/destruction_impact.h"
 
 namespace jostle::modules {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "disjoint_cells.h"
+#include "modules/destruction/src/disjoint_cells.h"
 
-#include "voronoi_cell.h"
+#include "modules/destruction/src/voronoi_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

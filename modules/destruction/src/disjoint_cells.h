@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "convex_cell.h"
+#include "modules/destruction/src/convex_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "convex_cell.h"
+#include "modules/destruction/src/convex_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

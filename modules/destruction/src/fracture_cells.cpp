@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "fracture_cells.h"
+#include "modules/destruction/src/fracture_cells.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "face_contact.h"
-#include "section.h"
-#include "voronoi_cell.h"
+#include "modules/destruction/src/face_contact.h"
+#include "modules/destruction/src/section.h"
+#include "modules/destruction/src/voronoi_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

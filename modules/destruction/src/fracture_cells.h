@@ -5,8 +5,8 @@
 
 #include <span>
 
-#include "convex_cell.h"
 #include "jostle/modules/fractured_shape.h"
+#include "modules/destruction/src/convex_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

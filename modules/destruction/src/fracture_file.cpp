@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "destruction_checks.h"
 #include "jostle/physics/scalar.h"
+#include "modules/destruction/src/destruction_checks.h"
 
 namespace jostle::modules {
 

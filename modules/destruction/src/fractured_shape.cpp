@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "convex_cell.h"
-#include "disjoint_cells.h"
-#include "fracture_cells.h"
-#include "random_chance.h"
+#include "modules/destruction/src/convex_cell.h"
+#include "modules/destruction/src/disjoint_cells.h"
+#include "modules/destruction/src/fracture_cells.h"
+#include "modules/destruction/src/random_chance.h"
 
 namespace jostle::modules {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "given_back.h"
+#include "modules/destruction/src/given_back.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "contact_motion.h"
+#include "modules/destruction/src/contact_motion.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "section.h"
+#include "modules/destruction/src/section.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "voronoi_cell.h"
+#include "modules/destruction/src/voronoi_cell.h"
 
 #include <algorithm>
 #include <string>

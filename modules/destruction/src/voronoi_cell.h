@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "convex_cell.h"
 #include "jostle/physics/result.h"
+#include "modules/destruction/src/convex_cell.h"
 
 namespace jostle::modules::destruction_detail {
 

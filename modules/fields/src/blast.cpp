@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 
-#include "blast_points.h"
-#include "body_records.h"
-#include "field_checks.h"
 #include "jostle/physics/limits.h"
+#include "modules/fields/src/blast_points.h"
+#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/field_checks.h"
 
 namespace jostle::modules {
 

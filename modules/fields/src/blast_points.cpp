@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "blast_points.h"
+#include "modules/fields/src/blast_points.h"
 
-#include "panel_surface.h"
+#include "modules/fields/src/panel_surface.h"
 
 namespace jostle::modules::fields_detail {
 

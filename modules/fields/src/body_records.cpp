@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_records.h"
+#include "modules/fields/src/body_records.h"
 
 #include <utility>
 

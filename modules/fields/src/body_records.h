@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "jostle/physics/world.h"
-#include "panel_surface.h"
+#include "modules/fields/src/panel_surface.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "curl_noise.h"
+#include "modules/fields/src/curl_noise.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "field_checks.h"
+#include "modules/fields/src/field_checks.h"
 
 #include <cstdio>
 #include <initializer_list>

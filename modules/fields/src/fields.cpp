@@ -5,8 +5,8 @@
 
 #include <mutex>
 
-#include "field_checks.h"
-#include "step_memory.h"
+#include "modules/fields/src/field_checks.h"
+#include "modules/fields/src/step_memory.h"
 
 namespace jostle::modules {
 

@@ -3,11 +3,11 @@
 // Fields as saved state. All that is read is foreign.
 #include <algorithm>
 
-#include "field_checks.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/settings.h"
 #include "jostle/physics/limits.h"
-#include "step_memory.h"
+#include "modules/fields/src/field_checks.h"
+#include "modules/fields/src/step_memory.h"
 
 namespace jostle::modules {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "jostle/modules/fields.h"
-#include "load.h"
-#include "step_memory.h"
+#include "modules/fields/src/load.h"
+#include "modules/fields/src/step_memory.h"
 
 namespace jostle::modules {
 

@@ -4,8 +4,8 @@
 // those before it left.
 #pragma once
 
-#include "body_records.h"
 #include "jostle/physics/step_listener.h"
+#include "modules/fields/src/body_records.h"
 
 namespace jostle::modules::fields_detail {
 

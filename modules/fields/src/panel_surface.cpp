@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panel_surface.h"
+#include "modules/fields/src/panel_surface.h"
 
 #include <algorithm>
 #include <map>

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "body_records.h"
-#include "water_load.h"
+#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/water_load.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/modules/turbulence.h"
 
-#include "curl_noise.h"
+#include "modules/fields/src/curl_noise.h"
 
 namespace jostle::modules {
 

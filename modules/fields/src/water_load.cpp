@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "water_load.h"
+#include "modules/fields/src/water_load.h"
 
 #include <algorithm>
 #include <array>
 
-#include "wave_train.h"
+#include "modules/fields/src/wave_train.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "jostle/modules/waves.h"
-#include "load.h"
-#include "wave_train.h"
+#include "modules/fields/src/load.h"
+#include "modules/fields/src/wave_train.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "wave_train.h"
+#include "modules/fields/src/wave_train.h"
 
 #include <algorithm>
 
-#include "exponential.h"
+#include "modules/fields/src/exponential.h"
 
 namespace jostle::modules {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figure_checks.h"
+#include "modules/ragdoll/src/figure_checks.h"
 
 namespace jostle::modules {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figure_checks.h"
 #include "jostle/modules/settings.h"
-#include "turns.h"
+#include "modules/ragdoll/src/figure_checks.h"
+#include "modules/ragdoll/src/turns.h"
 
 namespace jostle::modules {
 

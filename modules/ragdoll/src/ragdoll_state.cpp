@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // What of figures is saved, and what a scene says of them.
-#include "figure_checks.h"
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/settings.h"
+#include "modules/ragdoll/src/figure_checks.h"
 
 namespace jostle::modules {
 

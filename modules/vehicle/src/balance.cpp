@@ -17,7 +17,7 @@
 // its foot by b v delta' / L. Fast, t is longer than a fall takes: then the front wheel is turned
 // to the slip at which its tyre bears its share of a at once, and the rear follows. To lean to the
 // right it is first turned to the left.
-#include "balance.h"
+#include "modules/vehicle/src/balance.h"
 
 namespace jostle::modules::vehicle_detail {
 

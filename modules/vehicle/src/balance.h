@@ -3,8 +3,8 @@
 // How a two-wheeler stays up.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/world.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -4,11 +4,11 @@
 // That is learned, as what turned each wheel besides the drive line in the last sub-steps. So the
 // clutch meets the whole car once it has felt it, in some 60 ms, and nothing but the wheel in the
 // air or on ice, and what it does in a sub-step is never more than the wheel bears.
-#include "body_wheels.h"
+#include "modules/vehicle/src/body_wheels.h"
 
-#include "air.h"
-#include "drive_line.h"
-#include "turn_to.h"
+#include "modules/vehicle/src/air.h"
+#include "modules/vehicle/src/drive_line.h"
+#include "modules/vehicle/src/turn_to.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -5,9 +5,9 @@
 // whose body or joint is gone is lost; the others drive on.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/step_listener.h"
 #include "jostle/physics/world.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "car_step.h"
+#include "modules/vehicle/src/car_step.h"
 
-#include "air.h"
-#include "balance.h"
-#include "drive_line.h"
-#include "suspension.h"
-#include "tyre.h"
+#include "modules/vehicle/src/air.h"
+#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/drive_line.h"
+#include "modules/vehicle/src/suspension.h"
+#include "modules/vehicle/src/tyre.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -4,8 +4,8 @@
 // how tyres answer, and the push that comes of it.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/step_listener.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check_def.h"
+#include "modules/vehicle/src/check_def.h"
 
 #include <cstdio>
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "car.h"
 #include "jostle/physics/result.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -9,10 +9,10 @@
 // h c r r^T to the matrix; when that asks for more than it can bear it slips, and pushes by just
 // that. Which links hold is guessed from the speeds before and corrected until it agrees, so one
 // solve is the rule. The matrix is symmetric and positive definite whatever holds.
-#include "drive_line.h"
+#include "modules/vehicle/src/drive_line.h"
 
-#include "balance.h"
-#include "small_solve.h"
+#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/small_solve.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -4,7 +4,7 @@
 // to it, as one implicit linear system per sub-step.
 #pragma once
 
-#include "car.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "gearbox.h"
+#include "modules/vehicle/src/gearbox.h"
 
-#include "drive_line.h"
+#include "modules/vehicle/src/drive_line.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -3,7 +3,7 @@
 // Which gear: once a step.
 #pragma once
 
-#include "car.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "ground.h"
+#include "modules/vehicle/src/ground.h"
 
-#include "turn_to.h"
+#include "modules/vehicle/src/turn_to.h"
 
 namespace jostle::modules::vehicle_detail {
 

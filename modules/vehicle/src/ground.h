@@ -3,8 +3,8 @@
 // Where each wheel meets the ground: once a step, where the chassis will be in its middle.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/world.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -3,8 +3,8 @@
 // A car as it is added: its axes are unit, its springs fit what rests on them.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/world.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

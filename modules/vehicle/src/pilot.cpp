@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pilot.h"
+#include "modules/vehicle/src/pilot.h"
 
 namespace jostle::modules::vehicle_detail {
 

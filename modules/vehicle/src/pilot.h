@@ -3,9 +3,9 @@
 // Who drives: a pilot that keeps to a circle, or a person with sticks and buttons.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -11,9 +11,9 @@
 // stable from theta = 1/2 on, or below z = 2, and that is where 1/2 is reached. One row of it:
 // x' = x + h v', v' = (v - h k x W) / (1 + theta z^2) has determinant 1 / D and trace 1 + 1 / D -
 // z^2 / D with D = 1 + theta z^2.
-#include "suspension.h"
+#include "modules/vehicle/src/suspension.h"
 
-#include "small_solve.h"
+#include "modules/vehicle/src/small_solve.h"
 
 namespace jostle::modules::vehicle_detail {
 

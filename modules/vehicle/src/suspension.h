@@ -4,7 +4,7 @@
 // once, implicitly, and nobody pulls at the ground.
 #pragma once
 
-#include "car.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

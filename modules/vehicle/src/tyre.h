@@ -18,7 +18,7 @@
 // mixed by speed.
 #pragma once
 
-#include "car.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

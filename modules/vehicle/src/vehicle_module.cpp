@@ -3,12 +3,12 @@
 // Vehicles as a module: saved, made by scenes, seen by clients.
 #include <algorithm>
 
-#include "check_def.h"
 #include "jostle/modules/settings.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
-#include "pilot.h"
-#include "visit_car.h"
+#include "modules/vehicle/src/check_def.h"
+#include "modules/vehicle/src/pilot.h"
+#include "modules/vehicle/src/visit_car.h"
 
 namespace jostle::modules {
 

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
-#include "balance.h"
-#include "body_wheels.h"
-#include "car_step.h"
-#include "check_def.h"
-#include "gearbox.h"
-#include "ground.h"
 #include "jostle/physics/world.h"
-#include "make_car.h"
-#include "pilot.h"
+#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/body_wheels.h"
+#include "modules/vehicle/src/car_step.h"
+#include "modules/vehicle/src/check_def.h"
+#include "modules/vehicle/src/gearbox.h"
+#include "modules/vehicle/src/ground.h"
+#include "modules/vehicle/src/make_car.h"
+#include "modules/vehicle/src/pilot.h"
 
 namespace jostle::modules {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "visit_car.h"
+#include "modules/vehicle/src/visit_car.h"
 
-#include "check_def.h"
+#include "modules/vehicle/src/check_def.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -3,8 +3,8 @@
 // The walk over all of a car that is saved.
 #pragma once
 
-#include "car.h"
 #include "jostle/physics/state_visitor.h"
+#include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

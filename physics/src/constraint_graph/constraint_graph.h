@@ -16,8 +16,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "constraint_graph/contact_constraint_wide.h"
-#include "constraint_graph/solver_tier.h"
+#include "physics/src/constraint_graph/contact_constraint_wide.h"
+#include "physics/src/constraint_graph/solver_tier.h"
 
 namespace jostle::physics {
 

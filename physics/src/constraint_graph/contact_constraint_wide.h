@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "constraint_graph/wide_rows.h"
+#include "physics/src/constraint_graph/wide_rows.h"
 
 namespace jostle::physics {
 

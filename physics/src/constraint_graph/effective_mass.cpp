@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraint_graph/effective_mass.h"
+#include "physics/src/constraint_graph/effective_mass.h"
 
 #include "jostle/physics/scalar.h"
 

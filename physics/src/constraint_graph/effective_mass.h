@@ -4,8 +4,8 @@
 // tangents and about its normal.
 #pragma once
 
-#include "constraint_graph/contact_constraint_wide.h"
 #include "jostle/physics/mat3.h"
+#include "physics/src/constraint_graph/contact_constraint_wide.h"
 
 namespace jostle::physics {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "constraint_graph/joint_levels.h"
+#include "physics/src/constraint_graph/joint_levels.h"
 
 #include <algorithm>
 #include <array>
 #include <type_traits>
 #include <variant>
 
-#include "constraint_graph/joint_memory.h"
-#include "foundation/check.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint_graph/joint_constraint_wide.h"
-#include "foundation/check.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

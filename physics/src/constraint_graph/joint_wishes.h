@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
-#include "foundation/tuning.h"
 #include "jostle/physics/joint_solver.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint_graph/solver_tier.h"
-#include "foundation/check.h"
 #include "jostle/physics/vec3.h"
+#include "physics/src/constraint_graph/solver_tier.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

@@ -10,9 +10,9 @@
 #include <array>
 #include <cstdint>
 
-#include "foundation/check.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/limits.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

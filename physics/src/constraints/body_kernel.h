@@ -3,8 +3,8 @@
 // The passes over bodies: one 8-wide operation moves a whole body.
 #pragma once
 
-#include "constraints/kernels.h"
-#include "math/wide.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

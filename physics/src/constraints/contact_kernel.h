@@ -6,11 +6,11 @@
 // (within a colour, too), so they are loaded, changed and stored without regard to other blocks.
 #pragma once
 
-#include "constraint_graph/constraint_graph.h"
-#include "constraint_graph/solver_body.h"
-#include "constraints/contact_settings.h"
-#include "foundation/tuning.h"
-#include "math/wide.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/solver_body.h"
+#include "physics/src/constraints/contact_settings.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/contact_passes.h"
+#include "physics/src/constraints/contact_passes.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 #include <algorithm>
 #include <cstdint>

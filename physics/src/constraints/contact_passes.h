@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "constraint_graph/constraint_graph.h"
-#include "constraints/kernels.h"
-#include "foundation/task_team.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/foundation/task_team.h"
 
 namespace jostle::physics {
 

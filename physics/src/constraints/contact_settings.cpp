@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/contact_settings.h"
+#include "physics/src/constraints/contact_settings.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -3,7 +3,7 @@
 // The numbers of one step that every contact shares.
 #pragma once
 
-#include "constraint_graph/solver_tier.h"
+#include "physics/src/constraint_graph/solver_tier.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/free_motion.h"
+#include "physics/src/constraints/free_motion.h"
 
 #include <cmath>
 
-#include "foundation/tuning.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "state/body_store.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/impact.h"
+#include "physics/src/constraints/impact.h"
 
-#include "foundation/tuning.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "collision/narrowphase/impact_points.h"
 #include "jostle/physics/mat3.h"
+#include "physics/src/collision/narrowphase/impact_points.h"
 
 namespace jostle::physics {
 

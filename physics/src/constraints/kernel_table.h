@@ -5,12 +5,12 @@
 // another namespace that is not always inlined: the linker would keep one copy for all CPUs.
 #pragma once
 
-#include "constraints/body_kernel.h"
-#include "constraints/contact_kernel.h"
-#include "constraints/joints/batch_kernel.h"
-#include "constraints/joints/joint_kernel.h"
-#include "constraints/kernels.h"
-#include "constraints/planar_kernel.h"
+#include "physics/src/constraints/body_kernel.h"
+#include "physics/src/constraints/contact_kernel.h"
+#include "physics/src/constraints/joints/batch_kernel.h"
+#include "physics/src/constraints/joints/joint_kernel.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/constraints/planar_kernel.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

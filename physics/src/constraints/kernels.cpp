@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/kernels.h"
+#include "physics/src/constraints/kernels.h"
 
 #include <atomic>
 #include <string>

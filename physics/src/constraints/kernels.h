@@ -6,12 +6,12 @@
 
 #include <cstdint>
 
-#include "constraint_graph/constraint_graph.h"
-#include "constraint_graph/joint_constraint_wide.h"
-#include "constraint_graph/solver_body.h"
-#include "constraints/contact_settings.h"
-#include "constraints/joints/joint_step.h"
 #include "jostle/physics/instruction_set.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
+#include "physics/src/constraint_graph/solver_body.h"
+#include "physics/src/constraints/contact_settings.h"
+#include "physics/src/constraints/joints/joint_step.h"
 
 namespace jostle::physics {
 

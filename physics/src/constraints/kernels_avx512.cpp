@@ -2,5 +2,5 @@
 // Built with AVX-512 VL on 256-bit registers: 32 of them, and masks (physics/CMakeLists.txt).
 #if defined(__x86_64__)
 #define JOSTLE_ISA avx512
-#include "constraints/kernel_table.h"
+#include "physics/src/constraints/kernel_table.h"
 #endif

@@ -7,8 +7,8 @@
 #if defined(__x86_64__)
 #define JOSTLE_ISA avx512_two
 #define JOSTLE_TWO_BLOCKS
-#include "constraints/contact_kernel.h"
-#include "constraints/kernels.h"
+#include "physics/src/constraints/contact_kernel.h"
+#include "physics/src/constraints/kernels.h"
 
 namespace jostle::physics::avx512_two {
 namespace {

@@ -2,4 +2,4 @@
 // One float at a time.
 #define JOSTLE_SCALAR
 #define JOSTLE_ISA scalar
-#include "constraints/kernel_table.h"
+#include "physics/src/constraints/kernel_table.h"

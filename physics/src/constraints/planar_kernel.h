@@ -7,7 +7,7 @@
 // computed.
 #pragma once
 
-#include "constraints/contact_kernel.h"
+#include "physics/src/constraints/contact_kernel.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

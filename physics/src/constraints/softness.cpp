@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/softness.h"
+#include "physics/src/constraints/softness.h"
 
-#include "foundation/tuning.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 double decay(double x) {

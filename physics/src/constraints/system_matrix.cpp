@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/system_matrix.h"
+#include "physics/src/constraints/system_matrix.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/write_manifold.h"
+#include "physics/src/constraints/write_manifold.h"
 
 #include <atomic>
 
-#include "constraint_graph/effective_mass.h"
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
-#include "state/pair_size.h"
+#include "physics/src/constraint_graph/effective_mass.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 namespace {

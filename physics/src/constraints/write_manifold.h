@@ -4,8 +4,8 @@
 // points carried before.
 #pragma once
 
-#include "collision/narrowphase/manifold.h"
-#include "state/world_state.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

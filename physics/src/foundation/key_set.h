@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "foundation/check.h"
-#include "foundation/flat_array.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/flat_array.h"
 
 namespace jostle::physics {
 

@@ -6,9 +6,9 @@
 // Sizes are the radius of the ball around the body, m; of a pair that of the smaller body.
 #pragma once
 
-#include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
 #include "jostle/physics/vec3.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "foundation/task_team.h"
+#include "physics/src/foundation/task_team.h"
 
 #include <utility>
 
-#include "foundation/fp_mode.h"
+#include "physics/src/foundation/fp_mode.h"
 
 namespace jostle::physics {
 namespace {

@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "foundation/threads.h"
+#include "physics/src/foundation/threads.h"
 
 namespace jostle::physics {
 

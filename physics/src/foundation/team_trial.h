@@ -12,7 +12,7 @@
 #include <array>
 #include <cstddef>
 
-#include "foundation/tuning.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

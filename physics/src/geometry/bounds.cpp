@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/bounds.h"
+#include "physics/src/geometry/bounds.h"
 
-#include "foundation/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,8 +3,8 @@
 // The box around a shape, and the ball.
 #pragma once
 
-#include "geometry/placed.h"
 #include "jostle/physics/aabb.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/bvh.h"
+#include "physics/src/geometry/bvh.h"
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box_lanes.h"
+#include "physics/src/geometry/box_lanes.h"
 
 namespace jostle::physics {
 

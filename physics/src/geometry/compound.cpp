@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/compound.h"
 
-#include "foundation/byte_stream.h"
-#include "foundation/hash.h"
-#include "foundation/messages.h"
-#include "geometry/bounds.h"
-#include "geometry/bvh.h"
-#include "geometry/geometry_checks.h"
-#include "geometry/inner_radius.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/foundation/byte_stream.h"
+#include "physics/src/foundation/hash.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/geometry_checks.h"
+#include "physics/src/geometry/inner_radius.h"
 
 namespace jostle::physics {
 namespace {

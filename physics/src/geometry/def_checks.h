@@ -4,9 +4,9 @@
 // Error that names the argument, its value and its range.
 #pragma once
 
-#include "geometry/geometry_checks.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/result.h"
+#include "physics/src/geometry/geometry_checks.h"
 
 namespace jostle::physics {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/displacement.h"
+#include "physics/src/geometry/displacement.h"
 
 #include <algorithm>
 #include <array>
 
-#include "geometry/mass_properties.h"
-#include "geometry/support.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/geometry/mass_properties.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/geometry_checks.h"
+#include "physics/src/geometry/geometry_checks.h"
 
-#include "foundation/messages.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
+#include "physics/src/foundation/messages.h"
 
 namespace jostle::physics {
 namespace {

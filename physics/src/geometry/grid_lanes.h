@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "geometry/box_lanes.h"
-#include "geometry/surface.h"
+#include "physics/src/geometry/box_lanes.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/height_field.h"
 
-#include "foundation/byte_stream.h"
-#include "foundation/hash.h"
-#include "foundation/messages.h"
+#include "physics/src/foundation/byte_stream.h"
+#include "physics/src/foundation/hash.h"
+#include "physics/src/foundation/messages.h"
 
 namespace jostle::physics {
 namespace {

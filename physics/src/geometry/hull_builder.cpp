@@ -2,17 +2,17 @@
 //
 // Points to convex hull: exact topology on a grid (hull_topology.h), then triangles that lie in one
 // plane are merged into faces, and what is derived is computed.
-#include "geometry/hull_builder.h"
+#include "physics/src/geometry/hull_builder.h"
 
 #include <algorithm>
 #include <map>
 
-#include "foundation/byte_stream.h"
-#include "foundation/hash.h"
-#include "foundation/messages.h"
-#include "geometry/hull_lanes.h"
-#include "geometry/hull_topology.h"
-#include "geometry/polyhedron_mass.h"
+#include "physics/src/foundation/byte_stream.h"
+#include "physics/src/foundation/hash.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/hull_lanes.h"
+#include "physics/src/geometry/hull_topology.h"
+#include "physics/src/geometry/polyhedron_mass.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/hull_lanes.h"
+#include "physics/src/geometry/hull_lanes.h"
 
 #include <algorithm>
 #include <cstdint>

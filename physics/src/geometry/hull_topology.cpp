@@ -2,7 +2,7 @@
 //
 // Quickhull (Barber, Dobkin, Huhdanpaa 1996) on triangles: each face keeps the points above it; the
 // highest of them becomes a vertex, the faces it sees are replaced by a fan to their horizon.
-#include "geometry/hull_topology.h"
+#include "physics/src/geometry/hull_topology.h"
 
 #include <algorithm>
 

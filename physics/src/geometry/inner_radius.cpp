@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/inner_radius.h"
+#include "physics/src/geometry/inner_radius.h"
 
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"

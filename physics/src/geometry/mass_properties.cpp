@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/mass_properties.h"
+#include "physics/src/geometry/mass_properties.h"
 
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"

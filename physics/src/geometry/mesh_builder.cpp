@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <map>
 
-#include "foundation/byte_stream.h"
-#include "foundation/hash.h"
-#include "foundation/messages.h"
-#include "geometry/bvh.h"
-#include "geometry/surface.h"
 #include "jostle/physics/mesh.h"
+#include "physics/src/foundation/byte_stream.h"
+#include "physics/src/foundation/hash.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/outline.h"
+#include "physics/src/geometry/outline.h"
 
 #include <algorithm>
 #include <vector>

@@ -4,10 +4,10 @@
 // corners. A sphere is a disc, a capsule a stadium, a hull the shadow that it throws along z.
 #pragma once
 
-#include "foundation/uninitialized_array.h"
-#include "geometry/mass_properties.h"
-#include "geometry/placed.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/mass_properties.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/polyhedron_mass.h"
+#include "physics/src/geometry/polyhedron_mass.h"
 
 namespace jostle::physics {
 

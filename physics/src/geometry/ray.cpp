@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Each kind is solved in the shape's own frame with the ray o + t m, 0 <= t <= 1.
-#include "geometry/ray.h"
+#include "physics/src/geometry/ray.h"
 
-#include "geometry/surface.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

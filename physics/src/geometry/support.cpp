@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/support.h"
+#include "physics/src/geometry/support.h"
 
-#include "foundation/check.h"
-#include "geometry/hull_lanes.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/geometry/hull_lanes.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,8 +4,8 @@
 // thickened. GJK, EPA and SAT work on cores; the radii are put on afterwards, exactly.
 #pragma once
 
-#include "geometry/placed.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

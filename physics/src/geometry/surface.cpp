@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/surface.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

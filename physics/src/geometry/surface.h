@@ -6,10 +6,10 @@
 
 #include <cstdint>
 
-#include "geometry/bvh.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
+#include "physics/src/geometry/bvh.h"
 
 namespace jostle::physics {
 

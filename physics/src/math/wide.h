@@ -21,7 +21,7 @@
 #include <arm_neon.h>
 #endif
 
-#include "math/fused.h"
+#include "physics/src/math/fused.h"
 
 #ifndef JOSTLE_ISA
 #define JOSTLE_ISA baseline

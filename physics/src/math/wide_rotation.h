@@ -4,7 +4,7 @@
 // float: a few 1e-7.
 #pragma once
 
-#include "math/wide.h"
+#include "physics/src/math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "stages/follow_budget.h"
+#include "physics/src/stages/follow_budget.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/impulse_scale.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/impulse_scale.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 // budget, so no step is ever cut short, and falls by one after many cheap ones in a row.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

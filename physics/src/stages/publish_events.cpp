@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "stages/publish_events.h"
+#include "physics/src/stages/publish_events.h"
 
 #include <algorithm>
 
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

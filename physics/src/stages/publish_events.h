@@ -7,7 +7,7 @@
 // and with EventStore::contacts. Leaves nothing in scratch.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "constraints/contact_settings.h"
-#include "foundation/timer.h"
-#include "state/world_state.h"
+#include "physics/src/constraints/contact_settings.h"
+#include "physics/src/foundation/timer.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -6,14 +6,14 @@
 
 #include <atomic>
 
-#include "stages/contacts/contact_scratch.h"
-#include "stages/continuous/continuous_scratch.h"
-#include "stages/finalize/finalize_scratch.h"
-#include "stages/islands/island_scratch.h"
-#include "stages/pairs/pair_scratch.h"
-#include "stages/sleep/sleep_scratch.h"
-#include "stages/solver/solver_scratch.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/contacts/contact_scratch.h"
+#include "physics/src/stages/continuous/continuous_scratch.h"
+#include "physics/src/stages/finalize/finalize_scratch.h"
+#include "physics/src/stages/islands/island_scratch.h"
+#include "physics/src/stages/pairs/pair_scratch.h"
+#include "physics/src/stages/sleep/sleep_scratch.h"
+#include "physics/src/stages/solver/solver_scratch.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

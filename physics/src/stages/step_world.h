@@ -4,8 +4,8 @@
 // says what it reads, what it writes, and what it leaves in scratch for which later stage.
 #pragma once
 
-#include "stages/step_scratch.h"
-#include "state/world_state.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "state/body_sets.h"
+#include "physics/src/state/body_sets.h"
 
-#include "foundation/check.h"
-#include "state/contact_constraints.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 

@@ -4,7 +4,7 @@
 // hole, and the constraint graph is told.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

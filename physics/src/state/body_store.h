@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "foundation/flat_array.h"
-#include "foundation/id_pool.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/mat3.h"
+#include "physics/src/foundation/flat_array.h"
+#include "physics/src/foundation/id_pool.h"
 
 namespace jostle::physics {
 

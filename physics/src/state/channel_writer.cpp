@@ -2,9 +2,9 @@
 #include <bit>
 #include <limits>
 
-#include "foundation/check.h"
 #include "jostle/physics/channels.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "state/contact_answers.h"
+#include "physics/src/state/contact_answers.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "state/combine.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/combine.h"
 
 namespace jostle::physics {
 namespace {

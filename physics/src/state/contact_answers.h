@@ -4,7 +4,7 @@
 // its manifold began (ContactAnswer).
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

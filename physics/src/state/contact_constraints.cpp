@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "state/contact_constraints.h"
+#include "physics/src/state/contact_constraints.h"
 
 #include <bit>
 
-#include "foundation/check.h"
-#include "state/pair_size.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 namespace {

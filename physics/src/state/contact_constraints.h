@@ -5,8 +5,8 @@
 // serially but for what says otherwise.
 #pragma once
 
-#include "constraint_graph/effective_mass.h"
-#include "state/world_state.h"
+#include "physics/src/constraint_graph/effective_mass.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "state/contact_graph.h"
+#include "physics/src/state/contact_graph.h"
 
 #include <algorithm>
 
-#include "collision/narrowphase/collide_composite.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
-#include "state/contact_load.h"
-#include "state/islands.h"
-#include "state/separation_bounds.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/islands.h"
+#include "physics/src/state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

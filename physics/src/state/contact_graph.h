@@ -5,7 +5,7 @@
 // the constraint graph agree; state/validate.h checks that they do.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "state/contact_load.h"
+#include "physics/src/state/contact_load.h"
 
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
-#include "state/contact_constraints.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 

@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/narrowphase/collide.h"
-#include "constraint_graph/solver_tier.h"
-#include "foundation/check.h"
-#include "foundation/flat_array.h"
-#include "foundation/id_pool.h"
-#include "foundation/key_set.h"
-#include "state/body_store.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/constraint_graph/solver_tier.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/flat_array.h"
+#include "physics/src/foundation/id_pool.h"
+#include "physics/src/foundation/key_set.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "foundation/id_pool.h"
 #include "jostle/physics/force_fields.h"
+#include "physics/src/foundation/id_pool.h"
 
 namespace jostle::physics {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "state/force_fields.h"
+#include "physics/src/state/force_fields.h"
 
-#include "foundation/check.h"
-#include "foundation/messages.h"
-#include "geometry/displacement.h"
-#include "geometry/geometry_checks.h"
-#include "geometry/projected_area.h"
 #include "jostle/physics/limits.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/displacement.h"
+#include "physics/src/geometry/geometry_checks.h"
+#include "physics/src/geometry/projected_area.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "state/impulse_scale.h"
+#include "physics/src/state/impulse_scale.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "state/contact_constraints.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 

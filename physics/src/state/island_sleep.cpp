@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "state/island_sleep.h"
+#include "physics/src/state/island_sleep.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/body_sets.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
-#include "state/contact_graph.h"
-#include "state/contact_load.h"
-#include "state/impulse_scale.h"
-#include "state/joint_graph.h"
-#include "state/partial_sleep.h"
-#include "state/separation_bounds.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/body_sets.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/impulse_scale.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/partial_sleep.h"
+#include "physics/src/state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,7 +4,7 @@
 // manifolds; neither the awake set nor the constraint graph knows of them.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

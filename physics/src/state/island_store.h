@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint_graph/constraint_graph.h"
-#include "constraint_graph/solver_tier.h"
-#include "foundation/id_pool.h"
-#include "state/body_store.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/solver_tier.h"
+#include "physics/src/foundation/id_pool.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "state/island_tiers.h"
+#include "physics/src/state/island_tiers.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "foundation/check.h"
-#include "state/contact_constraints.h"
-#include "state/impulse_scale.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/impulse_scale.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "state/islands.h"
+#include "physics/src/state/islands.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "state/island_tiers.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/island_tiers.h"
 
 namespace jostle::physics {
 

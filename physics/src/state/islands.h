@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

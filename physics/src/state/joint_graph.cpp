@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "state/joint_graph.h"
+#include "physics/src/state/joint_graph.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "state/islands.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/islands.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

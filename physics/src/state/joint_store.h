@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "constraint_graph/joint_memory.h"
-#include "foundation/check.h"
-#include "foundation/id_pool.h"
 #include "jostle/physics/joint_defs.h"
-#include "state/body_store.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/id_pool.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

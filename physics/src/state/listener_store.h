@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "foundation/check.h"
 #include "jostle/physics/module.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "state/module_registry.h"
+#include "physics/src/state/module_registry.h"
 
 #include <algorithm>
 #include <map>
 
-#include "foundation/threads.h"
 #include "jostle/physics/module.h"
+#include "physics/src/foundation/threads.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,9 +3,9 @@
 // How large a pair of bodies is for lengths of tuning.h: as its smaller dynamic body.
 #pragma once
 
-#include "foundation/size_scale.h"
-#include "state/body_store.h"
-#include "state/contact_store.h"
+#include "physics/src/foundation/size_scale.h"
+#include "physics/src/state/body_store.h"
+#include "physics/src/state/contact_store.h"
 
 namespace jostle::physics {
 

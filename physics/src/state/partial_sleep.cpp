@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "state/partial_sleep.h"
+#include "physics/src/state/partial_sleep.h"
 
 #include <algorithm>
 
-#include "constraint_graph/effective_mass.h"
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/contact_constraints.h"
-#include "state/contact_load.h"
-#include "state/joint_graph.h"
+#include "physics/src/constraint_graph/effective_mass.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {

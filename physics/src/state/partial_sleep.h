@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

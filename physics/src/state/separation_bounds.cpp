@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "state/separation_bounds.h"
+#include "physics/src/state/separation_bounds.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/contact_store.h"
-#include "state/pair_size.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_store.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 

@@ -3,7 +3,7 @@
 // When a pair that is apart must be looked at again: ContactStore::bounds.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

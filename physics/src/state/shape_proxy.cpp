@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "state/shape_proxy.h"
+#include "physics/src/state/shape_proxy.h"
 
 #include <algorithm>
 
-#include "collision/broadphase/fat_box.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "geometry/bounds.h"
-#include "state/force_fields.h"
+#include "physics/src/collision/broadphase/fat_box.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {
 namespace {

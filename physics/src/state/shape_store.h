@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/broad_phase.h"
-#include "foundation/id_pool.h"
-#include "geometry/placed.h"
 #include "jostle/physics/defs.h"
-#include "state/body_store.h"
+#include "physics/src/collision/broadphase/broad_phase.h"
+#include "physics/src/foundation/id_pool.h"
+#include "physics/src/geometry/placed.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "state/validate.h"
+#include "physics/src/state/validate.h"
 
 #include <algorithm>
 
-#include "foundation/tuning.h"
 #include "jostle/physics/limits.h"
-#include "state/force_fields.h"
-#include "state/validate_numbers.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/force_fields.h"
+#include "physics/src/state/validate_numbers.h"
 
 namespace jostle::physics {
 namespace {

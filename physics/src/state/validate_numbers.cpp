@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "state/validate_numbers.h"
+#include "physics/src/state/validate_numbers.h"
 
-#include "foundation/tuning.h"
-#include "geometry/def_checks.h"
 #include "jostle/physics/limits.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/def_checks.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "state/wake.h"
+#include "physics/src/state/wake.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "state/island_sleep.h"
-#include "state/partial_sleep.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/island_sleep.h"
+#include "physics/src/state/partial_sleep.h"
 
 namespace jostle::physics {
 

@@ -3,7 +3,7 @@
 // Bodies wake: with their island if that sleeps, in place if only a part of it does.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "foundation/tuning.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

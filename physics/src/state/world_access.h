@@ -4,7 +4,7 @@
 #pragma once
 
 #include "jostle/physics/world.h"
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "world/body_change.h"
+#include "physics/src/world/body_change.h"
 
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/checks.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 

@@ -3,11 +3,11 @@
 // Move and push bodies.
 #include "jostle/physics/limits.h"
 #include "jostle/physics/world.h"
-#include "state/contact_graph.h"
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/body_change.h"
-#include "world/checks.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 

@@ -4,17 +4,17 @@
 #include <string>
 
 #include "jostle/physics/world.h"
-#include "state/body_sets.h"
-#include "state/contact_graph.h"
-#include "state/island_sleep.h"
-#include "state/islands.h"
-#include "state/joint_graph.h"
-#include "state/partial_sleep.h"
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/body_change.h"
-#include "world/checks.h"
-#include "world/mass.h"
+#include "physics/src/state/body_sets.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/island_sleep.h"
+#include "physics/src/state/islands.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/partial_sleep.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/mass.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "world/checks.h"
+#include "physics/src/world/checks.h"
 
-#include "foundation/messages.h"
-#include "geometry/outline.h"
 #include "jostle/physics/limits.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/outline.h"
 
 namespace jostle::physics {
 

@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-#include "geometry/def_checks.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/result.h"
-#include "state/world_state.h"
+#include "physics/src/geometry/def_checks.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -5,21 +5,21 @@
 
 #include <algorithm>
 
-#include "constraints/contact_settings.h"
-#include "constraints/free_motion.h"
-#include "constraints/joints/joint_rows.h"
-#include "constraints/joints/write_joint.h"
-#include "constraints/softness.h"
-#include "constraints/system_matrix.h"
-#include "foundation/messages.h"
-#include "foundation/tuning.h"
 #include "jostle/physics/world.h"
-#include "state/contact_answers.h"
-#include "state/force_fields.h"
-#include "state/joint_graph.h"
-#include "world/body_change.h"
-#include "world/checks.h"
-#include "world/contact_view.h"
+#include "physics/src/constraints/contact_settings.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/constraints/joints/joint_rows.h"
+#include "physics/src/constraints/joints/write_joint.h"
+#include "physics/src/constraints/softness.h"
+#include "physics/src/constraints/system_matrix.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/force_fields.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/contact_view.h"
 
 namespace jostle::physics {
 namespace {

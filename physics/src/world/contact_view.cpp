@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "world/contact_view.h"
+#include "physics/src/world/contact_view.h"
 
 #include <algorithm>
 
-#include "state/contact_constraints.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 namespace {

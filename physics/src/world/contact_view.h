@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "jostle/physics/world.h"
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

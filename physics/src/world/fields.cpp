@@ -2,11 +2,11 @@
 //
 // Create, change and destroy force fields.
 #include "jostle/physics/world.h"
-#include "state/force_fields.h"
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/body_change.h"
-#include "world/checks.h"
+#include "physics/src/state/force_fields.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,11 +3,11 @@
 // What debug views show: contacts, islands, bounds, the cells of the broad phase.
 #include <algorithm>
 
-#include "geometry/bounds.h"
 #include "jostle/physics/world.h"
-#include "state/contact_constraints.h"
-#include "world/checks.h"
-#include "world/contact_view.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/contact_view.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,10 +3,10 @@
 #include <map>
 
 #include "jostle/physics/world.h"
-#include "stages/step_scratch.h"
-#include "state/contact_graph.h"
-#include "state/joint_graph.h"
-#include "world/checks.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 namespace {

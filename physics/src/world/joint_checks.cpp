@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "world/joint_checks.h"
+#include "physics/src/world/joint_checks.h"
 
-#include "foundation/messages.h"
-#include "world/checks.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 

@@ -5,16 +5,16 @@
 #include <array>
 #include <string_view>
 
-#include "constraints/joints/angles.h"
-#include "constraints/joints/axes_layout.h"
-#include "foundation/messages.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
-#include "state/contact_graph.h"
-#include "state/joint_graph.h"
-#include "state/wake.h"
-#include "world/checks.h"
-#include "world/joint_checks.h"
+#include "physics/src/constraints/joints/angles.h"
+#include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/joint_checks.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,9 +3,9 @@
 // Who takes part in the step: listeners and modules.
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
-#include "state/module_registry.h"
-#include "state/world_state.h"
-#include "world/checks.h"
+#include "physics/src/state/module_registry.h"
+#include "physics/src/state/world_state.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "world/mass.h"
+#include "physics/src/world/mass.h"
 
-#include "foundation/check.h"
-#include "geometry/bounds.h"
-#include "geometry/inner_radius.h"
-#include "geometry/mass_properties.h"
-#include "geometry/outline.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/inner_radius.h"
+#include "physics/src/geometry/mass_properties.h"
+#include "physics/src/geometry/outline.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,7 +3,7 @@
 // Mass, centre and inertia of a body from its shapes.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

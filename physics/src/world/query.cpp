@@ -3,18 +3,18 @@
 // Queries: the broad phases first, then the shapes.
 #include <algorithm>
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_composite.h"
-#include "collision/narrowphase/nearest_point.h"
-#include "collision/narrowphase/shape_distance.h"
-#include "collision/narrowphase/sweep_surface.h"
-#include "collision/narrowphase/time_of_impact.h"
-#include "foundation/uninitialized_array.h"
-#include "geometry/bounds.h"
-#include "geometry/ray.h"
 #include "jostle/physics/limits.h"
-#include "world/checks.h"
-#include "world/query_source.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/collision/narrowphase/nearest_point.h"
+#include "physics/src/collision/narrowphase/shape_distance.h"
+#include "physics/src/collision/narrowphase/sweep_surface.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/ray.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/query_source.h"
 
 namespace jostle::physics {
 namespace {

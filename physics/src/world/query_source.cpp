@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "world/query_source.h"
+#include "physics/src/world/query_source.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "collision/broadphase/dynamic_tree.h"
-#include "geometry/bounds.h"
 #include "jostle/physics/world.h"
-#include "state/world_state.h"
-#include "world/checks.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/state/world_state.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 namespace {

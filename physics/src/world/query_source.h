@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "collision/broadphase/broad_phase.h"
-#include "geometry/placed.h"
 #include "jostle/physics/queries.h"
+#include "physics/src/collision/broadphase/broad_phase.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "jostle/physics/world.h"
-#include "state/contact_graph.h"
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/body_change.h"
-#include "world/checks.h"
-#include "world/mass.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
+#include "physics/src/world/mass.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "constraint_graph/joint_memory.h"
-#include "constraints/joints/axes_layout.h"
 #include "jostle/physics/world.h"
-#include "state/world_state.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 namespace {

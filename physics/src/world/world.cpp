@@ -3,14 +3,14 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
-#include "foundation/fp_mode.h"
 #include "jostle/physics/limits.h"
-#include "stages/step_world.h"
-#include "state/contact_constraints.h"
-#include "state/shape_proxy.h"
-#include "state/wake.h"
-#include "world/body_change.h"
-#include "world/checks.h"
+#include "physics/src/foundation/fp_mode.h"
+#include "physics/src/stages/step_world.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/wake.h"
+#include "physics/src/world/body_change.h"
+#include "physics/src/world/checks.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Crouching under what is low.
-#include "stage.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Many characters among crates between walls: nobody is thrown about, and nobody gets out.
-#include "stage.h"
-#include "support/random.h"
+#include "tests/modules/character/stage.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

@@ -4,8 +4,8 @@
 // the one that it walks with.
 #include "jostle/modules/driven.h"
 
-#include "modules/forged_words.h"
-#include "stage.h"
+#include "tests/modules/character/stage.h"
+#include "tests/modules/forged_words.h"
 
 namespace jostle::modules {
 namespace {

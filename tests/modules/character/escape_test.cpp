@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "rough_ground.h"
-#include "stage.h"
+#include "tests/modules/character/rough_ground.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jostle/physics/mesh.h"
-#include "stage.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

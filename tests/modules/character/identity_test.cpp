@@ -5,8 +5,8 @@
 
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
-#include "rough_ground.h"
-#include "stage.h"
+#include "tests/modules/character/rough_ground.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The velocity that planes allow is the nearest one, by comparison with a slow search.
-#include "nearest_velocity.h"
+#include "modules/character/src/nearest_velocity.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "support/near.h"
-#include "support/random.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules::character_detail {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lifts, turntables and belts: who stands on them goes along.
-#include "stage.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

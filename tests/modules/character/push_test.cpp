@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a character gives to others: momentum is kept, and effort is bounded.
-#include "stage.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Rigid characters: bodies of the solver that are steered.
-#include "stage.h"
+#include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What calls refuse, what a scene says of characters, who may be driven, and what clients are told.
-#include "stage.h"
-#include "support/error_of.h"
+#include "tests/modules/character/stage.h"
+#include "tests/support/error_of.h"
 
 namespace jostle::modules {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdio>
 
 #include "jostle/modules/character.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules {
 

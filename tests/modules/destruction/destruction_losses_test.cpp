@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "jostle/physics/snapshot.h"
-#include "state/world_access.h"
-#include "walls.h"
+#include "physics/src/state/world_access.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

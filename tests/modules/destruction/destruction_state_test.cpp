@@ -5,7 +5,7 @@
 
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
-#include "walls.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "walls.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

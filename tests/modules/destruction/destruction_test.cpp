@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "walls.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

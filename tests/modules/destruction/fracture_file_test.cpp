@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "walls.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "jostle/modules/seed_patterns.h"
-#include "walls.h"
+#include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
-#include "with_fields.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
-#include "with_fields.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

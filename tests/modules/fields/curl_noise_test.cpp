@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Turbulent air has no sources, no mean beside its wind, and the strength it says.
-#include "curl_noise.h"
+#include "modules/fields/src/curl_noise.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/modules/turbulence.h"
-#include "support/near.h"
-#include "support/random.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

@@ -3,10 +3,10 @@
 // Turbulent air that is still drags as air does.
 #include <gtest/gtest.h>
 
-#include "body_records.h"
-#include "fall.h"
 #include "jostle/physics/hull.h"
-#include "with_fields.h"
+#include "modules/fields/src/body_records.h"
+#include "tests/modules/fields/fall.h"
+#include "tests/modules/fields/with_fields.h"
 
 namespace jostle::modules {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules {
 

@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "jostle/physics/compound.h"
-#include "support/random.h"
-#include "with_fields.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Panels close, and hold what their shapes hold.
-#include "panel_surface.h"
+#include "modules/fields/src/panel_surface.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules::fields_detail {
 namespace {

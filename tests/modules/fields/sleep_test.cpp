@@ -3,7 +3,7 @@
 // A steady load wakes nobody; one that changes keeps awake whom it reaches.
 #include <gtest/gtest.h>
 
-#include "with_fields.h"
+#include "tests/modules/fields/with_fields.h"
 
 namespace jostle::modules {
 namespace {

@@ -3,8 +3,8 @@
 // The solver's own wind and water hold what fields promise.
 #include <gtest/gtest.h>
 
-#include "fall.h"
-#include "floating.h"
+#include "tests/modules/fields/fall.h"
+#include "tests/modules/fields/floating.h"
 
 namespace jostle::modules {
 namespace {

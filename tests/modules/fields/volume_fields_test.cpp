@@ -3,8 +3,8 @@
 // Attraction, laws by name, volumes and categories.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "with_fields.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/near.h"
 
 namespace jostle::modules {
 namespace {

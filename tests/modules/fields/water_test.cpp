@@ -3,9 +3,9 @@
 // Still water of the module: what floats in it, against closed forms.
 #include <gtest/gtest.h>
 
-#include "floating.h"
-#include "support/near.h"
-#include "with_fields.h"
+#include "tests/modules/fields/floating.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/near.h"
 
 namespace jostle::modules {
 namespace {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/hull.h"
-#include "support/near.h"
-#include "support/random.h"
-#include "water_load.h"
-#include "with_fields.h"
+#include "modules/fields/src/water_load.h"
+#include "tests/modules/fields/with_fields.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::modules {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "jostle/modules/fields.h"
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::modules {
 

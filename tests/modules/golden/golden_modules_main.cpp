@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "modules/golden/golden_modules.h"
+#include "tests/modules/golden/golden_modules.h"
 
 int main(int argc, char** argv) {
     if (argc != 2) {

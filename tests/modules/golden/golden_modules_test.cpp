@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The committed golden channels are what modules tell today. clients/web reads the same.
-#include "modules/golden/golden_modules.h"
+#include "tests/modules/golden/golden_modules.h"
 
 #include <gtest/gtest.h>
 

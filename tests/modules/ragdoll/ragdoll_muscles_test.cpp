@@ -7,7 +7,7 @@
 #include <complex>
 #include <string>
 
-#include "figures.h"
+#include "tests/modules/ragdoll/figures.h"
 
 namespace jostle::modules {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "figures.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
+#include "tests/modules/ragdoll/figures.h"
 
 namespace jostle::modules {
 namespace {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures.h"
+#include "tests/modules/ragdoll/figures.h"
 
 namespace jostle::modules {
 namespace {

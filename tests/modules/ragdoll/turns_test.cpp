@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "turns.h"
+#include "modules/ragdoll/src/turns.h"
 
 #include <gtest/gtest.h>
 

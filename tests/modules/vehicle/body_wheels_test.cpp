@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test_car.h"
+#include "tests/modules/vehicle/test_car.h"
 
 namespace jostle::test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "modules/forged_words.h"
-#include "test_car.h"
+#include "tests/modules/forged_words.h"
+#include "tests/modules/vehicle/test_car.h"
 
 namespace jostle::test {
 namespace {

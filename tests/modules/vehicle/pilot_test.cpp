@@ -3,7 +3,7 @@
 // A person at the wheel: sticks and buttons.
 #include <gtest/gtest.h>
 
-#include "test_car.h"
+#include "tests/modules/vehicle/test_car.h"
 
 namespace jostle::test {
 namespace {

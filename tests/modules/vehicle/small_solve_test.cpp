@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "small_solve.h"
+#include "modules/vehicle/src/small_solve.h"
 
 #include <gtest/gtest.h>
 

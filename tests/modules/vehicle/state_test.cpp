@@ -6,8 +6,8 @@
 
 #include <cstring>
 
-#include "support/random.h"
-#include "test_car.h"
+#include "tests/modules/vehicle/test_car.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/error_of.h"
-#include "test_car.h"
+#include "tests/modules/vehicle/test_car.h"
+#include "tests/support/error_of.h"
 
 namespace jostle::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Contacts come to a colour, leave it and take all that is in their lanes along.
-#include "constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
 
 #include <gtest/gtest.h>
 

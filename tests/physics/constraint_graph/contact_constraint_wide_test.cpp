@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Flags and rows of one lane do not touch another.
-#include "constraint_graph/contact_constraint_wide.h"
+#include "physics/src/constraint_graph/contact_constraint_wide.h"
 
 #include <gtest/gtest.h>
 

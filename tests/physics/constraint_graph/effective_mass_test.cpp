@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Effective masses against closed forms: 1/m + (r x n)^2 / I and its like.
-#include "constraint_graph/effective_mass.h"
+#include "physics/src/constraint_graph/effective_mass.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Chains take a level a link, what hangs on walls takes one, and like joints share blocks.
-#include "constraint_graph/joint_levels.h"
+#include "physics/src/constraint_graph/joint_levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Hot records: nobody stands still at 0, and each task has bodies of its own for unused lanes.
-#include "constraint_graph/solver_body.h"
+#include "physics/src/constraint_graph/solver_body.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sub-steps of each tier, and a colour set for each tier and batch.
-#include "constraint_graph/solver_tier.h"
+#include "physics/src/constraint_graph/solver_tier.h"
 
 #include <gtest/gtest.h>
 

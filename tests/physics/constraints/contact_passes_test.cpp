@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which lists of contacts are solved, in which order, and whom their empty lanes push.
-#include "constraints/contact_passes.h"
+#include "physics/src/constraints/contact_passes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The numbers of a step: sub-steps of each tier, and a softness that belongs to their length.
-#include "constraints/contact_settings.h"
+#include "physics/src/constraints/contact_settings.h"
 
 #include <gtest/gtest.h>
 
-#include "constraints/softness.h"
-#include "support/step_time.h"
+#include "physics/src/constraints/softness.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::test {
 namespace {

@@ -2,12 +2,12 @@
 //
 // One body in flight: exact under a constant force, and true to its energy and momentum when it
 // tumbles. Worlds in flight: behaviour/free_fall_test.cpp, behaviour/free_rotation_test.cpp.
-#include "constraints/free_motion.h"
+#include "physics/src/constraints/free_motion.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

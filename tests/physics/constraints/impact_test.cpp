@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Two bodies at the moment when they meet: momentum stays, energy never grows.
-#include "constraints/impact.h"
+#include "physics/src/constraints/impact.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

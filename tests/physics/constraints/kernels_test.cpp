@@ -2,7 +2,7 @@
 //
 // The instruction sets of this machine, and that all of them move a body alike. Whole worlds:
 // determinism/golden_hashes_test.cpp.
-#include "constraints/kernels.h"
+#include "physics/src/constraints/kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

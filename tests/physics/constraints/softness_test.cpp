@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A soft constraint is the implicit spring and damper that it stands for.
-#include "constraints/softness.h"
+#include "physics/src/constraints/softness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // A manifold that is rebuilt from other points bears what it bore.
-#include "constraints/write_manifold.h"
+#include "physics/src/constraints/write_manifold.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_constraints.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -2,7 +2,7 @@
 //
 // Numbers are written with their lowest byte first and read back bit by bit; what is missing reads
 // as zeros.
-#include "foundation/byte_stream.h"
+#include "physics/src/foundation/byte_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // A flat array's assignment is a vector's, below and above the size from which it writes past the
 // caches.
-#include "foundation/flat_array.h"
+#include "physics/src/foundation/flat_array.h"
 
 #include <gtest/gtest.h>
 

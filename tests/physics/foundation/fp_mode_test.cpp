@@ -2,7 +2,7 @@
 //
 // Inside the scope floats are rounded to nearest and denormal ones are zero (kept in a portable
 // build), whatever the host program asked for; outside it is as before.
-#include "foundation/fp_mode.h"
+#include "physics/src/foundation/fp_mode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The same words in the same order give the same hash on every machine, any other words another.
-#include "foundation/hash.h"
+#include "physics/src/foundation/hash.h"
 
 #include <gtest/gtest.h>
 

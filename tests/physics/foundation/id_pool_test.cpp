@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Indices come lowest free first, and an id of an earlier life names nothing.
-#include "foundation/id_pool.h"
+#include "physics/src/foundation/id_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // A set that holds what was put in and not taken out, whatever the order.
-#include "foundation/key_set.h"
+#include "physics/src/foundation/key_set.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

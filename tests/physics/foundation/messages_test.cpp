@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers in messages: nine digits, no noise behind them.
-#include "foundation/messages.h"
+#include "physics/src/foundation/messages.h"
 
 #include <gtest/gtest.h>
 

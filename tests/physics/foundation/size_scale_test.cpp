@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is usual keeps the constants as they are, bit by bit; what is not takes them in proportion.
-#include "foundation/size_scale.h"
+#include "physics/src/foundation/size_scale.h"
 
 #include <gtest/gtest.h>
 

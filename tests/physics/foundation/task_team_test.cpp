@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "foundation/task_team.h"
+#include "physics/src/foundation/task_team.h"
 
 #include <gtest/gtest.h>
 

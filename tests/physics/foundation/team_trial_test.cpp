@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "foundation/team_trial.h"
+#include "physics/src/foundation/team_trial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Laps in milliseconds, each from the end of the one before.
-#include "foundation/timer.h"
+#include "physics/src/foundation/timer.h"
 
 #include <gtest/gtest.h>
 

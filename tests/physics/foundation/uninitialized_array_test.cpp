@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Memory that is there when it is written, and not before.
-#include "foundation/uninitialized_array.h"
+#include "physics/src/foundation/uninitialized_array.h"
 
 #include <gtest/gtest.h>
 

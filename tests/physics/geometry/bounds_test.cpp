@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Boxes are as tight as the shapes' furthest points, in any pose.
-#include "geometry/bounds.h"
+#include "physics/src/geometry/bounds.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/support.h"
-#include "support/near.h"
-#include "support/random_shapes.h"
+#include "physics/src/geometry/support.h"
+#include "tests/support/near.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

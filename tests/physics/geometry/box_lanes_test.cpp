@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Boxes in float, against the exact tests in double: nothing that is met is left out.
-#include "geometry/box_lanes.h"
+#include "physics/src/geometry/box_lanes.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

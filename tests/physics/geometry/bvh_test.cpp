@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // A tree finds what a loop over all boxes finds, and never grows high.
-#include "geometry/bvh.h"
+#include "physics/src/geometry/bvh.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/bvh.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/geometry/bvh.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

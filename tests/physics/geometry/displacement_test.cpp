@@ -2,13 +2,13 @@
 //
 // What lies below a plane: closed forms, a sum over cells, and the two sides of a cut, which are
 // the whole.
-#include "geometry/displacement.h"
+#include "physics/src/geometry/displacement.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/mass_properties.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/geometry/mass_properties.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A geometry that is refused says which number is wrong and what it must be.
-#include "geometry/geometry_checks.h"
+#include "physics/src/geometry/geometry_checks.h"
 
 #include <gtest/gtest.h>
 

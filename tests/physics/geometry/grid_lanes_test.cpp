@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The cells of a height field by fours hold their triangles.
-#include "geometry/grid_lanes.h"
+#include "physics/src/geometry/grid_lanes.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

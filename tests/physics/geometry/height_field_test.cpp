@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

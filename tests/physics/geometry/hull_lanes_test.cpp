@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // What hulls show side by side is what loops over their parts find, or a little more.
-#include "geometry/hull_lanes.h"
+#include "physics/src/geometry/hull_lanes.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random_shapes.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

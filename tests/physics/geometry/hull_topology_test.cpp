@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Triangulated hulls of integer points: closed, and no point is outside, at any size of numbers.
-#include "geometry/hull_topology.h"
+#include "physics/src/geometry/hull_topology.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // A ball of the inner radius fits inside, and no larger one at the same place.
-#include "geometry/inner_radius.h"
+#include "physics/src/geometry/inner_radius.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/support.h"
-#include "support/random_shapes.h"
+#include "physics/src/geometry/support.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

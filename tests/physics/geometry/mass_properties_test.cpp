@@ -2,12 +2,12 @@
 //
 // Solids from the textbook, and two halves that are a whole. Against a sum over cells:
 // world/mass_test.cpp.
-#include "geometry/mass_properties.h"
+#include "physics/src/geometry/mass_properties.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

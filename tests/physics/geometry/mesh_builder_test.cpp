@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/narrowphase/collide_composite.h"
-#include "geometry/bvh.h"
-#include "geometry/surface.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/surface.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

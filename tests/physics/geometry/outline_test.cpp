@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Outlines in the plane, and what a slice of 1 m weighs.
-#include "geometry/outline.h"
+#include "physics/src/geometry/outline.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Volume, centre and inertia of polyhedra against closed forms, wherever they stand.
-#include "geometry/polyhedron_mass.h"
+#include "physics/src/geometry/polyhedron_mass.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows: closed forms, and against a count of rays that hit.
-#include "geometry/projected_area.h"
+#include "physics/src/geometry/projected_area.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
-#include "support/random_shapes.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/random_shapes.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

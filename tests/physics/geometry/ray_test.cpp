@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Rays against each kind where the answer is known. Against marching: world/query_test.cpp.
-#include "geometry/ray.h"
+#include "physics/src/geometry/ray.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

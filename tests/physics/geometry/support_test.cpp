@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The furthest point of each core along a direction.
-#include "geometry/support.h"
+#include "physics/src/geometry/support.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Triangles of meshes and height fields, and what lies across their edges.
-#include "geometry/surface.h"
+#include "physics/src/geometry/surface.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

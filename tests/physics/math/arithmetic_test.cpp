@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "foundation/fp_mode.h"
-#include "math/fused.h"
+#include "physics/src/foundation/fp_mode.h"
+#include "physics/src/math/fused.h"
 
 namespace jostle::test {
 namespace {

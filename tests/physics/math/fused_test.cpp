@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Multiplying and adding in doubles gives what the processor's one instruction gives.
-#include "math/fused.h"
+#include "physics/src/math/fused.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

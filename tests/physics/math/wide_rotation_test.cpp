@@ -3,12 +3,12 @@
 // Turns and angles in eight floats against the same in doubles.
 #define JOSTLE_SCALAR
 #define JOSTLE_ISA scalar_for_tests
-#include "math/wide_rotation.h"
+#include "physics/src/math/wide_rotation.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/physics/quat.h"
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

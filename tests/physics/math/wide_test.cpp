@@ -3,7 +3,7 @@
 // Eight lanes on this machine's registers against one float at a time, rounded as this build does
 // (jostle/physics/arithmetic.h).
 #define JOSTLE_ISA wide_for_tests
-#include "math/wide.h"
+#include "physics/src/math/wide.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "jostle/physics/arithmetic.h"
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Sets stay contiguous: the last body moves into the hole, and all who name it by its place know.
-#include "state/body_sets.h"
+#include "physics/src/state/body_sets.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_constraints.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // How a body answers to torques, turned and with locked axes.
-#include "state/body_store.h"
+#include "physics/src/state/body_store.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
+#include "tests/support/near.h"
 
 namespace jostle::test {
 namespace {

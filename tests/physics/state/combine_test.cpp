@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One coefficient from two materials, by the stronger rule.
-#include "state/combine.h"
+#include "physics/src/state/combine.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lanes in the order of their bodies.
-#include "state/contact_constraints.h"
+#include "physics/src/state/contact_constraints.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Contacts come and go with their edges, pairs, islands and events.
-#include "state/contact_graph.h"
+#include "physics/src/state/contact_graph.h"
 
 #include <gtest/gtest.h>
 
-#include "state/partial_sleep.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/partial_sleep.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The force at a contact is what rests on it.
-#include "state/contact_load.h"
+#include "physics/src/state/contact_load.h"
 
 #include <gtest/gtest.h>
 
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

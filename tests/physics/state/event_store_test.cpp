@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What happens between steps is published with the next one, and no longer.
-#include "state/event_store.h"
+#include "physics/src/state/event_store.h"
 
 #include <gtest/gtest.h>
 

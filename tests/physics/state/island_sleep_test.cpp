@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // An island that sleeps takes its bodies and manifolds along, and wakes with the same.
-#include "state/island_sleep.h"
+#include "physics/src/state/island_sleep.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "state/contact_constraints.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

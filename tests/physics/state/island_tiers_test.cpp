@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Islands change their tier, and what they bear stays what it was.
-#include "state/island_tiers.h"
+#include "physics/src/state/island_tiers.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 #include <set>
 #include <vector>
 
-#include "state/contact_constraints.h"
-#include "state/contact_load.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

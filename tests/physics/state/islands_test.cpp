@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Islands join, part and keep count of their bodies and mass.
-#include "state/islands.h"
+#include "physics/src/state/islands.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_graph.h"
-#include "state/joint_graph.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What hangs together by joints, and what happens when one goes.
-#include "state/joint_graph.h"
+#include "physics/src/state/joint_graph.h"
 
 #include <gtest/gtest.h>
 
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Kinds of modules by their tags.
-#include "state/module_registry.h"
+#include "physics/src/state/module_registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jostle/physics/module.h"
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A pair is as large as its smaller dynamic body: the ground does not count.
-#include "state/pair_size.h"
+#include "physics/src/state/pair_size.h"
 
 #include <gtest/gtest.h>
 

@@ -2,15 +2,15 @@
 //
 // Bodies that sleep in place keep their place and are nobody's to solve, until they wake as they
 // fell asleep.
-#include "state/partial_sleep.h"
+#include "physics/src/state/partial_sleep.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_constraints.h"
-#include "state/contact_load.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

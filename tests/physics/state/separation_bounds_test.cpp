@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // How far a pair that is apart may move before it is looked at again, and when that is.
-#include "state/separation_bounds.h"
+#include "physics/src/state/separation_bounds.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_graph.h"
-#include "state/shape_proxy.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/shape_proxy.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

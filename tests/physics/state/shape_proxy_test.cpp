@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Fat boxes, how long a shape stays in them, and who is told of a new one.
-#include "state/shape_proxy.h"
+#include "physics/src/state/shape_proxy.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

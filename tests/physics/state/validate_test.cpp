@@ -2,15 +2,15 @@
 //
 // The stores agree with each other after every step of a world that is poked in every way the API
 // allows; every hundredth step goes through save and load and must come out the same.
-#include "state/validate.h"
+#include "physics/src/state/validate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "jostle/physics/physics.h"
-#include "state/world_access.h"
-#include "support/random.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/random.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Requests are applied in order of bodies; those that have become void are forgotten.
-#include "state/wake.h"
+#include "physics/src/state/wake.h"
 
 #include <gtest/gtest.h>
 
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,10 +3,10 @@
 // Bodies come, are read and go with all that hangs on them.
 #include <gtest/gtest.h>
 
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,8 +3,8 @@
 // Pushes do what mechanics says, poses are jumps, and who is pushed wakes.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/physics.h"
-#include "state/validate.h"
-#include "state/world_access.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
 
 namespace jostle::physics {
 namespace {

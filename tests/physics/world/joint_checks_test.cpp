@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a joint's fields may be is read from the table of kinds: an error names the field's path.
-#include "world/joint_checks.h"
+#include "physics/src/world/joint_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "jostle/physics/module.h"
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,10 +3,10 @@
 // Mass, centre and inertia against a sum over small cells of every shape, compounds included.
 #include <gtest/gtest.h>
 
-#include "support/distance_field.h"
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/distance_field.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -7,11 +7,11 @@
 #include <atomic>
 #include <thread>
 
-#include "support/convex_oracle.h"
-#include "support/distance_field.h"
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/convex_oracle.h"
+#include "tests/support/distance_field.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

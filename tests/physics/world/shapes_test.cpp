@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "jostle/physics/physics.h"
-#include "state/validate.h"
-#include "state/world_access.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/snapshot.h"
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::physics {
 namespace {

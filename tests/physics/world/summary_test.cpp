@@ -3,8 +3,8 @@
 // Sums over the world against what mechanics says of its bodies.
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The probe against the server's own doors, and against doors that are shut, mute or say something
 // else.
-#include "app/health_probe.h"
+#include "server/app/health_probe.h"
 
 #include <gmock/gmock.h>
 #include <grpcpp/server_builder.h>
@@ -17,14 +17,14 @@
 #include <boost/asio/write.hpp>
 #include <thread>
 
-#include "base/clock.h"
-#include "gateway/gateway.h"
-#include "gateway/http_routes.h"
 #include "grpc/health/v1/health.grpc.pb.h"
-#include "protocol/query_control.h"
-#include "protocol/world_control.h"
-#include "rpc/grpc_server.h"
-#include "support/certificates.h"
+#include "server/grpc/grpc_server.h"
+#include "server/http/gateway.h"
+#include "server/http/http_routes.h"
+#include "server/services/query_control.h"
+#include "server/services/world_control.h"
+#include "server/util/clock.h"
+#include "tests/support/certificates.h"
 
 namespace jostle::server {
 namespace {

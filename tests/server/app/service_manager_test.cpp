@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A socket stands in for systemd's: what arrives there is what `man sd_notify` asks for.
-#include "app/service_manager.h"
+#include "server/app/service_manager.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/config_loader.h"
-#include "config/exposure.h"
+#include "server/config/config_loader.h"
+#include "server/config/exposure.h"
 
 namespace jostle::server {
 namespace {

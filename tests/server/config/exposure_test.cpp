@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "config/exposure.h"
+#include "server/config/exposure.h"
 
 #include <gtest/gtest.h>
 
-#include "support/error_of.h"
+#include "tests/support/error_of.h"
 
 namespace jostle::server {
 namespace {

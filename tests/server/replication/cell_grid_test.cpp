@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "replication/cell_grid.h"
+#include "server/replication/cell_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
 namespace {

@@ -2,7 +2,7 @@
 //
 // A client that sees a part of a world, without a network: what it would be sent, tick by tick, and
 // whether it knows the world then.
-#include "replication/interest_view.h"
+#include "server/replication/interest_view.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-#include "wire/quantize.h"
+#include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/snapshot_cache.h"
+#include "server/replication/snapshot_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <random>
 #include <thread>
 
-#include "replication/baseline_tracker.h"
-#include "session/flow_control.h"
+#include "server/limits/flow_control.h"
+#include "server/replication/baseline_tracker.h"
 
 namespace jostle::server {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tls/certificate_store.h"
+#include "server/tls/certificate_store.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "support/certificates.h"
-#include "support/temp_folder.h"
+#include "tests/support/certificates.h"
+#include "tests/support/temp_folder.h"
 
 namespace jostle::server {
 namespace {

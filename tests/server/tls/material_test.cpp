@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tls/material.h"
+#include "server/tls/material.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "support/certificates.h"
-#include "support/temp_folder.h"
+#include "tests/support/certificates.h"
+#include "tests/support/temp_folder.h"
 
 namespace jostle::server {
 namespace {

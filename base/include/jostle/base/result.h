@@ -15,7 +15,7 @@
 namespace jostle {
 
 // They mean what gRPC's codes of the same names mean. gRPC has no corrupt_data: it travels as
-// INVALID_ARGUMENT (proto/status/grpc_status.h).
+// INVALID_ARGUMENT (proto/grpc_status/include/jostle/grpc_status/grpc_status.h).
 enum class ErrorCode {
     invalid_argument,     // a number is not finite, out of range or contradicts another
     not_found,            // the id names nothing (any more)

@@ -1,5 +1,5 @@
 // What the player sees of a push, and how it is put right when somebody else pushes: the stories of
-// tests/clients/predict/predictor_test.cpp, with the same numbers.
+// tests/clients/cpp/prediction/predictor_test.cpp, with the same numbers.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';

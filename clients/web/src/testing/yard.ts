@@ -1,5 +1,5 @@
 // A yard with a server on one side of a link and a predictor on the other, in virtual time: the same as in the tests of the C++ client
-// library (tests/clients/predict/predictor_test.cpp). The server's world is the same solver, in a second predictor that is told of
+// library (tests/clients/cpp/prediction/predictor_test.cpp). The server's world is the same solver, in a second predictor that is told of
 // nothing but itself.
 
 import { readFileSync } from 'node:fs';
@@ -61,7 +61,7 @@ class Everybody implements Picture {
   }
 }
 
-/** As proto/wire/quantize.h. */
+/** As proto/snapshot/include/jostle/snapshot/quantize.h. */
 function quantize(id: number, pose: Float64Array, atRest: boolean): EntityState {
   const q = [...pose.subarray(3)];
   let largest = 0;

@@ -2,7 +2,7 @@
 //
 // A module: a step listener with a state of its own that belongs to the world. It is saved, loaded,
 // hashed, compared and restored with it, and may tell clients about itself. Written on public
-// headers alone (physics/examples/hovercraft.h is one).
+// headers alone (examples/hovercraft.h is one).
 //
 //     register_module("hovercraft", [] { return std::make_unique<Hovercraft>(); });
 //     world.add_module(std::make_unique<Hovercraft>(craft));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "collision/broadphase/broad_phase.h"
+#include "physics/src/collision/broadphase/broad_phase.h"
 
-#include "collision/broadphase/dynamic_tree.h"
-#include "collision/broadphase/sort_and_sweep.h"
-#include "collision/broadphase/uniform_grid.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
+#include "physics/src/collision/broadphase/sort_and_sweep.h"
+#include "physics/src/collision/broadphase/uniform_grid.h"
 
 namespace jostle::physics {
 namespace {

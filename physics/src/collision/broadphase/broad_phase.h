@@ -9,7 +9,7 @@
 #include <typeinfo>
 #include <utility>
 
-#include "collision/broadphase/broad_phase_index.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/broadphase/dynamic_tree.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
 
 #include <algorithm>
 

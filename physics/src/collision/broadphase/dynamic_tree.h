@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "foundation/flat_array.h"
 #include "jostle/physics/aabb.h"
+#include "physics/src/foundation/flat_array.h"
 
 namespace jostle::physics {
 

@@ -4,10 +4,10 @@
 // motion needs no new one, and stretched ahead.
 #pragma once
 
-#include "foundation/size_scale.h"
-#include "foundation/tuning.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/foundation/size_scale.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

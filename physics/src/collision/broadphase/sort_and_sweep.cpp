@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/broadphase/sort_and_sweep.h"
+#include "physics/src/collision/broadphase/sort_and_sweep.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 // list is put in order by insertion, which is cheap while little moved past its neighbour.
 #pragma once
 
-#include "collision/broadphase/broad_phase_index.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/broadphase/uniform_grid.h"
+#include "physics/src/collision/broadphase/uniform_grid.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <unordered_map>
 
-#include "collision/broadphase/broad_phase_index.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
 
 namespace jostle::physics {
 

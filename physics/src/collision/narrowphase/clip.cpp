@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/clip.h"
 
-#include "collision/narrowphase/manifold_reduction.h"
-#include "collision/narrowphase/polyhedron.h"
-#include "collision/narrowphase/segments.h"
-#include "foundation/tuning.h"
+#include "physics/src/collision/narrowphase/manifold_reduction.h"
+#include "physics/src/collision/narrowphase/polyhedron.h"
+#include "physics/src/collision/narrowphase/segments.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

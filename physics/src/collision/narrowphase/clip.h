@@ -4,9 +4,9 @@
 // the other, one cut to the outline of the other.
 #pragma once
 
-#include "collision/narrowphase/manifold.h"
-#include "foundation/uninitialized_array.h"
-#include "geometry/support.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide.h"
 
-#include "collision/narrowphase/collide_boxes.h"
-#include "collision/narrowphase/collide_plane.h"
-#include "collision/narrowphase/collide_round.h"
-#include "foundation/check.h"
+#include "physics/src/collision/narrowphase/collide_boxes.h"
+#include "physics/src/collision/narrowphase/collide_plane.h"
+#include "physics/src/collision/narrowphase/collide_round.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

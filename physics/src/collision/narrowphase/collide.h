@@ -3,8 +3,8 @@
 // The table: shape kind x shape kind to function.
 #pragma once
 
-#include "collision/narrowphase/collide_convex.h"
-#include "geometry/placed.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

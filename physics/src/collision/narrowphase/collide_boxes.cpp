@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_boxes.h"
+#include "physics/src/collision/narrowphase/collide_boxes.h"
 
 #include <algorithm>
 
-#include "collision/narrowphase/clip.h"
-#include "collision/narrowphase/manifold_reduction.h"
-#include "collision/narrowphase/segments.h"
-#include "foundation/uninitialized_array.h"
+#include "physics/src/collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/manifold_reduction.h"
+#include "physics/src/collision/narrowphase/segments.h"
+#include "physics/src/foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 namespace {

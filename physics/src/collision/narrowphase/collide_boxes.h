@@ -4,7 +4,7 @@
 // (Gottschalk 1996 for the fifteen axes; Sutherland and Hodgman 1974 for the clipping).
 #pragma once
 
-#include "collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
 
 namespace jostle::physics {
 

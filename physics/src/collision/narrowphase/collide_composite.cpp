@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_composite.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
 
 #include <algorithm>
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_surface.h"
-#include "geometry/bounds.h"
-#include "geometry/bvh.h"
 #include "jostle/physics/compound.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide_surface.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/bvh.h"
 
 namespace jostle::physics {
 namespace {

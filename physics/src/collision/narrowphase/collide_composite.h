@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/narrowphase/manifold.h"
-#include "collision/narrowphase/surface_way.h"
-#include "geometry/placed.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/collision/narrowphase/surface_way.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

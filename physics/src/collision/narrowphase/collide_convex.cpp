@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
 
-#include "collision/narrowphase/gjk.h"
-#include "collision/narrowphase/penetration.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/penetration.h"
 
 namespace jostle::physics {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "collision/narrowphase/clip.h"
-#include "collision/narrowphase/sat.h"
+#include "physics/src/collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/sat.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_planar.h"
+#include "physics/src/collision/narrowphase/collide_planar.h"
 
-#include "geometry/outline.h"
+#include "physics/src/geometry/outline.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,7 +4,7 @@
 // the facing side cut to the other: one or two points.
 #pragma once
 
-#include "collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_plane.h"
+#include "physics/src/collision/narrowphase/collide_plane.h"
 
-#include "collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/clip.h"
 
 namespace jostle::physics {
 namespace {

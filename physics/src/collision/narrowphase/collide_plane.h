@@ -3,8 +3,8 @@
 // A half space against each convex kind: closed forms. a is the plane.
 #pragma once
 
-#include "collision/narrowphase/manifold.h"
-#include "geometry/placed.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

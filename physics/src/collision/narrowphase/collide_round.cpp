@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_round.h"
+#include "physics/src/collision/narrowphase/collide_round.h"
 
-#include "collision/narrowphase/segments.h"
-#include "foundation/tuning.h"
+#include "physics/src/collision/narrowphase/segments.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "collision/narrowphase/manifold.h"
-#include "geometry/placed.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

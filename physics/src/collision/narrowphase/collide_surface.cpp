@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/collide_surface.h"
+#include "physics/src/collision/narrowphase/collide_surface.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "collision/narrowphase/collide_convex.h"
-#include "collision/narrowphase/gjk.h"
-#include "collision/narrowphase/nearest_on_triangle.h"
-#include "foundation/tuning.h"
-#include "geometry/bounds.h"
-#include "geometry/hull_lanes.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/hull_lanes.h"
 
 namespace jostle::physics {
 namespace {

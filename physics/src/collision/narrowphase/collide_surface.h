@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "collision/narrowphase/manifold.h"
-#include "collision/narrowphase/surface_way.h"
-#include "geometry/placed.h"
-#include "geometry/surface.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/collision/narrowphase/surface_way.h"
+#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/gjk.h"
 
 namespace jostle::physics {
 namespace {

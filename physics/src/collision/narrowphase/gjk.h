@@ -5,8 +5,8 @@
 // the step before, pairs that hardly moved take one or two rounds.
 #pragma once
 
-#include "foundation/uninitialized_array.h"
-#include "geometry/support.h"
+#include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

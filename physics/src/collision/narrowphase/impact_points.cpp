@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/impact_points.h"
+#include "physics/src/collision/narrowphase/impact_points.h"
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_composite.h"
-#include "collision/narrowphase/collide_convex.h"
-#include "foundation/tuning.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

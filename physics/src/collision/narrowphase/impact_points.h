@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "collision/narrowphase/time_of_impact.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
 
 namespace jostle::physics {
 

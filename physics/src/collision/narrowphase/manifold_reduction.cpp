@@ -2,13 +2,13 @@
 //
 // The small constants decide ties: of points that are equally good up to rounding the first wins,
 // so a resting manifold keeps its points from step to step.
-#include "collision/narrowphase/manifold_reduction.h"
+#include "physics/src/collision/narrowphase/manifold_reduction.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

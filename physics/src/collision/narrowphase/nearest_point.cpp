@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/nearest_point.h"
+#include "physics/src/collision/narrowphase/nearest_point.h"
 
-#include "collision/narrowphase/shape_distance.h"
-#include "geometry/bounds.h"
-#include "geometry/bvh.h"
-#include "geometry/surface.h"
 #include "jostle/physics/compound.h"
+#include "physics/src/collision/narrowphase/shape_distance.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

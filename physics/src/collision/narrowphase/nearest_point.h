@@ -3,7 +3,7 @@
 // The point of a shape's surface nearest to a point.
 #pragma once
 
-#include "geometry/placed.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

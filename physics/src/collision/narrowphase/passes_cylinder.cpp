@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/passes_cylinder.h"
+#include "physics/src/collision/narrowphase/passes_cylinder.h"
 
-#include "foundation/uninitialized_array.h"
+#include "physics/src/foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/support.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/penetration.h"
+#include "physics/src/collision/narrowphase/penetration.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 // two grows towards the nearest piece of its border.
 #pragma once
 
-#include "collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/gjk.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/polyhedron.h"
+#include "physics/src/collision/narrowphase/polyhedron.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <span>
 
-#include "foundation/uninitialized_array.h"
-#include "geometry/hull_lanes.h"
-#include "geometry/support.h"
+#include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/hull_lanes.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

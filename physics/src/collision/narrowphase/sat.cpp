@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/sat.h"
+#include "physics/src/collision/narrowphase/sat.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/uninitialized_array.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "collision/narrowphase/polyhedron.h"
+#include "physics/src/collision/narrowphase/polyhedron.h"
 
 namespace jostle::physics {
 

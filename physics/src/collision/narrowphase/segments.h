@@ -3,8 +3,8 @@
 // The closest points of two segments: the cores of capsules.
 #pragma once
 
-#include "foundation/tuning.h"
 #include "jostle/physics/vec3.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

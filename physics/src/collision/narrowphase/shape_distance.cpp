@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/shape_distance.h"
+#include "physics/src/collision/narrowphase/shape_distance.h"
 
 namespace jostle::physics {
 namespace {

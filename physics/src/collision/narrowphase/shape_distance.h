@@ -3,7 +3,7 @@
 // The signed distance of two simple shapes (convex kinds and planes) and where it is attained.
 #pragma once
 
-#include "collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
 
 namespace jostle::physics {
 

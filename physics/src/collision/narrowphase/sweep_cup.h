@@ -9,7 +9,7 @@
 // this leaves out all of them but those in whose edge it stands.
 #pragma once
 
-#include "geometry/support.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

@@ -6,8 +6,8 @@
 // that direction was still further apart before.
 #pragma once
 
-#include "geometry/box_lanes.h"
-#include "geometry/support.h"
+#include "physics/src/geometry/box_lanes.h"
+#include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
 

@@ -6,22 +6,22 @@
 // its nearest point to the middle of the shape. When the point that is deepest along the normal
 // comes down inside of the triangle the bound is the answer. Only what is left is searched, by
 // conservative advancement: Newton's method on a distance that is convex in the fraction.
-#include "collision/narrowphase/sweep_surface.h"
+#include "physics/src/collision/narrowphase/sweep_surface.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "collision/narrowphase/collide_surface.h"
-#include "collision/narrowphase/gjk.h"
-#include "collision/narrowphase/nearest_on_triangle.h"
-#include "collision/narrowphase/passes_cylinder.h"
-#include "collision/narrowphase/sweep_cup.h"
-#include "collision/narrowphase/sweep_lanes.h"
-#include "foundation/tuning.h"
-#include "geometry/bounds.h"
-#include "geometry/grid_lanes.h"
-#include "geometry/ray.h"
-#include "geometry/surface.h"
+#include "physics/src/collision/narrowphase/collide_surface.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
+#include "physics/src/collision/narrowphase/passes_cylinder.h"
+#include "physics/src/collision/narrowphase/sweep_cup.h"
+#include "physics/src/collision/narrowphase/sweep_lanes.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/grid_lanes.h"
+#include "physics/src/geometry/ray.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "geometry/placed.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/time_of_impact.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
 
-#include "collision/narrowphase/collide_composite.h"
-#include "collision/narrowphase/gjk.h"
-#include "collision/narrowphase/segments.h"
-#include "foundation/tuning.h"
-#include "geometry/bounds.h"
-#include "geometry/bvh.h"
-#include "geometry/surface.h"
 #include "jostle/physics/compound.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/segments.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,8 +5,8 @@
 // any two points can close it, so that nothing is ever stepped over.
 #pragma once
 
-#include "geometry/placed.h"
 #include "jostle/physics/aabb.h"
+#include "physics/src/geometry/placed.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/block_ldl.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

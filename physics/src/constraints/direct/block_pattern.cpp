@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "constraints/direct/block_ldl.h"
-#include "foundation/check.h"
+#include "physics/src/constraints/direct/block_ldl.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

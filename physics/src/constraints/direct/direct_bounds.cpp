@@ -2,9 +2,9 @@
 //
 // What acts along the ways that joints leave free: limits, motors and friction by an active set,
 // and springs with their damping.
-#include "constraints/direct/direct_group.h"
-#include "constraints/softness.h"
-#include "foundation/tuning.h"
+#include "physics/src/constraints/direct/direct_group.h"
+#include "physics/src/constraints/softness.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 // Along a way, whether its row is on or not.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/direct_group.h"
 
 #include <algorithm>
 
-#include "constraints/direct/free_turn.h"
+#include "physics/src/constraints/direct/free_turn.h"
 
 namespace jostle::physics {
 namespace {

@@ -17,10 +17,10 @@
 #include <limits>
 #include <vector>
 
-#include "constraints/direct/block_ldl.h"
-#include "constraints/direct/direct_body.h"
-#include "constraints/direct/direct_joint.h"
-#include "constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/direct_body.h"
+#include "physics/src/constraints/direct/direct_joint.h"
+#include "physics/src/constraints/direct/joint_couplings.h"
 
 namespace jostle::physics {
 

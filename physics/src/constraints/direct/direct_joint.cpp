@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/direct_joint.h"
+#include "physics/src/constraints/direct/direct_joint.h"
 
 namespace jostle::physics {
 namespace {

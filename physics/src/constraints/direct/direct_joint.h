@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraints/direct/direct_way.h"
+#include "physics/src/constraints/direct/direct_way.h"
 
 namespace jostle::physics {
 

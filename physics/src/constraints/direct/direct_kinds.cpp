@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The kinds of joints as rows and ways.
-#include "constraints/direct/direct_joint.h"
-#include "constraints/joints/axes_layout.h"
-#include "foundation/check.h"
+#include "physics/src/constraints/direct/direct_joint.h"
+#include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {

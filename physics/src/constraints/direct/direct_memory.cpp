@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a world keeps of a joint, as the forces that a group works with, and back.
-#include "constraints/direct/direct_joint.h"
+#include "physics/src/constraints/direct/direct_joint.h"
 
 namespace jostle::physics {
 namespace {

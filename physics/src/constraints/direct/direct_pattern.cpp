@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/direct_group.h"
 
 namespace jostle::physics {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "constraints/direct/direct_group.h"
-#include "constraints/direct/free_turn.h"
-#include "constraints/free_motion.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/free_turn.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 // ---- J M^-1 J^T ----

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/direct_way.h"
+#include "physics/src/constraints/direct/direct_way.h"
 
 #include <utility>
 
-#include "constraints/joints/angles.h"
-#include "constraints/joints/axes_layout.h"
+#include "physics/src/constraints/joints/angles.h"
+#include "physics/src/constraints/joints/axes_layout.h"
 
 namespace jostle::physics {
 namespace {

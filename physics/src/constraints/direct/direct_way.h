@@ -12,8 +12,8 @@
 
 #include <cstdint>
 
-#include "constraints/direct/direct_body.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraints/direct/direct_body.h"
 
 namespace jostle::physics {
 

@@ -6,8 +6,8 @@
 // al., "Stable constrained dynamics", 2015), which for points is a matter of each body alone. At
 // the end velocities are projected: what of a whip's crack h cannot resolve is lost, nothing is
 // gained.
-#include "constraints/direct/direct_group.h"
-#include "constraints/direct/free_turn.h"
+#include "physics/src/constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/free_turn.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/joint_couplings.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/block_ldl.h"
 
 namespace jostle::physics {
 

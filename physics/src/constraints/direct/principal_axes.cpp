@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/principal_axes.h"
+#include "physics/src/constraints/direct/principal_axes.h"
 
 namespace jostle::physics {
 

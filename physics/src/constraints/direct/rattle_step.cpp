@@ -3,8 +3,8 @@
 // RATTLE: half a kick, the way on which all joints hold at its end, half a kick, the velocities
 // that joints allow. The matrix of where the step begins serves for the way as well: there is one
 // factorisation a step.
-#include "constraints/direct/direct_group.h"
-#include "constraints/direct/free_turn.h"
+#include "physics/src/constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/free_turn.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/angles.h"
+#include "physics/src/constraints/joints/angles.h"
 
 namespace jostle::physics {
 

@@ -5,8 +5,8 @@
 // all six locked are as good as a fixed joint; what is free is a row of its own.
 #pragma once
 
-#include "constraints/joints/joint_load.h"
-#include "constraints/joints/joint_pair.h"
+#include "physics/src/constraints/joints/joint_load.h"
+#include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

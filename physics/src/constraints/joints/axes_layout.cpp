@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/axes_layout.h"
+#include "physics/src/constraints/joints/axes_layout.h"
 
 #include "jostle/physics/quat.h"
 

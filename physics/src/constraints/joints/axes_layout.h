@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "constraints/joints/path_curve.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraints/joints/path_curve.h"
 
 namespace jostle::physics {
 

@@ -4,7 +4,7 @@
 // time, one in each lane.
 #pragma once
 
-#include "constraints/joints/batch_matrix.h"
+#include "physics/src/constraints/joints/batch_matrix.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

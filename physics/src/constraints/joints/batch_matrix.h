@@ -4,8 +4,8 @@
 // groups at a time, one in each lane.
 #pragma once
 
-#include "constraints/joints/joint_batches.h"
-#include "constraints/joints/joint_pair.h"
+#include "physics/src/constraints/joints/joint_batches.h"
+#include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/couple_ends.h"
 
 #include <cmath>
 
-#include "constraint_graph/joint_memory.h"
+#include "physics/src/constraint_graph/joint_memory.h"
 
 namespace jostle::physics {
 namespace {

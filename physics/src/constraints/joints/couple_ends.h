@@ -5,9 +5,9 @@
 // be together. In double; the kernel for eight at a time is couple_kernel.h.
 #pragma once
 
-#include "constraints/joints/joint_end.h"
-#include "constraints/joints/joint_lane.h"
-#include "state/joint_store.h"
+#include "physics/src/constraints/joints/joint_end.h"
+#include "physics/src/constraints/joints/joint_lane.h"
+#include "physics/src/state/joint_store.h"
 
 namespace jostle::physics {
 

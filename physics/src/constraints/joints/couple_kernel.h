@@ -4,8 +4,8 @@
 // (couple_ends.h). Up to four bodies take part, each once, whatever it is to the ends.
 #pragma once
 
-#include "constraints/joints/joint_load.h"
-#include "constraints/joints/joint_pair.h"
+#include "physics/src/constraints/joints/joint_load.h"
+#include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

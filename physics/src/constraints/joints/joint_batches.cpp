@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/joint_batches.h"
+#include "physics/src/constraints/joints/joint_batches.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 #include <variant>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

@@ -16,10 +16,10 @@
 #include <span>
 #include <vector>
 
-#include "constraint_graph/joint_levels.h"
-#include "constraint_graph/joint_wishes.h"
-#include "constraints/direct/joint_couplings.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraint_graph/joint_levels.h"
+#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraints/direct/joint_couplings.h"
 
 namespace jostle::physics {
 

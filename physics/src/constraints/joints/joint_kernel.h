@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <variant>
 
-#include "constraint_graph/joint_memory.h"
-#include "constraints/joints/joint_kinds.h"
-#include "constraints/kernels.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/joints/joint_kinds.h"
+#include "physics/src/constraints/kernels.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

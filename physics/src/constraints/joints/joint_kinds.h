@@ -5,11 +5,11 @@
 // the joint exerted on b, in world axes. Own: what the kind has beside the block.
 #pragma once
 
-#include "constraints/joints/axes_kernel.h"
-#include "constraints/joints/couple_kernel.h"
-#include "constraints/joints/joint_load.h"
-#include "constraints/joints/joint_pair.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraints/joints/axes_kernel.h"
+#include "physics/src/constraints/joints/couple_kernel.h"
+#include "physics/src/constraints/joints/joint_load.h"
+#include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

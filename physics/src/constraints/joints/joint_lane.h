@@ -3,10 +3,10 @@
 // Numbers of one joint to and from its lane in a block: used by the writers of joints alone.
 #pragma once
 
-#include "constraint_graph/joint_constraint_wide.h"
-#include "constraint_graph/wide_rows.h"
-#include "constraints/softness.h"
 #include "jostle/physics/joint_defs.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/constraints/softness.h"
 
 namespace jostle::physics {
 

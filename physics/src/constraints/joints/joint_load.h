@@ -3,7 +3,7 @@
 // What eight joints exerted on their b in one pass, world axes.
 #pragma once
 
-#include "constraints/contact_kernel.h"
+#include "physics/src/constraints/contact_kernel.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

@@ -7,10 +7,10 @@
 // axes they would lag behind from sub-step to sub-step and push what turns.
 #pragma once
 
-#include "constraint_graph/joint_constraint_wide.h"
-#include "constraints/contact_kernel.h"
-#include "constraints/joints/joint_step.h"
-#include "math/wide_rotation.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
+#include "physics/src/constraints/contact_kernel.h"
+#include "physics/src/constraints/joints/joint_step.h"
+#include "physics/src/math/wide_rotation.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/joint_rows.h"
+#include "physics/src/constraints/joints/joint_rows.h"
 
-#include "constraint_graph/joint_memory.h"
-#include "constraints/joints/angles.h"
-#include "constraints/joints/axes_layout.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/joints/angles.h"
+#include "physics/src/constraints/joints/axes_layout.h"
 
 namespace jostle::physics {
 namespace {

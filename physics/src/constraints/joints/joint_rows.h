@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "constraints/joints/couple_ends.h"
 #include "jostle/physics/constraint_system.h"
+#include "physics/src/constraints/joints/couple_ends.h"
 
 namespace jostle::physics {
 

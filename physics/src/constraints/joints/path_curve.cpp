@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/path_curve.h"
+#include "physics/src/constraints/joints/path_curve.h"
 
 #include <cmath>
 

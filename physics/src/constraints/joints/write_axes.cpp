@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/write_axes.h"
+#include "physics/src/constraints/joints/write_axes.h"
 
-#include "constraint_graph/joint_memory.h"
-#include "constraints/joints/axes_layout.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/joints/axes_layout.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,10 +4,10 @@
 // back.
 #pragma once
 
-#include "constraints/joints/joint_end.h"
-#include "constraints/joints/joint_lane.h"
-#include "constraints/joints/path_curve.h"
-#include "state/joint_store.h"
+#include "physics/src/constraints/joints/joint_end.h"
+#include "physics/src/constraints/joints/joint_lane.h"
+#include "physics/src/constraints/joints/path_curve.h"
+#include "physics/src/state/joint_store.h"
 
 namespace jostle::physics {
 

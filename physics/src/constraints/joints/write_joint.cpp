@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/joints/write_joint.h"
+#include "physics/src/constraints/joints/write_joint.h"
 
 #include <cstdlib>
 #include <optional>
 
-#include "constraint_graph/joint_memory.h"
-#include "constraints/joints/axes_layout.h"
-#include "constraints/joints/couple_ends.h"
-#include "constraints/joints/joint_lane.h"
-#include "constraints/joints/write_axes.h"
-#include "foundation/tuning.h"
+#include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/joint_lane.h"
+#include "physics/src/constraints/joints/write_axes.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

@@ -3,10 +3,10 @@
 // A joint's lane in a block, from the doubles of the world and back.
 #pragma once
 
-#include "constraint_graph/joint_constraint_wide.h"
-#include "constraints/joints/joint_end.h"
-#include "constraints/joints/joint_step.h"
-#include "state/joint_store.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
+#include "physics/src/constraints/joints/joint_end.h"
+#include "physics/src/constraints/joints/joint_step.h"
+#include "physics/src/state/joint_store.h"
 
 namespace jostle::physics {
 

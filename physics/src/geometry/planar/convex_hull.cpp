@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/planar/convex_hull.h"
+#include "physics/src/geometry/planar/convex_hull.h"
 
 #include <algorithm>
 
-#include "geometry/planar/planar_checks.h"
 #include "jostle/physics/planar.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "foundation/messages.h"
-#include "geometry/planar/polygon.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/planar/polygon.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/planar/expansion.h"
 #include "jostle/physics/planar.h"
+#include "physics/src/geometry/planar/expansion.h"
 
 namespace jostle::physics::planar {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/planar/planar_checks.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
-#include "foundation/messages.h"
 #include "jostle/physics/limits.h"
+#include "physics/src/foundation/messages.h"
 
 namespace jostle::physics::planar {
 

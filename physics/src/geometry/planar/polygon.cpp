@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/polygon.h"
 
 #include <algorithm>
 
-#include "foundation/messages.h"
-#include "geometry/planar/planar_checks.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "foundation/messages.h"
-#include "geometry/geometry_checks.h"
-#include "geometry/planar/polygon.h"
+#include "physics/src/foundation/messages.h"
+#include "physics/src/geometry/geometry_checks.h"
+#include "physics/src/geometry/planar/polygon.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/ask_listeners.h"
+#include "physics/src/stages/contacts/ask_listeners.h"
 
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
 #include "jostle/physics/step_listener.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 namespace {

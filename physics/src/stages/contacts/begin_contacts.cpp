@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/begin_contacts.h"
+#include "physics/src/stages/contacts/begin_contacts.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "constraints/write_manifold.h"
-#include "foundation/check.h"
-#include "stages/contacts/ask_listeners.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/contact_graph.h"
-#include "state/island_tiers.h"
+#include "physics/src/constraints/write_manifold.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/stages/contacts/ask_listeners.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/island_tiers.h"
 
 namespace jostle::physics {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/choose_checks.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/prefetch.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
-#include "state/separation_bounds.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/prefetch.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

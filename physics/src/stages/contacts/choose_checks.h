@@ -8,7 +8,7 @@
 // their results, and had_contacts for look_at_pair and solve_continuous (ccd_policy.h).
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "collision/narrowphase/collide_composite.h"
-#include "foundation/uninitialized_array.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 

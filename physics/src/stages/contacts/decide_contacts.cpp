@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/decide_contacts.h"
+#include "physics/src/stages/contacts/decide_contacts.h"
 
 #include <algorithm>
 
-#include "constraints/write_manifold.h"
-#include "foundation/check.h"
-#include "foundation/prefetch.h"
-#include "foundation/tuning.h"
-#include "stages/contacts/find_crowds.h"
-#include "stages/contacts/pair_motion.h"
-#include "stages/step_scratch.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
-#include "state/contact_graph.h"
-#include "state/pair_size.h"
-#include "state/separation_bounds.h"
-#include "state/shape_proxy.h"
+#include "physics/src/constraints/write_manifold.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/prefetch.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/pair_motion.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/pair_size.h"
+#include "physics/src/state/separation_bounds.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,7 +8,7 @@
 // what is met asleep. Leaves in scratch: ContactScratch::begins for begin_contacts.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_crowds.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/continuous/ccd_policy.h"
-#include "stages/step_scratch.h"
-#include "state/combine.h"
-#include "state/contact_constraints.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/combine.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -10,8 +10,8 @@
 // freely are never a crowd.
 #pragma once
 
-#include "stages/contacts/contact_scratch.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/contacts/contact_scratch.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/look_at_pair.h"
+#include "physics/src/stages/contacts/look_at_pair.h"
 
 #include <optional>
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_planar.h"
-#include "constraints/write_manifold.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/contacts/pair_ahead.h"
-#include "stages/contacts/pair_motion.h"
-#include "stages/continuous/ccd_policy.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/pair_size.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide_planar.h"
+#include "physics/src/constraints/write_manifold.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/pair_motion.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,8 +8,8 @@
 // ContactScratch::fresh or parts, for begin_contacts.
 #pragma once
 
-#include "stages/contacts/contact_scratch.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/contacts/contact_scratch.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/pair_ahead.h"
 
-#include "collision/narrowphase/time_of_impact.h"
-#include "constraints/write_manifold.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/pair_size.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/constraints/write_manifold.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 namespace {

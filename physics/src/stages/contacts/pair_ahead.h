@@ -14,8 +14,8 @@
 
 #include <optional>
 
-#include "collision/narrowphase/manifold.h"
-#include "state/world_state.h"
+#include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

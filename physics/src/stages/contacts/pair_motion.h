@@ -3,7 +3,7 @@
 // How the two bodies of a pair move against each other.
 #pragma once
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

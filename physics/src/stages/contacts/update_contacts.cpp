@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "stages/contacts/update_contacts.h"
+#include "physics/src/stages/contacts/update_contacts.h"
 
 #include <cstddef>
 
-#include "foundation/prefetch.h"
-#include "foundation/tuning.h"
-#include "stages/contacts/choose_checks.h"
-#include "stages/contacts/decide_contacts.h"
-#include "stages/contacts/look_at_pair.h"
-#include "stages/step_scratch.h"
+#include "physics/src/foundation/prefetch.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/decide_contacts.h"
+#include "physics/src/stages/contacts/look_at_pair.h"
+#include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {

@@ -9,7 +9,7 @@
 // begin_contacts, had_contacts for solve_continuous (ccd_policy.h).
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

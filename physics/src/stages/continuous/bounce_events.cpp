@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/bounce_events.h"
+#include "physics/src/stages/continuous/bounce_events.h"
 
 #include <algorithm>
 #include <utility>

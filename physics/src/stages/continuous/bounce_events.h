@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraints/impact.h"
-#include "state/world_state.h"
+#include "physics/src/constraints/impact.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/ccd_candidates.h"
+#include "physics/src/stages/continuous/ccd_candidates.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "stages/continuous/swept_aabb_tree.h"
-#include "state/world_state.h"
+#include "physics/src/stages/continuous/swept_aabb_tree.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -5,10 +5,10 @@
 // ContactScratch::had_contacts, which choose_checks leaves.
 #pragma once
 
-#include "foundation/tuning.h"
-#include "stages/step_context.h"
-#include "stages/step_scratch.h"
-#include "state/combine.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_context.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/combine.h"
 
 namespace jostle::physics {
 

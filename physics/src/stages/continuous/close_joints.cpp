@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/close_joints.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "constraints/direct/joint_couplings.h"
-#include "constraints/joints/joint_batches.h"
-#include "foundation/size_scale.h"
-#include "foundation/tuning.h"
-#include "stages/continuous/toi_body.h"
-#include "state/joint_graph.h"
+#include "physics/src/constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/joints/joint_batches.h"
+#include "physics/src/foundation/size_scale.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/continuous/toi_body.h"
+#include "physics/src/state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {

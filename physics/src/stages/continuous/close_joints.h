@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "stages/continuous/toi_body.h"
+#include "physics/src/stages/continuous/toi_body.h"
 
 namespace jostle::physics {
 

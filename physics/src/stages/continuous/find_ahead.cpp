@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/find_ahead.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/contacts/find_crowds.h"
-#include "stages/continuous/ccd_policy.h"
-#include "stages/step_scratch.h"
-#include "state/separation_bounds.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "stages/continuous/swept_motions.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/continuous/swept_motions.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

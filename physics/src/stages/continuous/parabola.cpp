@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/parabola.h"
+#include "physics/src/stages/continuous/parabola.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 

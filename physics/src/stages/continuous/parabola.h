@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "constraints/impact.h"
+#include "physics/src/constraints/impact.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/solve_continuous.h"
+#include "physics/src/stages/continuous/solve_continuous.h"
 
 #include <algorithm>
 #include <functional>
@@ -7,28 +7,28 @@
 #include <utility>
 #include <vector>
 
-#include "collision/narrowphase/impact_points.h"
-#include "collision/narrowphase/time_of_impact.h"
-#include "constraints/impact.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/contacts/ask_listeners.h"
-#include "stages/contacts/find_crowds.h"
-#include "stages/continuous/bounce_events.h"
-#include "stages/continuous/ccd_candidates.h"
-#include "stages/continuous/ccd_policy.h"
-#include "stages/continuous/close_joints.h"
-#include "stages/continuous/find_ahead.h"
-#include "stages/continuous/parabola.h"
-#include "stages/continuous/swept_motions.h"
-#include "stages/continuous/toi_body.h"
-#include "stages/continuous/toi_dependents.h"
-#include "stages/step_scratch.h"
-#include "state/contact_answers.h"
-#include "state/contact_constraints.h"
-#include "state/joint_graph.h"
-#include "state/pair_size.h"
-#include "state/shape_proxy.h"
+#include "physics/src/collision/narrowphase/impact_points.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/constraints/impact.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/ask_listeners.h"
+#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/continuous/bounce_events.h"
+#include "physics/src/stages/continuous/ccd_candidates.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/parabola.h"
+#include "physics/src/stages/continuous/swept_motions.h"
+#include "physics/src/stages/continuous/toi_body.h"
+#include "physics/src/stages/continuous/toi_dependents.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/pair_size.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

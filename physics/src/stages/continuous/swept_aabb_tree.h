@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/dynamic_tree.h"
-#include "foundation/check.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 

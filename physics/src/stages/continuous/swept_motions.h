@@ -8,13 +8,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/narrowphase/time_of_impact.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/continuous/ccd_policy.h"
-#include "stages/step_context.h"
-#include "stages/step_scratch.h"
-#include "state/shape_proxy.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/step_context.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 

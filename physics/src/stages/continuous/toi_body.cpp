@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/continuous/toi_body.h"
+#include "physics/src/stages/continuous/toi_body.h"
 
 #include <cmath>
 
-#include "constraints/free_motion.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "state/contact_constraints.h"
-#include "state/shape_proxy.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

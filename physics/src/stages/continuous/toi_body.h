@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/narrowphase/impact_points.h"
-#include "collision/narrowphase/time_of_impact.h"
-#include "geometry/bvh.h"
-#include "state/world_state.h"
+#include "physics/src/collision/narrowphase/impact_points.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

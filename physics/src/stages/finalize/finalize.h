@@ -9,7 +9,7 @@
 // scratch: FinalizeScratch, for solve_continuous and quarantine.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

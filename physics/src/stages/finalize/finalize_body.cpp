@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/finalize/finalize_body.h"
+#include "physics/src/stages/finalize/finalize_body.h"
 
-#include "foundation/check.h"
-#include "foundation/size_scale.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
-#include "state/force_fields.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/size_scale.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/force_fields.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

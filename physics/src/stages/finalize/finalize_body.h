@@ -8,9 +8,9 @@
 // its flags and `before` in FinalizeScratch.
 #pragma once
 
-#include "constraints/free_motion.h"
-#include "stages/finalize/finalize_scratch.h"
-#include "stages/step_context.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/stages/finalize/finalize_scratch.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/broad_phase_index.h"
-#include "state/body_store.h"
+#include "physics/src/collision/broadphase/broad_phase_index.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "stages/finalize/integrate_free.h"
+#include "physics/src/stages/finalize/integrate_free.h"
 
 #include <algorithm>
 #include <span>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
 
-#include "constraints/free_motion.h"
-#include "stages/finalize/finalize_body.h"
-#include "stages/solver/substep_hooks.h"
-#include "stages/step_scratch.h"
-#include "state/force_fields.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/stages/finalize/finalize_body.h"
+#include "physics/src/stages/solver/substep_hooks.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,7 +8,7 @@
 // scratch: FinalizeScratch with space for all awake bodies, filled for those that are free.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/finalize/quarantine.h"
+#include "physics/src/stages/finalize/quarantine.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "foundation/check.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

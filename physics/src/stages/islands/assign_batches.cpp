@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/islands/assign_batches.h"
+#include "physics/src/stages/islands/assign_batches.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
-#include "state/island_tiers.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/island_tiers.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,7 +8,7 @@
 // it the colours of contacts. Part of prepare_islands.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

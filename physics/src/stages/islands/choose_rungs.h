@@ -12,7 +12,7 @@
 // the solver: which colour sets hold an island of unknown error.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint_graph/solver_tier.h"
 #include "jostle/physics/vec3.h"
+#include "physics/src/constraint_graph/solver_tier.h"
 
 namespace jostle::physics {
 

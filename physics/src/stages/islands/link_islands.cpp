@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "stages/islands/link_islands.h"
+#include "physics/src/stages/islands/link_islands.h"
 
 #include <algorithm>
 
-#include "constraint_graph/wide_rows.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/islands/overload.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/contact_graph.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/islands/overload.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_graph.h"
 
 namespace jostle::physics {
 namespace {

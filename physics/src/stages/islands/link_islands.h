@@ -9,7 +9,7 @@
 // events; files wake requests for what sleeps in place and lost a touch. Leaves nothing in scratch.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "stages/islands/overload.h"
+#include "physics/src/stages/islands/overload.h"
 
-#include "foundation/tuning.h"
-#include "state/contact_constraints.h"
-#include "state/island_tiers.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/island_tiers.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "state/world_state.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

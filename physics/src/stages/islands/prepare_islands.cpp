@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "stages/islands/prepare_islands.h"
+#include "physics/src/stages/islands/prepare_islands.h"
 
 #include <algorithm>
 #include <optional>
 #include <span>
 
-#include "foundation/check.h"
-#include "foundation/size_scale.h"
-#include "foundation/tuning.h"
-#include "stages/islands/assign_batches.h"
-#include "stages/islands/choose_rungs.h"
-#include "stages/islands/overload.h"
-#include "stages/islands/sort_constraints.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/island_tiers.h"
-#include "state/islands.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/size_scale.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/islands/assign_batches.h"
+#include "physics/src/stages/islands/choose_rungs.h"
+#include "physics/src/stages/islands/overload.h"
+#include "physics/src/stages/islands/sort_constraints.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/island_tiers.h"
+#include "physics/src/state/islands.h"
 
 namespace jostle::physics {
 namespace {

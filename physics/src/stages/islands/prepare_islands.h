@@ -17,7 +17,7 @@
 // every step (choose_rungs.h). Leaves nothing else in scratch.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stages/islands/sort_constraints.h"
+#include "physics/src/stages/islands/sort_constraints.h"
 
-#include "state/contact_constraints.h"
+#include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
 

@@ -6,7 +6,7 @@
 // Reads and writes: the slots of contacts in the constraint graph. Part of prepare_islands.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "stages/pairs/update_pairs.h"
+#include "physics/src/stages/pairs/update_pairs.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
-#include "state/contact_graph.h"
-#include "state/joint_graph.h"
-#include "state/shape_proxy.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/pairs/update_triggers.h"
+#include "physics/src/stages/pairs/update_triggers.h"
 
 #include <algorithm>
 
-#include "collision/narrowphase/collide_composite.h"
-#include "foundation/check.h"
-#include "geometry/bounds.h"
-#include "stages/step_scratch.h"
-#include "state/shape_proxy.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/geometry/bounds.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "stages/sleep/update_partial_sleep.h"
+#include "physics/src/stages/sleep/update_partial_sleep.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/contact_load.h"
-#include "state/joint_graph.h"
-#include "state/partial_sleep.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_load.h"
+#include "physics/src/state/joint_graph.h"
+#include "physics/src/state/partial_sleep.h"
 
 namespace jostle::physics {
 namespace {

@@ -6,7 +6,7 @@
 // goes from body to body, as far as it is felt.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/sleep/update_sleep.h"
+#include "physics/src/stages/sleep/update_sleep.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/sleep/update_partial_sleep.h"
-#include "stages/step_scratch.h"
-#include "state/island_sleep.h"
-#include "state/islands.h"
-#include "state/partial_sleep.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/sleep/update_partial_sleep.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/island_sleep.h"
+#include "physics/src/state/islands.h"
+#include "physics/src/state/partial_sleep.h"
 
 namespace jostle::physics {
 namespace {

@@ -9,7 +9,7 @@
 // rest of what a moving kinematic body carries or tows becomes 0. Leaves nothing in scratch.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

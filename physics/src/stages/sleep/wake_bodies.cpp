@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "stages/sleep/wake_bodies.h"
+#include "physics/src/stages/sleep/wake_bodies.h"
 
-#include "stages/sleep/update_partial_sleep.h"
-#include "state/wake.h"
+#include "physics/src/stages/sleep/update_partial_sleep.h"
+#include "physics/src/state/wake.h"
 
 namespace jostle::physics {
 namespace {

@@ -7,7 +7,7 @@
 // sleeping islands back into the constraint graph, wake events. Leave nothing in scratch.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

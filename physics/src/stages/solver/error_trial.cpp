@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/error_trial.h"
+#include "physics/src/stages/solver/error_trial.h"
 
 #include <algorithm>
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/solver/substep_hooks.h"
-#include "stages/step_scratch.h"
-#include "state/impulse_scale.h"
-#include "state/pair_size.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/substep_hooks.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/impulse_scale.h"
+#include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
 namespace {

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <span>
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

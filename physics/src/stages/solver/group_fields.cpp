@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/group_fields.h"
+#include "physics/src/stages/solver/group_fields.h"
 
-#include "state/force_fields.h"
+#include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "stages/solver/joint_group_scratch.h"
-#include "state/world_state.h"
+#include "physics/src/stages/solver/joint_group_scratch.h"
+#include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/hot_motion.h"
+#include "physics/src/stages/solver/hot_motion.h"
 
-#include "foundation/check.h"
+#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index) {

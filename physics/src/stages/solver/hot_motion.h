@@ -4,8 +4,8 @@
 // force fields and listeners. Reads and writes the body's hot record; different bodies at once.
 #pragma once
 
-#include "stages/solver/solver_scratch.h"
-#include "state/body_store.h"
+#include "physics/src/stages/solver/solver_scratch.h"
+#include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 

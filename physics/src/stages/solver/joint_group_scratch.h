@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "constraint_graph/joint_wishes.h"
-#include "constraints/direct/direct_group.h"
-#include "constraints/direct/principal_axes.h"
-#include "constraints/free_motion.h"
 #include "jostle/physics/ids.h"
+#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/principal_axes.h"
+#include "physics/src/constraints/free_motion.h"
 
 namespace jostle::physics {
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/joint_groups.h"
+#include "physics/src/stages/solver/joint_groups.h"
 
 #include <algorithm>
 #include <variant>
 
-#include "constraint_graph/joint_wishes.h"
-#include "constraints/joints/write_joint.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/solver/error_trial.h"
-#include "stages/solver/group_fields.h"
-#include "stages/solver/kept_impulses.h"
-#include "stages/solver/substep_hooks.h"
-#include "stages/step_scratch.h"
-#include "state/joint_graph.h"
+#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraints/joints/write_joint.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/error_trial.h"
+#include "physics/src/stages/solver/group_fields.h"
+#include "physics/src/stages/solver/kept_impulses.h"
+#include "physics/src/stages/solver/substep_hooks.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {

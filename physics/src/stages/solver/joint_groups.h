@@ -8,7 +8,7 @@
 // solve_constraints and integrate_free.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "constraint_graph/joint_levels.h"
-#include "constraints/joints/joint_batches.h"
+#include "physics/src/constraint_graph/joint_levels.h"
+#include "physics/src/constraints/joints/joint_batches.h"
 
 namespace jostle::physics {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/kept_impulses.h"
+#include "physics/src/stages/solver/kept_impulses.h"
 
-#include "constraint_graph/joint_memory.h"
+#include "physics/src/constraint_graph/joint_memory.h"
 
 namespace jostle::physics {
 namespace {

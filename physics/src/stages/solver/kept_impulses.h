@@ -4,8 +4,8 @@
 // and back. A group that touches down goes on from what it bore, and the other way round.
 #pragma once
 
-#include "constraints/direct/direct_joint.h"
-#include "state/joint_store.h"
+#include "physics/src/constraints/direct/direct_joint.h"
+#include "physics/src/state/joint_store.h"
 
 namespace jostle::physics {
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/solve_constraints.h"
+#include "physics/src/stages/solver/solve_constraints.h"
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
-#include "constraint_graph/wide_rows.h"
-#include "constraints/contact_passes.h"
-#include "constraints/free_motion.h"
-#include "foundation/check.h"
-#include "foundation/tuning.h"
-#include "stages/solver/error_trial.h"
-#include "stages/solver/joint_groups.h"
-#include "stages/solver/solve_joint_batches.h"
-#include "stages/solver/solve_joints.h"
-#include "stages/solver/strike_jointed.h"
-#include "stages/solver/substep_hooks.h"
-#include "stages/step_scratch.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/constraints/contact_passes.h"
+#include "physics/src/constraints/free_motion.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/error_trial.h"
+#include "physics/src/stages/solver/joint_groups.h"
+#include "physics/src/stages/solver/solve_joint_batches.h"
+#include "physics/src/stages/solver/solve_joints.h"
+#include "physics/src/stages/solver/strike_jointed.h"
+#include "physics/src/stages/solver/substep_hooks.h"
+#include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {

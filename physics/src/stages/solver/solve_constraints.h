@@ -10,7 +10,7 @@
 // update_sleep; bodies and free also when there is nothing to solve.
 #pragma once
 
-#include "stages/step_context.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

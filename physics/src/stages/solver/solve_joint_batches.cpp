@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/solve_joint_batches.h"
+#include "physics/src/stages/solver/solve_joint_batches.h"
 
-#include "constraints/joints/write_joint.h"
-#include "constraints/kernels.h"
-#include "stages/step_scratch.h"
+#include "physics/src/constraints/joints/write_joint.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/solve_joints.h"
+#include "physics/src/stages/solver/solve_joints.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <utility>
 
-#include "constraints/joints/couple_ends.h"
-#include "constraints/joints/write_joint.h"
-#include "constraints/kernels.h"
-#include "foundation/check.h"
-#include "foundation/prefetch.h"
-#include "foundation/tuning.h"
-#include "stages/solver/solve_joint_batches.h"
-#include "stages/step_scratch.h"
-#include "state/joint_graph.h"
+#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/write_joint.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/prefetch.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/solve_joint_batches.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {

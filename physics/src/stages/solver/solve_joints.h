@@ -7,8 +7,8 @@
 // loads of joints.
 #pragma once
 
-#include "stages/solver/joint_task.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/solver/joint_task.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -9,15 +9,15 @@
 #include <span>
 #include <vector>
 
-#include "constraint_graph/constraint_graph.h"
-#include "constraint_graph/joint_levels.h"
-#include "constraint_graph/solver_body.h"
-#include "constraints/contact_passes.h"
-#include "constraints/joints/joint_batches.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/quat.h"
-#include "stages/solver/joint_group_scratch.h"
+#include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/joint_levels.h"
+#include "physics/src/constraint_graph/solver_body.h"
+#include "physics/src/constraints/contact_passes.h"
+#include "physics/src/constraints/joints/joint_batches.h"
+#include "physics/src/stages/solver/joint_group_scratch.h"
 
 namespace jostle::physics {
 

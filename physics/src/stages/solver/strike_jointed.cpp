@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/strike_jointed.h"
+#include "physics/src/stages/solver/strike_jointed.h"
 
 #include <algorithm>
 #include <tuple>
 #include <vector>
 
-#include "constraint_graph/wide_rows.h"
-#include "constraints/impact.h"
-#include "foundation/tuning.h"
-#include "stages/step_scratch.h"
+#include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/constraints/impact.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {

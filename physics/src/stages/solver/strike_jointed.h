@@ -11,8 +11,8 @@
 
 #include <span>
 
-#include "constraints/contact_passes.h"
-#include "stages/step_context.h"
+#include "physics/src/constraints/contact_passes.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/substep_hooks.h"
+#include "physics/src/stages/solver/substep_hooks.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
 #include "jostle/physics/step_listener.h"
-#include "stages/solver/hot_motion.h"
-#include "stages/step_scratch.h"
-#include "state/force_fields.h"
+#include "physics/src/foundation/check.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/hot_motion.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {
 namespace {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "stages/solver/solver_scratch.h"
-#include "stages/step_context.h"
+#include "physics/src/stages/solver/solver_scratch.h"
+#include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 

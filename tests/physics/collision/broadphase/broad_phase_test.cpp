@@ -3,8 +3,8 @@
 // Tree, sort and sweep, grid: the same answers, and the same worlds to the bit.
 #include <gtest/gtest.h>
 
-#include "support/broad_phase_oracle.h"
-#include "support/test_scenes.h"
+#include "tests/support/broad_phase_oracle.h"
+#include "tests/support/test_scenes.h"
 
 namespace jostle::test {
 namespace {

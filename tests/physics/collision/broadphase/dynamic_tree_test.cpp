@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "collision/broadphase/dynamic_tree.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -2,13 +2,13 @@
 //
 // Which part of a shape looks along a direction, and the points where two of them lie on each
 // other.
-#include "collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/clip.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/placed_convex.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/placed_convex.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

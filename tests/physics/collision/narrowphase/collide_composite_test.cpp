@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <functional>
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_composite.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
-#include "support/convex_oracle.h"
-#include "support/random_shapes.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "tests/support/convex_oracle.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -2,12 +2,12 @@
 //
 // Two convex shapes that are known to be apart, and what a pair remembers. Against a search over
 // all directions: collide_test.cpp.
-#include "collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Outlines in the plane touch in one point or two, all of them in the plane.
-#include "collision/narrowphase/collide_planar.h"
+#include "physics/src/collision/narrowphase/collide_planar.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/narrowphase/collide.h"
-#include "support/world_builder.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

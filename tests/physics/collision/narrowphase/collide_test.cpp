@@ -7,11 +7,11 @@
 
 #include <limits>
 
-#include "collision/narrowphase/collide.h"
-#include "support/convex_oracle.h"
-#include "support/distance_field.h"
-#include "support/random_shapes.h"
-#include "support/world_builder.h"
+#include "physics/src/collision/narrowphase/collide.h"
+#include "tests/support/convex_oracle.h"
+#include "tests/support/distance_field.h"
+#include "tests/support/random_shapes.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Closest points of cores, warm starts, and when it may stop early.
-#include "collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/gjk.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/placed_convex.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/placed_convex.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

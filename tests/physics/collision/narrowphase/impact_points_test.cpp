@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Where two shapes meet at the moment of an impact.
-#include "collision/narrowphase/impact_points.h"
+#include "physics/src/collision/narrowphase/impact_points.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

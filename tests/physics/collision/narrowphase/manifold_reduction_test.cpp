@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which four of many points stand for a face. Both cases are of boxes in a heap, seen from above.
-#include "collision/narrowphase/manifold_reduction.h"
+#include "physics/src/collision/narrowphase/manifold_reduction.h"
 
 #include <gtest/gtest.h>
 

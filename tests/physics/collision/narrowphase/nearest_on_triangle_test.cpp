@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "collision/narrowphase/nearest_on_triangle.h"
+#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random_shapes.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

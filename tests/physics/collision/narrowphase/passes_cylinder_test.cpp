@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Cylinders that pass triangles, against the distances of GJK along the way.
-#include "collision/narrowphase/passes_cylinder.h"
+#include "physics/src/collision/narrowphase/passes_cylinder.h"
 
 #include <gtest/gtest.h>
 
-#include "collision/narrowphase/gjk.h"
-#include "support/random.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The least way to part two overlapping cores.
-#include "collision/narrowphase/penetration.h"
+#include "physics/src/collision/narrowphase/penetration.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/placed_convex.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/placed_convex.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

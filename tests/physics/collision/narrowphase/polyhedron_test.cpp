@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Boxes, triangles and hulls as vertices, faces and edges that fit each other.
-#include "collision/narrowphase/polyhedron.h"
+#include "physics/src/collision/narrowphase/polyhedron.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "support/near.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

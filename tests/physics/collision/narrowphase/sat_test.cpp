@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The separating axis of polyhedra: faces, edges, and the one of the last time.
-#include "collision/narrowphase/sat.h"
+#include "physics/src/collision/narrowphase/sat.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "support/near.h"
-#include "support/placed_convex.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/placed_convex.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Where two segments are closest.
-#include "collision/narrowphase/segments.h"
+#include "physics/src/collision/narrowphase/segments.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Signed distances of simple shapes and the points where they are attained.
-#include "collision/narrowphase/shape_distance.h"
+#include "physics/src/collision/narrowphase/shape_distance.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/random_shapes.h"
+#include "tests/support/near.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

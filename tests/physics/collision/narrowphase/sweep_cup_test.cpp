@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What a round shape's cup hides was not touched before, by the distances of GJK along the way.
-#include "collision/narrowphase/sweep_cup.h"
+#include "physics/src/collision/narrowphase/sweep_cup.h"
 
 #include <gtest/gtest.h>
 
-#include "collision/narrowphase/gjk.h"
-#include "support/random.h"
+#include "physics/src/collision/narrowphase/gjk.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -2,18 +2,18 @@
 //
 // Sweeps onto meshes and height fields against the search that continuous collision does triangle
 // by triangle, without order or bounds (collision/narrowphase/time_of_impact.h).
-#include "collision/narrowphase/sweep_surface.h"
+#include "physics/src/collision/narrowphase/sweep_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "collision/narrowphase/collide_composite.h"
-#include "collision/narrowphase/time_of_impact.h"
-#include "geometry/bounds.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
-#include "support/random_shapes.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
+#include "physics/src/geometry/bounds.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -2,14 +2,14 @@
 //
 // The moment of an impact against the slab oracle (support/convex_oracle.h): up to it the shapes
 // are apart wherever one looks, then they are within the gap; who never meets is apart throughout.
-#include "collision/narrowphase/time_of_impact.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "support/convex_oracle.h"
-#include "support/random_shapes.h"
+#include "tests/support/convex_oracle.h"
+#include "tests/support/random_shapes.h"
 
 namespace jostle::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The block factorisation against Gauss elimination of the same matrix, written out.
-#include "constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/block_ldl.h"
 
 #include <gtest/gtest.h>
 

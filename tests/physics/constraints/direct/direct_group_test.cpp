@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Groups of joints without a world, against closed forms and what must be kept.
-#include "constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/direct_group.h"
 
 #include <gtest/gtest.h>
 
-#include "physics/constraints/direct/small_groups.h"
+#include "tests/physics/constraints/direct/small_groups.h"
 
 namespace jostle::test {
 namespace {

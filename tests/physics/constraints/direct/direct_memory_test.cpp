@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "physics/constraints/direct/small_groups.h"
+#include "tests/physics/constraints/direct/small_groups.h"
 
 namespace jostle::test {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What acts along the ways that joints leave free, against closed forms.
-#include "constraints/direct/direct_way.h"
+#include "physics/src/constraints/direct/direct_way.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "physics/constraints/direct/small_groups.h"
-#include "support/step_time.h"
+#include "tests/physics/constraints/direct/small_groups.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/free_turn.h"
+#include "physics/src/constraints/direct/free_turn.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "constraints/direct/principal_axes.h"
+#include "physics/src/constraints/direct/principal_axes.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "constraints/direct/direct_body.h"
+#include "physics/src/constraints/direct/direct_body.h"
 
 namespace jostle::test {
 namespace {

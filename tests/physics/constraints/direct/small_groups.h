@@ -3,7 +3,7 @@
 // Groups of joints without a world, put together by hand.
 #pragma once
 
-#include "constraints/direct/direct_group.h"
+#include "physics/src/constraints/direct/direct_group.h"
 
 namespace jostle::test {
 using namespace physics;

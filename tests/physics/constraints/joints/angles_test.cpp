@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Angles between the two frames of a joint.
-#include "constraints/joints/angles.h"
+#include "physics/src/constraints/joints/angles.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

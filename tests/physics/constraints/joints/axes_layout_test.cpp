@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Kinds as six axes, and the angles of a gimbal.
-#include "constraints/joints/axes_layout.h"
+#include "physics/src/constraints/joints/axes_layout.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
+#include "tests/support/near.h"
 
 namespace jostle::test {
 namespace {

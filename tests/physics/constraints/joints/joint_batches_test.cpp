@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Which joints are solved at once beside contacts, and that one solve is enough.
-#include "constraints/joints/joint_batches.h"
+#include "physics/src/constraints/joints/joint_batches.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "constraints/joints/write_joint.h"
-#include "constraints/kernels.h"
+#include "physics/src/constraints/joints/write_joint.h"
+#include "physics/src/constraints/kernels.h"
 
 namespace jostle::test {
 namespace {

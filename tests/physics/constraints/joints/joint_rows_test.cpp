@@ -2,11 +2,11 @@
 //
 // Rows of every kind of joint against two things that know nothing of them: how their errors change
 // when bodies move, and what a step of the solver does to velocities.
-#include "constraints/joints/joint_rows.h"
+#include "physics/src/constraints/joints/joint_rows.h"
 
 #include <gtest/gtest.h>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -2,13 +2,13 @@
 //
 // Hulls by both methods, against a test of each point by itself: a corner is what no triangle and
 // no segment of the others holds.
-#include "geometry/planar/convex_hull.h"
+#include "physics/src/geometry/planar/convex_hull.h"
 
 #include <gtest/gtest.h>
 
 #include "jostle/physics/planar.h"
-#include "support/grid_oracle.h"
-#include "support/world_builder.h"
+#include "tests/support/grid_oracle.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

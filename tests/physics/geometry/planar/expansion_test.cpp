@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Sums without error against integers of 128 bits.
-#include "geometry/planar/expansion.h"
+#include "physics/src/geometry/planar/expansion.h"
 
 #include <gtest/gtest.h>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

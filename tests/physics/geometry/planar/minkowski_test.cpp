@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/planar.h"
-#include "support/grid_oracle.h"
-#include "support/world_builder.h"
+#include "tests/support/grid_oracle.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "jostle/physics/planar.h"
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace jostle::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/planar/planar_checks.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "support/error_of.h"
+#include "tests/support/error_of.h"
 
 namespace jostle::test {
 namespace {

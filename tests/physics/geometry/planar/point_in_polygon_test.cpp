@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "jostle/physics/polygon.h"
-#include "support/grid_oracle.h"
+#include "tests/support/grid_oracle.h"
 
 namespace jostle::test {
 namespace {

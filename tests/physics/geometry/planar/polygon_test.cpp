@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Which polygons are simple, which way round they run, and their areas.
-#include "geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/polygon.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/error_of.h"
-#include "support/grid_oracle.h"
+#include "tests/support/error_of.h"
+#include "tests/support/grid_oracle.h"
 
 namespace jostle::test {
 namespace {

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/mass_properties.h"
 #include "jostle/physics/polygon.h"
-#include "support/grid_oracle.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/geometry/mass_properties.h"
+#include "tests/support/grid_oracle.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/planar.h"
-#include "support/grid_oracle.h"
+#include "tests/support/grid_oracle.h"
 
 namespace jostle::test {
 namespace {

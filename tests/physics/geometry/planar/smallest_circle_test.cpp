@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/planar.h"
-#include "support/random.h"
-#include "support/world_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "jostle/physics/polygon.h"
-#include "support/grid_oracle.h"
-#include "support/world_builder.h"
+#include "tests/support/grid_oracle.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Which pairs the narrow phase looks at.
-#include "stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/choose_checks.h"
 
 #include <gtest/gtest.h>
 
-#include "stages/step_scratch.h"
-#include "state/contact_constraints.h"
-#include "state/contact_graph.h"
-#include "state/separation_bounds.h"
-#include "state/world_access.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/separation_bounds.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -2,16 +2,16 @@
 //
 // When what bounces is a crowd: balls in a row on the floor, of which the lowest is about to hit it
 // and each other one the one below.
-#include "stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_crowds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "stages/pairs/update_pairs.h"
-#include "stages/step_scratch.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/stages/pairs/update_pairs.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // A pair as it will be later in the step, and its gaps counted back to the start.
-#include "stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/pair_ahead.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_graph.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // How far two bodies may move against each other in a step.
-#include "stages/contacts/pair_motion.h"
+#include "physics/src/stages/contacts/pair_motion.h"
 
 #include <gtest/gtest.h>
 
-#include "state/contact_graph.h"
-#include "state/world_access.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_graph.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,7 +3,7 @@
 // How often pairs are looked at.
 #include <gtest/gtest.h>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // A bounce begins a contact and ends it with the next step.
-#include "stages/continuous/bounce_events.h"
+#include "physics/src/stages/continuous/bounce_events.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Which pairs are swept, and whose impacts the contact solver resolves.
-#include "stages/continuous/ccd_policy.h"
+#include "physics/src/stages/continuous/ccd_policy.h"
 
 #include <gtest/gtest.h>
 
-#include "stages/step_scratch.h"
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What an impact stops between steps does not leave those behind that joints tie to it.
-#include "stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/close_joints.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

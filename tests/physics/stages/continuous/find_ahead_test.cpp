@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Whom fast bodies look at on their way.
-#include "stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/find_ahead.h"
 
 #include <gtest/gtest.h>
 
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies that fall meet where their parabolas do, not where the chords of their steps do.
-#include "stages/continuous/parabola.h"
+#include "physics/src/stages/continuous/parabola.h"
 
 #include <gtest/gtest.h>
 
-#include "support/near.h"
+#include "tests/support/near.h"
 
 namespace jostle::test {
 namespace {

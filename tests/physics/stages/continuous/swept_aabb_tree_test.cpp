@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The ways of fast bodies, found by box.
-#include "stages/continuous/swept_aabb_tree.h"
+#include "physics/src/stages/continuous/swept_aabb_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Ways of fast bodies through a step: where they begin, turn and end.
-#include "stages/continuous/toi_body.h"
+#include "physics/src/stages/continuous/toi_body.h"
 
 #include <gtest/gtest.h>
 
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

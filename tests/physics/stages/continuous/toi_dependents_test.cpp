@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Who expected to meet a body is told once.
-#include "stages/continuous/toi_dependents.h"
+#include "physics/src/stages/continuous/toi_dependents.h"
 
 #include <gtest/gtest.h>
 

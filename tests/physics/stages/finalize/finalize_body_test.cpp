@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The end of a step for one body: where it is, how long it rests, and what later stages must know.
-#include "stages/finalize/finalize_body.h"
+#include "physics/src/stages/finalize/finalize_body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "stages/step_scratch.h"
-#include "state/world_access.h"
-#include "support/step_time.h"
-#include "support/world_builder.h"
+#include "physics/src/stages/step_scratch.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/step_time.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

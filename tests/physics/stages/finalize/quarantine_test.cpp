@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "state/contact_constraints.h"
-#include "state/validate.h"
-#include "state/world_access.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/validate.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

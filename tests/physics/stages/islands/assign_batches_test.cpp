@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace jostle::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

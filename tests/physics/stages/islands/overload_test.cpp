@@ -3,11 +3,11 @@
 // What comes to lie on what is a hundred times lighter has its sub-steps in the next step, not at
 // the next look at all islands; what has firm ground, too, or is no heavier than that, does not ask
 // for them.
-#include "stages/islands/overload.h"
+#include "physics/src/stages/islands/overload.h"
 
 #include <gtest/gtest.h>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -3,7 +3,7 @@
 // Threads share the colours of a large island, whose lanes are sorted now and then.
 #include <gtest/gtest.h>
 
-#include "support/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Which shapes become pairs.
-#include "stages/pairs/update_pairs.h"
+#include "physics/src/stages/pairs/update_pairs.h"
 
 #include <gtest/gtest.h>
 
-#include "state/world_access.h"
-#include "support/world_builder.h"
+#include "physics/src/state/world_access.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/error_trial.h"
+#include "physics/src/stages/solver/error_trial.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "support/world_builder.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/group_fields.h"
+#include "physics/src/stages/solver/group_fields.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

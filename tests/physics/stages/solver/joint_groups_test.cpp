@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Which joints are solved directly, and that a world keeps what they carry.
-#include "stages/solver/joint_groups.h"
+#include "physics/src/stages/solver/joint_groups.h"
 
 #include <gtest/gtest.h>
 
-#include "support/ball_net.h"
-#include "support/near.h"
-#include "support/world_builder.h"
+#include "tests/support/ball_net.h"
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {

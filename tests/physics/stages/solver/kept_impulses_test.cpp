@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solver/kept_impulses.h"
+#include "physics/src/stages/solver/kept_impulses.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// One client, shared by Client (any thread) and the loop's thread.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "clients/cpp/core/src/connection.h"
+#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/datagram_socket.h"
+#include "clients/cpp/core/src/held_messages.h"
+
+namespace jostle::client {
+
+struct ClientState {
+    explicit ClientState(ClientOptions options) : conversation(std::move(options)) {}
+
+    mutable std::mutex mutex;  // guards the conversation
+    Conversation conversation;
+    std::atomic<bool> gone{false};  // the Client was destroyed: end the stream
+
+    // The loop thread's own.
+    std::unique_ptr<Connection> connection;
+    std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
+    std::uint64_t datagrams_name = 0;           // for the watch
+    // Of a client with a bad link: what is on its way in and out. Empty otherwise.
+    std::optional<HeldMessages> incoming, outgoing;
+    Clock::time_point connect_at{};
+    Clock::duration pause = std::chrono::milliseconds(250);
+    std::optional<Clock::time_point> give_up_at;  // of a client that is gone
+    bool over = false;
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/core/src/conversation.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace jostle::client {
+namespace {
+
+constexpr std::uint32_t protocol_version = 1;
+constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches a second
+constexpr int quick_pings = 3;                                    // to have a clock soon
+constexpr auto quick_ping_period = std::chrono::milliseconds(100);
+constexpr auto ping_period = std::chrono::seconds(1);
+constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
+constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
+constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
+// Of datagrams: how often one is sent although there is nothing to say, while they get through,
+// before it is known whether they do, and when they did not for a while.
+constexpr auto pulse_period = std::chrono::milliseconds(250);
+constexpr auto first_try_period = std::chrono::milliseconds(50);
+constexpr auto later_try_period = std::chrono::milliseconds(500);
+constexpr auto first_tries = std::chrono::seconds(2);
+constexpr std::size_t datagram_inputs_bytes = 1000;  // beside the ack and the batch's own numbers
+// Inputs that are not confirmed for so long go by the stream as well.
+constexpr auto confirmed_within = std::chrono::seconds(1);
+
+void write(v1::Interest& to, const Sight& from) {
+    to.mutable_focus()->set_x(from.x);
+    to.mutable_focus()->set_z(from.z);
+    to.set_radius(from.radius);
+}
+
+v1::Aim* aim_of(v1::Input& input) {
+    if (input.has_impulse() && input.impulse().has_aim())
+        return input.mutable_impulse()->mutable_aim();
+    if (input.has_grab() && input.grab().has_aim()) return input.mutable_grab()->mutable_aim();
+    if (input.has_explode() && input.explode().has_aim())
+        return input.mutable_explode()->mutable_aim();
+    return nullptr;
+}
+
+}  // namespace
+
+void Conversation::begin(Clock::time_point now) {
+    hello_due_ = true;
+    ack_due_ = need_keyframe_ = leave_sent_ = datagram_ack_due_ = blocked_told_ = false;
+    ticket_.reset();
+    stats_.datagrams = false;
+    pings_sent_ = 0;
+    next_ping_ = now;
+    if (resume_token_.empty()) begin_anew();
+}
+
+// The server counts each new client's inputs from 1.
+void Conversation::begin_anew() {
+    buffer_.clear();
+    newest_ = {};
+    clock_ = {};
+    inputs_.begin_anew();
+}
+
+void Conversation::abandon() {
+    inputs_.forget_unsaid();
+    leaving_ = true;
+}
+
+void Conversation::ended(const Status& end) {
+    stats_.connected = stats_.datagrams = false;
+    ticket_.reset();
+    if (end.ok()) return;
+    stats_.stream_failures++;
+    stats_.last_error = end.error().message;
+}
+
+// The newest counts; it goes out with the next message that is due.
+void Conversation::look_at(const Sight& sight) {
+    if (!options_.sight) return;
+    options_.sight = sight;
+    sight_due_ = true;
+}
+
+v1::SeenMoment Conversation::shown_moment() const {
+    return client::shown_moment(newest_, buffer_.clock().shown_us(), tick_us_);
+}
+
+std::uint32_t Conversation::send(v1::Input input) {
+    if (v1::Aim* aim = aim_of(input);
+        aim && !aim->has_seen() && options_.aim_at_what_is_shown && newest_.frame != 0)
+        *aim->mutable_seen() = shown_moment();
+    return inputs_.push(std::move(input));
+}
+
+void Conversation::receive(const std::string& bytes, Clock::time_point now) {
+    stats_.bytes_received += bytes.size();
+    if (options_.on_message) options_.on_message(bytes, now);
+    if (!message_.ParseFromString(bytes)) {
+        stats_.decode_errors++;
+        stats_.last_error = "the server sent bytes that are no ServerMessage";
+        return;
+    }
+    if (message_.has_welcome() && options_.datagrams) ticket_came_ = now;
+    on_message(now);
+}
+
+void Conversation::receive_datagram(const std::string& bytes, Clock::time_point now) {
+    stats_.bytes_received += bytes.size();
+    if (options_.on_message) options_.on_message(bytes, now);
+    if (!message_.ParseFromString(bytes) || !message_.has_snapshot()) {
+        stats_.decode_errors++;
+        stats_.last_error = "the server sent a datagram that holds no snapshot";
+        return;
+    }
+    const std::uint64_t before = stats_.snapshots;
+    on_message(now);
+    stats_.datagram_snapshots += stats_.snapshots - before;
+}
+
+void Conversation::on_message(Clock::time_point now) {
+    switch (message_.message_case()) {
+        case v1::ServerMessage::kWelcome:
+            on_welcome(message_.welcome(), now);
+            break;
+        case v1::ServerMessage::kGeometry:
+            if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
+                stats_.decode_errors++;
+                stats_.last_error = told.error().message;
+            }
+            break;
+        case v1::ServerMessage::kRoster:
+            view_.apply(message_.roster());
+            break;
+        case v1::ServerMessage::kSnapshot:
+            if (message_.snapshot().has_driven())
+                // What cannot be read is not foreseen.
+                static_cast<void>(view_.apply(message_.snapshot().driven()).ok());
+            if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
+            inputs_.confirm(message_.snapshot().own().input_received(), now);
+            // These stand by themselves, whatever became of the poses.
+            on_results(message_.snapshot().own(), now);
+            if (message_.snapshot().has_stats()) world_stats_ = message_.snapshot().stats();
+            for (v1::Events& events : *message_.mutable_snapshot()->mutable_events())
+                on_events(std::move(events));
+            break;
+        case v1::ServerMessage::kPong:
+            clock_.add(message_.pong().client_time_us(), message_.pong().server_time_us(),
+                       to_us(now));
+            stats_.rtt_ms = clock_.rtt_ms();
+            break;
+        case v1::ServerMessage::kNotice:
+            stats_.last_error = message_.notice().message();
+            break;
+        case v1::ServerMessage::MESSAGE_NOT_SET:
+            break;  // of a newer server; not for us
+    }
+}
+
+void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now) {
+    if (welcome.resumed())
+        inputs_.go_on_after(welcome.last_sequence(), now);
+    else if (!resume_token_.empty())
+        begin_anew();
+    stats_.resumed += welcome.resumed() ? 1 : 0;
+    resume_token_ = welcome.resume_token();
+    if (welcome.continues()) {
+        view_.go_on(welcome);
+    } else {
+        view_.begin(welcome);
+        buffer_.clear();
+        newest_ = {};
+        input_clock_.begin(welcome.tick_hz());
+    }
+    tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
+    stats_.connected = true;
+    stats_.client_id = welcome.client_id();
+    ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_ms(), ack_ms_max));
+    if (options_.datagrams && welcome.has_datagrams()) ticket_ = welcome.datagrams();
+    inputs_.keep(ticket_.has_value() || !resume_token_.empty());
+}
+
+void Conversation::set_datagrams(bool alive, bool given_up) {
+    if (!alive && !blocked_told_ && (stats_.datagrams || given_up)) {
+        blocked_told_ = true;
+        stats_.last_error = "datagrams do not get through; the stream carries all";
+    }
+    if (alive) blocked_told_ = false;
+    // Acks that went by datagrams may not have come: the server waits for them.
+    if (!alive && stats_.datagrams) ack_due_ = true;
+    stats_.datagrams = alive;
+}
+
+void Conversation::datagrams_failed(const Error& why) {
+    ticket_.reset();
+    stats_.datagrams = false;
+    stats_.last_error = why.message;
+}
+
+void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
+    // Datagrams overtake the stream and each other.
+    if (ticket_ && snapshot.frame() <= view_.frame().frame) {
+        stats_.stale_snapshots++;
+        return;
+    }
+    if (const Status applied = view_.apply(snapshot); !applied.ok()) {
+        // While a keyframe is on its way, what follows cannot be decoded either; one error is
+        // enough.
+        if (!need_keyframe_) {
+            stats_.decode_errors++;
+            stats_.last_error = applied.error().message;
+        }
+        need_keyframe_ = ack_due_ = datagram_ack_due_ = true;
+        return;
+    }
+    decoded_at_ = now;
+    need_keyframe_ = false;
+    ack_due_ = datagram_ack_due_ = true;
+    stats_.snapshots++;
+    const WorldView::Times times = view_.times_of(snapshot);
+    newest_ = {snapshot.frame(), times.due_us};
+    if (times.still_until_us) buffer_.hold(*times.still_until_us);
+    buffer_.add(view_.shown_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
+                times.still_until_us.has_value());
+    if (!clock_.ready()) return;
+    const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
+    steer_inputs(snapshot, age_us, now);
+    if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
+}
+
+void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
+                                Clock::time_point now) {
+    input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
+                          static_cast<std::int64_t>(to_us(now)));
+    input_clock_.on_margin(snapshot.own().input_sequence(), snapshot.own().input_margin_us());
+    stats_.input_margin_ms = input_clock_.margin_ms();
+}
+
+void Conversation::on_results(const v1::Private& own, Clock::time_point now) {
+    for (const v1::InputResult& result : own.results()) {
+        if (!inputs_.answered(result.sequence(), now)) continue;
+        if (result.code() == v1::INPUT_CODE_APPLIED)
+            stats_.inputs_applied++;
+        else
+            stats_.inputs_refused++;
+        results_.push_back(result);
+        if (results_.size() > results_max) results_.pop_front();
+    }
+}
+
+std::vector<v1::InputResult> Conversation::take_results() {
+    std::vector<v1::InputResult> taken(std::make_move_iterator(results_.begin()),
+                                       std::make_move_iterator(results_.end()));
+    results_.clear();
+    return taken;
+}
+
+void Conversation::on_events(v1::Events&& events) {
+    events_.push_back(std::move(events));
+    if (events_.size() <= events_max) return;
+    const std::uint32_t lost = events_.front().missed() + 1;
+    events_.pop_front();
+    events_.front().set_missed(events_.front().missed() + lost);
+}
+
+std::vector<v1::Events> Conversation::take_events() {
+    std::vector<v1::Events> taken(std::make_move_iterator(events_.begin()),
+                                  std::make_move_iterator(events_.end()));
+    events_.clear();
+    return taken;
+}
+
+void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
+    ack.set_frame(view_.frame().frame);
+    ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
+    if (decoded_at_ != Clock::time_point{})
+        ack.set_held_ms(static_cast<std::uint32_t>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
+    if (ticket_) ack.set_before(view_.known_before());
+    ack_due_ = datagram_ack_due_ = keyframe_wanted_ = false;
+    last_ack_ = now;
+}
+
+std::string Conversation::take_inputs(Clock::time_point now) {
+    v1::ClientMessage message;
+    v1::InputBatch& batch = *message.mutable_input();
+    stats_.inputs_sent += inputs_.take_for_stream(batch);
+    input_clock_.sent(inputs_.last_said());
+    put_ack(*batch.mutable_ack(), now);
+    batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
+    last_batch_ = now;
+    return message.SerializeAsString();
+}
+
+std::string Conversation::hello() {
+    hello_due_ = sight_due_ = false;
+    v1::ClientMessage message;
+    v1::Hello& hello = *message.mutable_hello();
+    hello.set_protocol(protocol_version);
+    hello.set_world(options_.world);
+    hello.set_ticket(options_.ticket);
+    hello.set_name(options_.name);
+    hello.set_snapshot_hz(options_.snapshot_hz);
+    hello.set_spectator(options_.spectator);
+    hello.set_events(options_.events);
+    hello.set_codec(options_.codec);
+    for (const std::string& kind : options_.channels) hello.add_channels(kind);
+    hello.set_max_kbps(options_.max_kbps);
+    hello.set_datagrams(options_.datagrams && !options_.link.bad());
+    if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
+    hello.set_resumable(options_.resume && options_.reconnect);
+    if (!resume_token_.empty()) {
+        hello.mutable_resume()->set_token(resume_token_);
+        hello.mutable_resume()->set_frame(view_.frame().frame);
+    }
+    return message.SerializeAsString();
+}
+
+// Datagrams say inputs until they are confirmed; the stream does where they do not get through, and
+// what is too much for one.
+bool Conversation::stream_takes_inputs(Clock::time_point now) const {
+    if (!inputs_.has_for_stream()) return false;
+    return leaving_ || !stats_.datagrams || !inputs_.fits(datagram_inputs_bytes) ||
+           inputs_.is_stuck(confirmed_within, now);
+}
+
+std::optional<std::string> Conversation::take_message(Clock::time_point now) {
+    if (hello_due_) return hello();
+    if (!stats_.connected || leave_sent_) return std::nullopt;
+    v1::ClientMessage message;
+    if (stream_takes_inputs(now) && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (now >= next_ping_) {
+        next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
+                                                        : Clock::duration(ping_period));
+        message.mutable_ping()->set_client_time_us(to_us(now));
+        return message.SerializeAsString();
+    }
+    if (sight_due_) {
+        sight_due_ = false;
+        write(*message.mutable_interest(), *options_.sight);
+        return message.SerializeAsString();
+    }
+    if (keyframe_wanted_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {
+        put_ack(*message.mutable_ack(), now);
+        return message.SerializeAsString();
+    }
+    // Goodbye comes last, after every input.
+    if (leaving_ && !inputs_.has_for_stream()) {
+        leave_sent_ = true;
+        resume_token_.clear();
+        message.mutable_leave();
+        return message.SerializeAsString();
+    }
+    return std::nullopt;
+}
+
+std::string Conversation::datagram_with_inputs(Clock::time_point now) {
+    v1::ClientMessage message;
+    v1::InputBatch& batch = *message.mutable_input();
+    stats_.inputs_sent += inputs_.take_for_datagram(batch, now);
+    input_clock_.sent(inputs_.last_said());
+    put_ack(*batch.mutable_ack(), now);
+    batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
+    return message.SerializeAsString();
+}
+
+std::optional<std::string> Conversation::take_datagram(Clock::time_point now) {
+    if (!ticket_ || !stats_.connected || leave_sent_) return std::nullopt;
+    const bool through = stats_.datagrams;
+    const bool inputs = through && !leaving_ && inputs_.has_open() &&
+                        inputs_.fits(datagram_inputs_bytes) &&
+                        now - last_datagram_batch_ >= batch_period;
+    const Clock::duration period = through                            ? pulse_period
+                                   : now - ticket_came_ < first_tries ? first_try_period
+                                                                      : later_try_period;
+    if (!inputs && !(through && datagram_ack_due_) && now - last_datagram_ < period)
+        return std::nullopt;
+    last_datagram_ = now;
+    if (inputs) {
+        last_datagram_batch_ = now;
+        return datagram_with_inputs(now);
+    }
+    // It may get lost: what must not is still said by the stream.
+    const bool ack_due = ack_due_ && !through, keyframe_wanted = keyframe_wanted_;
+    const Clock::time_point last_ack = last_ack_;
+    v1::ClientMessage message;
+    put_ack(*message.mutable_ack(), now);
+    ack_due_ = ack_due;
+    keyframe_wanted_ = keyframe_wanted;
+    if (!through) last_ack_ = last_ack;
+    return message.SerializeAsString();
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// The client's half of the play stream without a network: takes received messages, says what to
+// send next. One thread at a time (Client's lock).
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/cpp/core/src/input_outbox.h"
+#include "jostle/base/result.h"
+#include "jostle/client/client_options.h"
+#include "jostle/client/client_stats.h"
+#include "jostle/client/clock_sync.h"
+#include "jostle/client/input_clock.h"
+#include "jostle/client/interpolation.h"
+#include "jostle/client/shown_moment.h"
+#include "jostle/client/world_view.h"
+
+namespace jostle::client {
+
+class Conversation {
+public:
+    explicit Conversation(ClientOptions options) : options_(std::move(options)) {}
+
+    // A new stream: hello goes first. Inputs that were not sent yet stay queued. After a stream
+    // that was lost it asks to be the client that it was.
+    void begin(Clock::time_point now);
+    void receive(const std::string& bytes, Clock::time_point now);
+    // A message came by a datagram: the same, but it may be old, and only snapshots come so.
+    void receive_datagram(const std::string& bytes, Clock::time_point now);
+    // The stream ended, in order or not.
+    void ended(const Status& end);
+    // The next message to write, if it is time for one.
+    std::optional<std::string> take_message(Clock::time_point now);
+    // The same for datagrams, which may get lost.
+    std::optional<std::string> take_datagram(Clock::time_point now);
+    // By which datagrams can be had, once the server has told it; nothing: they cannot.
+    const std::optional<v1::DatagramTicket>& datagram_ticket() const { return ticket_; }
+    // Whether they get through now; if not, whether they were tried for long enough to say so.
+    void set_datagrams(bool alive, bool given_up);
+    // There can be none: no ticket is left.
+    void datagrams_failed(const Error& why);
+
+    std::uint32_t send(v1::Input input);  // 0: too many are waiting
+    // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
+    // none.
+    v1::SeenMoment shown_moment() const;
+    void look_at(const Sight& sight);
+    void ask_keyframe() { keyframe_wanted_ = true; }
+    void leave() { leaving_ = true; }
+    // The same, and at once: what waits is not sent.
+    void abandon();
+    bool leaving() const { return leaving_; }
+    // Hello was answered and the Leave, if any, was handed out.
+    bool leave_sent() const { return leave_sent_; }
+
+    const WorldView& view() const { return view_; }
+    const ClockSync& clock() const { return clock_; }
+    InterpolationBuffer& buffer() { return buffer_; }
+    InputClock& input_clock() { return input_clock_; }
+    const ClientOptions& options() const { return options_; }
+    const ClientStats& stats() const { return stats_; }
+    const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
+    std::vector<v1::InputResult> take_results();
+    std::vector<v1::Events> take_events();
+    std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
+
+private:
+    void begin_anew();
+    void on_message(Clock::time_point now);
+    void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
+    void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    std::string hello();
+    bool stream_takes_inputs(Clock::time_point now) const;
+    std::string datagram_with_inputs(Clock::time_point now);
+    void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
+    void on_results(const v1::Private& own, Clock::time_point now);
+    void on_events(v1::Events&& events);
+    void put_ack(v1::Ack& ack, Clock::time_point now);
+    std::string take_inputs(Clock::time_point now);
+
+    ClientOptions options_;
+    WorldView view_;
+    ClockSync clock_;
+    InterpolationBuffer buffer_;
+    InputClock input_clock_;
+    ClientStats stats_;
+    std::optional<v1::WorldStats> world_stats_;
+    std::deque<v1::InputResult> results_;
+    std::deque<v1::Events> events_;
+    std::vector<float> ages_ms_;
+
+    v1::ServerMessage message_;  // reused: parsing then allocates rarely
+    InputOutbox inputs_;
+    std::string resume_token_;  // empty: it has no place that it could come back to
+    std::optional<v1::DatagramTicket> ticket_;
+    bool datagram_ack_due_ = false, blocked_told_ = false;
+    Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
+    bool sight_due_ = false;
+    bool hello_due_ = false, ack_due_ = false;
+    bool need_keyframe_ = false;    // what comes cannot be decoded without one
+    bool keyframe_wanted_ = false;  // it can, and somebody asked for one
+    Clock::duration ack_period_{};
+    NewestFrame newest_;
+    double tick_us_ = 0;
+    bool leaving_ = false, leave_sent_ = false;
+    int pings_sent_ = 0;
+    Clock::time_point last_batch_{}, last_ack_{}, next_ping_{}, decoded_at_{};
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/core/src/datagram_socket.h"
+
+#include <netdb.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+namespace jostle::client {
+
+namespace {
+
+constexpr int buffer_bytes = 1 << 20;
+
+// "192.0.2.7" of "ipv4:192.0.2.7:50051", "::1" of "ipv6:[::1]:50051" or "ipv6:%5B::1%5D:50051".
+std::optional<std::string> host_of(const std::string& peer) {
+    const std::size_t scheme = peer.find(':'), port = peer.rfind(':');
+    if (scheme == port) return std::nullopt;
+    const std::string kind = peer.substr(0, scheme);
+    std::string host = peer.substr(scheme + 1, port - scheme - 1);
+    if (kind == "ipv4") return host;
+    if (kind != "ipv6") return std::nullopt;
+    for (const std::string_view bracket : {"%5B", "%5D", "[", "]"})
+        if (const std::size_t at = host.find(bracket); at != std::string::npos)
+            host.erase(at, bracket.size());
+    return host;
+}
+
+Error no_datagrams(const std::string& why) {
+    return {ErrorCode::unavailable, "no datagrams, the stream carries all: " + why};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramTicket& told,
+                                                             const std::string& peer,
+                                                             Clock::time_point now) {
+    datagram::Ticket ticket{.id = told.id()};
+    if (told.key().size() != ticket.key.size() || told.port() == 0 || told.port() > 65535)
+        return no_datagrams("the server's ticket has a key of " +
+                            std::to_string(told.key().size()) + " bytes and port " +
+                            std::to_string(told.port()));
+    std::memcpy(ticket.key.data(), told.key().data(), ticket.key.size());
+    const auto host = host_of(peer);
+    if (!host) return no_datagrams("the stream is connected to " + peer + ", which is no address");
+    addrinfo hints{}, *found = nullptr;
+    hints.ai_socktype = SOCK_DGRAM;
+    hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV;
+    if (const int error =
+            getaddrinfo(host->c_str(), std::to_string(told.port()).c_str(), &hints, &found);
+        error != 0)
+        return no_datagrams(*host + ": " + gai_strerror(error));
+    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+    auto seal = datagram::Seal::make(ticket, datagram::Side::client);
+    if (!seal.ok()) return seal.error();
+    const int descriptor = socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (descriptor < 0) return no_datagrams(std::strerror(errno));
+    std::unique_ptr<DatagramSocket> made(new DatagramSocket(descriptor, *std::move(seal), now));
+    setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &buffer_bytes, sizeof buffer_bytes);
+    if (connect(descriptor, found->ai_addr, found->ai_addrlen) != 0)
+        return no_datagrams(*host + ": " + std::strerror(errno));
+    return made;
+}
+
+DatagramSocket::~DatagramSocket() {
+    close(descriptor_);
+}
+
+std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
+    for (;;) {
+        std::array<char, datagram::packet_bytes_max + 1> bytes;
+        const ssize_t size = recv(descriptor_, bytes.data(), bytes.size(), 0);
+        if (size < 0 && (errno == ECONNREFUSED || errno == EINTR)) continue;  // told once
+        if (size < 0) return std::nullopt;
+        const auto opened = seal_->open({bytes.data(), static_cast<std::size_t>(size)});
+        if (!opened) continue;
+        heard_ = now;
+        if (auto message = take(opened->content)) return message;
+    }
+}
+
+// The message that is in it, or that it finishes.
+std::optional<std::string> DatagramSocket::take(const std::string& bytes) {
+    const auto content = datagram::decode_content(bytes);
+    if (!content.ok()) return std::nullopt;  // of a newer server; not for us
+    if (const auto* question = std::get_if<datagram::Question>(&*content))
+        transmit(datagram::encode(datagram::Answer{question->word}));
+    if (const auto* message = std::get_if<datagram::Message>(&*content))
+        return std::string(message->bytes);
+    if (const auto* part = std::get_if<datagram::Part>(&*content)) return reassembly_.add(*part);
+    return std::nullopt;
+}
+
+void DatagramSocket::send(const std::string& message) {
+    if (message.size() > datagram::message_bytes_max) return;
+    const std::string_view piece = message;
+    for (const std::string& content : datagram::encode_message(std::span(&piece, 1), 0))
+        transmit(content);
+}
+
+// What the system does not take is lost, as on the way.
+void DatagramSocket::transmit(const std::string& content) {
+    const std::string packet = seal_->close(content);
+    ::send(descriptor_, packet.data(), packet.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "clients/cpp/core/src/pose_blend.h"
+
+namespace jostle::client {
+namespace {
+
+constexpr std::size_t frames_max = 64;
+constexpr double extrapolate_us = 50'000;
+// Who did not draw for so long shows the world anew: nobody saw what it looked like before.
+constexpr std::int64_t unseen_us = 250'000;
+
+const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint32_t id) {
+    const auto& entities = frame.entities;
+    const auto at =
+        std::lower_bound(entities.begin(), entities.end(), id,
+                         [](const wire::EntityState& e, std::uint32_t n) { return e.id < n; });
+    return at != entities.end() && at->id == id ? &*at : nullptr;
+}
+
+Pace pace_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
+    double dot = 0;
+    for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
+    const double angle = 2 * std::acos(std::min(1.0, std::abs(dot)));
+    return {distance(a, b) * 1e6 / width_us, angle * 1e6 / width_us};
+}
+
+}  // namespace
+
+void InterpolationBuffer::clear() {
+    *this = {};
+}
+
+void InterpolationBuffer::add(wire::QuantizedFrame frame, std::int64_t server_us,
+                              std::int64_t arrived_us, bool after_rest) {
+    if (!frames_.empty() && server_us <= frames_.back().server_us) return;
+    clock_.on_frame(server_us, arrived_us, after_rest);
+    frames_.push_back({std::move(frame), server_us});
+    if (frames_.size() > frames_max) frames_.pop_front();
+}
+
+void InterpolationBuffer::hold(std::int64_t server_us) {
+    if (frames_.empty() || server_us <= frames_.back().server_us) return;
+    frames_.push_back({frames_.back().frame, server_us});
+    if (frames_.size() > frames_max) frames_.pop_front();
+}
+
+InterpolationBuffer::Moment InterpolationBuffer::moment(double at_us) const {
+    // The first frame after it, or the newest.
+    std::size_t next = 0;
+    while (next + 1 < frames_.size() && static_cast<double>(frames_[next].server_us) < at_us)
+        next++;
+    const Timed &a = frames_[next == 0 ? 0 : next - 1], &b = frames_[next];
+    if (a.server_us == b.server_us) return {&a, &b, 1};
+    const auto width = static_cast<double>(b.server_us - a.server_us);
+    const double t = (at_us - static_cast<double>(a.server_us)) / width;
+    return {&a, &b, std::clamp(t, 0.0, 1 + extrapolate_us / width)};
+}
+
+// Without errors.
+std::vector<InterpolationBuffer::Drawn> InterpolationBuffer::right_at(
+    double at_us, const wire::QuantSpec& spec) const {
+    const auto [a, b, t] = moment(at_us);
+    const auto width = static_cast<double>(b->server_us - a->server_us);
+    const auto& old = a->frame.entities;
+    std::vector<Drawn> out;
+    out.reserve(b->frame.entities.size());
+    std::size_t from = 0;
+    for (const wire::EntityState& state : b->frame.entities) {
+        while (from < old.size() && old[from].id < state.id) from++;
+        const wire::Pose to = wire::dequantize(state, spec);
+        Drawn& drawn = out.emplace_back(Drawn{{state.id, to}, {}, {}});
+        if (width == 0 || from == old.size() || old[from].id != state.id) continue;
+        const wire::Pose before = wire::dequantize(old[from], spec);
+        if (is_jump(before, to, width)) {
+            if (t < 1) drawn.shown.pose = before;
+            continue;
+        }
+        drawn.shown.pose = blend(before, to, t);
+        drawn.pace = pace_between(before, to, width);
+    }
+    return out;
+}
+
+bool InterpolationBuffer::jumped_since(std::uint32_t entity, std::int64_t server_us,
+                                       const wire::QuantSpec& spec) const {
+    for (std::size_t k = 1; k < frames_.size(); k++) {
+        if (frames_[k].server_us <= server_us) continue;
+        const wire::EntityState* a = find_state(frames_[k - 1].frame, entity);
+        const wire::EntityState* b = find_state(frames_[k].frame, entity);
+        const auto width = static_cast<double>(frames_[k].server_us - frames_[k - 1].server_us);
+        if (a && b && is_jump(wire::dequantize(*a, spec), wire::dequantize(*b, spec), width))
+            return true;
+    }
+    return false;
+}
+
+// The last picture was a guess, and now there are the frames that it lacked: what would it have
+// shown?
+void InterpolationBuffer::note_errors(const wire::QuantSpec& spec) {
+    const auto right = right_at(static_cast<double>(drawn_at_us_), spec);
+    std::size_t k = 0;
+    for (Drawn& drawn : drawn_) {
+        while (k < right.size() && right[k].shown.entity < drawn.shown.entity) k++;
+        if (k == right.size() || right[k].shown.entity != drawn.shown.entity) continue;
+        drawn.error = walkable(pose_error(drawn.shown.pose, right[k].shown.pose), right[k].pace);
+        if (!drawn.error.none() && jumped_since(drawn.shown.entity, drawn_newest_us_, spec))
+            drawn.error = {};
+    }
+}
+
+std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
+                                                    const wire::QuantSpec& spec) {
+    std::vector<SmoothPose> out;
+    if (frames_.empty()) return out;
+    const std::int64_t at_us = clock_.advance(now_us);
+    const std::int64_t newest_us = frames_.back().server_us;
+    const std::int64_t passed_us = std::max<std::int64_t>(0, now_us - drawn_now_us_);
+    if (passed_us > unseen_us)
+        drawn_.clear();
+    else if (drawn_at_us_ > drawn_newest_us_ && newest_us > drawn_newest_us_)
+        note_errors(spec);
+
+    std::vector<Drawn> now = right_at(static_cast<double>(at_us), spec);
+    out.reserve(now.size());
+    std::size_t k = 0;
+    for (Drawn& drawn : now) {
+        while (k < drawn_.size() && drawn_[k].shown.entity < drawn.shown.entity) k++;
+        if (k < drawn_.size() && drawn_[k].shown.entity == drawn.shown.entity) {
+            drawn.error =
+                decayed(drawn_[k].error, drawn.pace, static_cast<double>(passed_us) / 1e6);
+            drawn.shown.pose = with_error(drawn.shown.pose, drawn.error);
+        }
+        out.push_back(drawn.shown);
+    }
+    drawn_ = std::move(now);
+    drawn_now_us_ = now_us;
+    drawn_at_us_ = at_us;
+    drawn_newest_us_ = newest_us;
+    return out;
+}
+
+}  // namespace jostle::client

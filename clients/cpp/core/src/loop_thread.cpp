@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/core/src/loop_thread.h"
+
+#include <algorithm>
+
+#include "jostle/grpc_status/grpc_status.h"
+
+namespace jostle::client {
+namespace {
+
+// Inputs, pings and reconnects need no better; messages that arrive are handled at once.
+constexpr auto usual_period = std::chrono::milliseconds(5);
+// Messages of a bad link arrive when it says so, not when something else happens.
+constexpr auto bad_link_period = std::chrono::milliseconds(1);
+constexpr auto longest_pause = std::chrono::seconds(5);
+constexpr auto goodbye_patience = std::chrono::milliseconds(100);
+
+// Of a stream that nobody here wanted to end.
+Error why_it_ended(const Status& end) {
+    if (end.ok()) return {ErrorCode::aborted, "the stream ended: the server closed it"};
+    return {end.error().code, "the stream ended: " + end.error().message};
+}
+
+}  // namespace
+
+LoopThread::LoopThread() : thread_([this] { run(); }) {}
+
+LoopThread::~LoopThread() {
+    stopping_ = true;
+    thread_.join();
+}
+
+void LoopThread::add(std::shared_ptr<ClientState> client) {
+    const std::lock_guard lock(mutex_);
+    new_clients_.push_back(std::move(client));
+}
+
+void LoopThread::take_new_clients() {
+    const std::lock_guard lock(mutex_);
+    clients_.insert(clients_.end(), new_clients_.begin(), new_clients_.end());
+    new_clients_.clear();
+}
+
+void LoopThread::run() {
+    Clock::time_point housekeeping = Clock::now();
+    while (!stopping_) {
+        void* tag = nullptr;
+        bool ok = false;
+        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
+        const auto next = queue_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
+        const Clock::time_point now = Clock::now();
+        if (next == grpc::CompletionQueue::GOT_EVENT && tag == watch_.get())
+            read_ready(now);
+        else if (next == grpc::CompletionQueue::GOT_EVENT)
+            handle(*static_cast<Connection::Tag*>(tag), ok, now);
+        if (now < housekeeping) continue;
+        take_new_clients();
+        for (const auto& client : clients_) advance(*client, now);
+        std::erase_if(clients_, [](const auto& client) { return client->over; });
+        housekeeping = now + housekeeping_period();
+    }
+    drain();
+}
+
+Clock::duration LoopThread::housekeeping_period() const {
+    for (const auto& client : clients_)
+        if (client->incoming) return bad_link_period;
+    return usual_period;
+}
+
+void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
+    // A client stays on the list until its connection has nothing in flight.
+    ClientState& client = *static_cast<ClientState*>(tag.owner);
+    const std::string* received = client.connection->handle(tag.event, ok);
+    if (received && client.incoming) {
+        client.incoming->push(*received, now);
+    } else if (received) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.receive(*received, now);
+    }
+    advance(client, now);
+}
+
+// What has come over a bad link.
+void LoopThread::receive(ClientState& client, Clock::time_point now) {
+    if (!client.incoming) return;
+    const std::lock_guard lock(client.mutex);
+    while (const auto message = client.incoming->take(now))
+        client.conversation.receive(*message, now);
+}
+
+// What came by datagrams, of those who have something new.
+void LoopThread::read_ready(Clock::time_point now) {
+    for (const std::uint64_t name : watch_->take_ready()) {
+        const auto at = with_datagrams_.find(name);
+        if (at == with_datagrams_.end()) continue;
+        read_datagrams(*at->second, now);
+        move_datagrams(*at->second, now);
+    }
+}
+
+void LoopThread::read_datagrams(ClientState& client, Clock::time_point now) {
+    while (const auto message = client.datagrams->receive(now)) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.receive_datagram(*message, now);
+    }
+}
+
+// Once the server has told by which ticket.
+void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
+    const std::lock_guard lock(client.mutex);
+    const auto& ticket = client.conversation.datagram_ticket();
+    if (!ticket) return;
+    auto opened = DatagramSocket::open(*ticket, client.connection->peer(), now);
+    if (!opened.ok()) return client.conversation.datagrams_failed(opened.error());
+    client.datagrams = *std::move(opened);
+    client.datagrams_name = ++datagram_names_;
+    if (!watch_) watch_ = std::make_unique<DatagramWatch>(queue_);
+    with_datagrams_[client.datagrams_name] = &client;
+    watch_->add(client.datagrams->descriptor(), client.datagrams_name);
+}
+
+// Says what is to be said by datagrams, and what became of them.
+void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
+    if (!client.datagrams) open_datagrams(client, now);
+    if (!client.datagrams) return;
+    std::optional<std::string> message;
+    {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.set_datagrams(client.datagrams->alive(now),
+                                          client.datagrams->given_up(now));
+        message = client.conversation.take_datagram(now);
+    }
+    if (message) client.datagrams->send(*message);
+}
+
+void LoopThread::write(ClientState& client, Clock::time_point now) {
+    while (client.connection->ready_to_write()) {
+        std::optional<std::string> message;
+        bool goodbye = false;
+        {
+            const std::lock_guard lock(client.mutex);
+            message = client.conversation.take_message(now);
+            goodbye = client.conversation.leave_sent();
+        }
+        if (client.outgoing) {
+            if (message) client.outgoing->push(*std::move(message), now);
+            message = client.outgoing->take(now);
+            goodbye = goodbye && client.outgoing->empty();
+        }
+        if (message)
+            client.connection->write(*message);
+        else if (goodbye)
+            client.connection->close_writes();
+        else
+            break;
+    }
+}
+
+// Starts what can be started: a connection, the next write, the next attempt.
+void LoopThread::advance(ClientState& client, Clock::time_point now) {
+    if (client.over) return;
+    if (!client.connection) {
+        if (now < client.connect_at) return;
+        const std::lock_guard lock(client.mutex);
+        if (client.gone || client.conversation.leaving()) {
+            client.over = true;
+            return;
+        }
+        client.conversation.begin(now);
+        const ClientOptions& options = client.conversation.options();
+        if (LinkSettings link = options.link; link.bad()) {
+            client.incoming.emplace(link);
+            link.seed ^= 0x9e3779b9u;  // another link back
+            client.outgoing.emplace(link);
+        }
+        client.connection = std::make_unique<Connection>(options, queue_, &client);
+        return;
+    }
+    if (client.gone) give_up(client, now);
+    if (client.connection->finished()) {
+        if (client.connection->idle()) after_end(client, now);
+        return;
+    }
+    receive(client, now);
+    move_datagrams(client, now);
+    write(client, now);
+}
+
+// It says goodbye if that can be done at once, so that the server keeps no place for it.
+void LoopThread::give_up(ClientState& client, Clock::time_point now) {
+    if (!client.give_up_at) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.abandon();
+        client.give_up_at = client.conversation.stats().connected ? now + goodbye_patience : now;
+    }
+    if (now >= *client.give_up_at) client.connection->cancel();
+}
+
+void LoopThread::after_end(ClientState& client, Clock::time_point now) {
+    const Status end = from_grpc(client.connection->status());
+    client.connection.reset();
+    with_datagrams_.erase(client.datagrams_name);
+    client.datagrams.reset();
+    const std::lock_guard lock(client.mutex);
+    const bool wanted = client.gone || client.conversation.leaving();
+    if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
+    client.conversation.ended(wanted ? Status() : why_it_ended(end));
+    if (wanted || !client.conversation.options().reconnect) {
+        client.over = true;
+        return;
+    }
+    client.connect_at = now + client.pause;
+    client.pause = std::min<Clock::duration>(client.pause * 2, longest_pause);
+}
+
+// Cancels what is connected and takes the last events off the queue_.
+void LoopThread::drain() {
+    for (const auto& client : clients_)
+        if (client->connection) client->connection->cancel();
+    watch_.reset();
+    queue_.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    // No new operation may be started now, so the connections only count.
+    while (queue_.Next(&tag, &ok)) {
+    }
+    for (const auto& client : clients_) client->connection.reset();
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// The thread of a Loop: a completion queue, and the clients whose connections it moves.
+#pragma once
+
+#include <grpcpp/completion_queue.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <unordered_map>
+#include <vector>
+
+#include "clients/cpp/core/src/client_state.h"
+#include "clients/cpp/core/src/datagram_watch.h"
+
+namespace jostle::client {
+
+class LoopThread {
+public:
+    LoopThread();
+    ~LoopThread();  // ends what is still connected
+    // Any thread.
+    void add(std::shared_ptr<ClientState> client);
+
+private:
+    void run();
+    void take_new_clients();
+    void advance(ClientState& client, Clock::time_point now);
+    void receive(ClientState& client, Clock::time_point now);
+    void write(ClientState& client, Clock::time_point now);
+    void open_datagrams(ClientState& client, Clock::time_point now);
+    void read_datagrams(ClientState& client, Clock::time_point now);
+    void move_datagrams(ClientState& client, Clock::time_point now);
+    void read_ready(Clock::time_point now);
+    Clock::duration housekeeping_period() const;
+    void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
+    void give_up(ClientState& client, Clock::time_point now);
+    void after_end(ClientState& client, Clock::time_point now);
+    void drain();
+
+    grpc::CompletionQueue queue_;
+    std::mutex mutex_;  // guards new_clients_
+    std::vector<std::shared_ptr<ClientState>> new_clients_;
+    std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
+    std::unique_ptr<DatagramWatch> watch_;               // once somebody takes datagrams
+    std::uint64_t datagram_names_ = 0;
+    std::unordered_map<std::uint64_t, ClientState*> with_datagrams_;  // by name
+    std::atomic<bool> stopping_{false};
+    std::thread thread_;
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// A pose between two others.
+#pragma once
+
+#include <cmath>
+
+#include "jostle/snapshot/quantize.h"
+
+namespace jostle::client {
+
+inline constexpr double fastest_m_s = 100;
+
+inline double distance(const wire::Pose& a, const wire::Pose& b) {
+    return std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],
+                      b.position[2] - a.position[2]);
+}
+
+// It did not fly there.
+inline bool is_jump(const wire::Pose& a, const wire::Pose& b, double width_us) {
+    return distance(a, b) * 1e6 > fastest_m_s * width_us;
+}
+
+// t in 0..1 between a and b; beyond 1 the motion goes on.
+inline wire::Pose blend(const wire::Pose& a, const wire::Pose& b, double t) {
+    wire::Pose out;
+    double dot = 0, norm = 0;
+    for (std::size_t k = 0; k < 3; k++)
+        out.position[k] = a.position[k] + t * (b.position[k] - a.position[k]);
+    for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
+    // Normalised linear interpolation along the shorter way: steps are small.
+    for (std::size_t k = 0; k < 4; k++) {
+        const double to = dot < 0 ? -b.rotation[k] : b.rotation[k];
+        out.rotation[k] = a.rotation[k] + t * (to - a.rotation[k]);
+        norm += out.rotation[k] * out.rotation[k];
+    }
+    for (double& c : out.rotation) c /= std::sqrt(norm);
+    return out;
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/core/src/seen_cells.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cpp/core/src/pose_blend.h"
+#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/survivors.h"
+
+namespace jostle::client {
+
+Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellPart& part,
+                                               const wire::QuantSpec& spec,
+                                               wire::Codec codec) const {
+    const std::string name =
+        "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
+    const Result<wire::BaseFrames> told = wire::decode_base_frames(part.number(), part.bases());
+    if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
+    const auto known = cells_.find(part.cell());
+    if (known != cells_.end() && part.bases() != 0 && part.number() <= known->second.back().frame)
+        return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
+    wire::Bases bases;
+    const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
+    for (int k = 0; k < 3 && numbers[k] != 0; k++) {
+        if (known != cells_.end())
+            for (const wire::QuantizedFrame& state : known->second)
+                if (state.frame == numbers[k]) *slots[k] = &state;
+        if (*slots[k] == nullptr)
+            return Error{ErrorCode::failed_precondition,
+                         name + ": its state " + std::to_string(numbers[k]) + " is not known"};
+    }
+    const auto* bytes = reinterpret_cast<const std::byte*>(part.packed().data());
+    auto state = wire::decode_frame(part.number(), {bytes, part.packed().size()}, bases, spec,
+                                    wire::default_entities_max, codec);
+    if (!state.ok()) return Error{state.error().code, name + ": " + state.error().message};
+    if (wire::frame_crc(*state) != part.crc())
+        return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
+    return state;
+}
+
+Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
+                        wire::Codec codec) {
+    std::vector<std::pair<std::uint32_t, wire::QuantizedFrame>> fresh;
+    for (const v1::CellPart& part : snapshot.cells()) {
+        auto state = decode(part, spec, codec);
+        if (!state.ok()) return state.error();
+        fresh.emplace_back(part.cell(), *std::move(state));
+    }
+    if (newest_ != 0 && snapshot.frame() > newest_) step_ = snapshot.frame() - newest_;
+    newest_ = snapshot.frame();
+    for (const std::uint32_t cell : snapshot.cells_left()) cells_.erase(cell);
+    for (auto& [cell, state] : fresh) {
+        States& states = cells_[cell];
+        // One that is told whole begins anew.
+        if (!states.empty() && state.frame <= states.back().frame) states.clear();
+        states.push_back(std::move(state));
+        if (states.size() > kept) states.pop_front();
+    }
+    return {};
+}
+
+namespace {
+
+struct Seen {
+    const wire::EntityState* entity;
+    std::uint32_t number;
+};
+
+wire::QuantizedFrame together(std::vector<Seen> all, std::uint32_t number) {
+    std::ranges::sort(all, [](const Seen& a, const Seen& b) {
+        return a.entity->id != b.entity->id ? a.entity->id < b.entity->id : a.number > b.number;
+    });
+    wire::QuantizedFrame frame{.frame = number, .entities = {}};
+    frame.entities.reserve(all.size());
+    for (const Seen& seen : all)
+        if (frame.entities.empty() || frame.entities.back().id != seen.entity->id)
+            frame.entities.push_back(*seen.entity);
+    return frame;
+}
+
+wire::EntityState between(const wire::EntityState& a, const wire::EntityState& b, double t,
+                          const wire::QuantSpec& spec, double width_us) {
+    if (wire::same_pose(a, b)) return b;
+    const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
+    if (is_jump(from, to, width_us)) return a;
+    return wire::quantize(b.id, blend(from, to, t), b.at_rest, spec);
+}
+
+}  // namespace
+
+wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
+    std::vector<Seen> all;
+    for (const auto& [cell, states] : cells_)
+        for (const wire::EntityState& entity : states.back().entities)
+            all.push_back({&entity, states.back().frame});
+    return together(std::move(all), number);
+}
+
+// A cell in which nothing moved for a while is told as seldom as it likes: its shortest interval of
+// late is how often it is told.
+double SeenCells::progress(const States& states, std::uint32_t number) const {
+    constexpr std::size_t intervals = 3;
+    constexpr std::uint32_t longest = 12;  // ticks: nobody is shown later than that
+    if (states.size() < 2) return 1;
+    std::uint32_t shortest = longest;
+    for (std::size_t k = states.size() - 1; k > 0 && k + intervals >= states.size(); k--)
+        shortest = std::min(shortest, states[k].frame - states[k - 1].frame);
+    const std::uint32_t since = number - std::min(number, states.back().frame);
+    return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
+}
+
+wire::QuantizedFrame SeenCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
+                                      double tick_us) const {
+    std::vector<Seen> all;
+    std::deque<wire::EntityState> made;
+    for (const auto& [cell, states] : cells_) {
+        const wire::QuantizedFrame& now = states.back();
+        const double t = progress(states, number);
+        const wire::QuantizedFrame* const before = t < 1 ? &states[states.size() - 2] : nullptr;
+        const double width_us = before ? (now.frame - before->frame) * tick_us : 0;
+        wire::Finder in_before(before);
+        for (const wire::EntityState& entity : now.entities) {
+            const wire::EntityState* const was = in_before.find(entity.id);
+            if (was) made.push_back(between(*was, entity, t, spec, width_us));
+            all.push_back({was ? &made.back() : &entity, now.frame});
+        }
+    }
+    return together(std::move(all), number);
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+//
+// The unary calls: WorldClient and QueryClient.
+#include "jostle/client/world_client.h"
+
+#include <grpcpp/create_channel.h>
+
+#include <chrono>
+
+#include "clients/cpp/core/src/credentials.h"
+#include "jostle/client/query_client.h"
+#include "jostle/grpc_status/grpc_status.h"
+#include "jostle/v1/query.grpc.pb.h"
+#include "jostle/v1/world.grpc.pb.h"
+
+namespace jostle::client {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(5);
+
+template <class Stub, class Request, class Response>
+Result<Response> call(Stub& stub,
+                      grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                      const Request& request, const Security& security) {
+    grpc::ClientContext context;
+    show_token(context, security);
+    context.set_deadline(std::chrono::system_clock::now() + patience);
+    context.set_wait_for_ready(true);
+    Response response;
+    const Status status = from_grpc((stub.*method)(&context, request, &response));
+    if (!status.ok()) return status.error();
+    return response;
+}
+
+void write(v1::Vec3& to, const Point& from) {
+    to.set_x(from[0]);
+    to.set_y(from[1]);
+    to.set_z(from[2]);
+}
+
+Point read(const v1::Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+void write(v1::QueryFilter& to, const QueryOptions& from) {
+    to.set_categories(from.categories);
+    to.set_triggers(from.triggers);
+    to.set_ignore(from.ignore);
+}
+
+}  // namespace
+
+struct WorldClient::Impl {
+    std::unique_ptr<v1::WorldService::Stub> stub;
+    Security security;
+
+    template <class Request, class Response>
+    Result<Response> ask(grpc::Status (v1::WorldService::Stub::*method)(grpc::ClientContext*,
+                                                                        const Request&, Response*),
+                         const Request& request) {
+        return call(*stub, method, request, security);
+    }
+};
+
+WorldClient::WorldClient(const std::string& target, Security security)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->stub =
+        v1::WorldService::NewStub(grpc::CreateChannel(target, channel_credentials(security)));
+    impl_->security = std::move(security);
+}
+WorldClient::~WorldClient() = default;
+
+Result<v1::ListWorldsResponse> WorldClient::list() {
+    return impl_->ask(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
+}
+
+Result<v1::CreateWorldResponse> WorldClient::create(const v1::CreateWorldRequest& request) {
+    return impl_->ask(&v1::WorldService::Stub::CreateWorld, request);
+}
+
+Status WorldClient::remove(const std::string& world) {
+    v1::DeleteWorldRequest request;
+    request.set_world(world);
+    const auto removed = impl_->ask(&v1::WorldService::Stub::DeleteWorld, request);
+    return removed.ok() ? Status() : removed.error();
+}
+
+Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world) {
+    v1::JoinWorldRequest request;
+    request.set_world(world);
+    return impl_->ask(&v1::WorldService::Stub::JoinWorld, request);
+}
+
+struct QueryClient::Impl {
+    std::unique_ptr<v1::QueryService::Stub> stub;
+    std::string world;
+    Security security;
+
+    template <class Request, class Response>
+    Result<Response> ask(grpc::Status (v1::QueryService::Stub::*method)(grpc::ClientContext*,
+                                                                        const Request&, Response*),
+                         Request& request, const QueryOptions& options) {
+        request.set_world(world);
+        write(*request.mutable_filter(), options);
+        if (options.seen) *request.mutable_seen() = *options.seen;
+        return call(*stub, method, request, security);
+    }
+
+    Result<Answer<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
+                                                       const QueryOptions& options) {
+        const auto response = ask(&v1::QueryService::Stub::Overlap, request, options);
+        if (!response.ok()) return response.error();
+        Answer<std::vector<std::uint32_t>> answer{.tick = response->tick(),
+                                                  .moment_clamped = response->moment_clamped()};
+        answer.value.assign(response->entities().begin(), response->entities().end());
+        return answer;
+    }
+};
+
+QueryClient::QueryClient(const std::string& target, std::string world, Security security)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->stub =
+        v1::QueryService::NewStub(grpc::CreateChannel(target, channel_credentials(security)));
+    impl_->world = std::move(world);
+    impl_->security = std::move(security);
+}
+QueryClient::~QueryClient() = default;
+
+Result<Answer<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point motion,
+                                                            const QueryOptions& options) {
+    v1::CastRaysRequest request;
+    v1::Ray& ray = *request.add_rays();
+    write(*ray.mutable_origin(), origin);
+    write(*ray.mutable_motion(), motion);
+    const auto response = impl_->ask(&v1::QueryService::Stub::CastRays, request, options);
+    if (!response.ok()) return response.error();
+    Answer<std::optional<RayHit>> answer{.tick = response->tick(),
+                                         .moment_clamped = response->moment_clamped()};
+    if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return answer;
+    const v1::Hit& hit = response->rays(0).hits(0);
+    answer.value = RayHit{.entity = hit.entity(),
+                          .shape = hit.shape(),
+                          .fraction = hit.fraction(),
+                          .point = read(hit.point()),
+                          .normal = read(hit.normal())};
+    return answer;
+}
+
+Result<Answer<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
+                                                                const QueryOptions& options) {
+    v1::OverlapRequest request;
+    *request.mutable_shape() = shape;
+    return impl_->overlap(request, options);
+}
+
+Result<Answer<std::vector<std::uint32_t>>> QueryClient::overlap(Point point,
+                                                                const QueryOptions& options) {
+    v1::OverlapRequest request;
+    write(*request.mutable_point(), point);
+    return impl_->overlap(request, options);
+}
+
+Result<Answer<std::optional<Nearest>>> QueryClient::closest_point(Point point, double max_distance,
+                                                                  const QueryOptions& options) {
+    v1::ClosestPointsRequest request;
+    write(*request.add_points(), point);
+    request.set_max_distance(max_distance);
+    const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
+    if (!response.ok()) return response.error();
+    Answer<std::optional<Nearest>> answer{.tick = response->tick(),
+                                          .moment_clamped = response->moment_clamped()};
+    if (response->points_size() == 0 || response->points(0).entity() == 0) return answer;
+    const v1::ClosestPoint& nearest = response->points(0);
+    answer.value = Nearest{.entity = nearest.entity(),
+                           .distance = nearest.distance(),
+                           .point = read(nearest.point()),
+                           .normal = read(nearest.normal())};
+    return answer;
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/world_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clients/cpp/core/src/seen_cells.h"
+#include "jostle/client/clock_sync.h"
+#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/word_changes.h"
+
+namespace jostle::client {
+
+void WorldView::begin(const v1::Welcome& welcome) {
+    spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
+             static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    // No clock says more, and no world is slower: what is beyond is not believed.
+    epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
+    tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
+    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    cells_ = welcome.cells() ? std::make_shared<SeenCells>() : nullptr;
+    datagrams_ = welcome.has_datagrams();
+    shown_.reset();
+    kinds_.assign(welcome.channels().begin(), welcome.channels().end());
+    frames_.clear();
+    entities_.clear();
+    geometry_.clear();
+    unfinished_ = {};
+    driven_ = {};
+}
+
+void WorldView::go_on(const v1::Welcome& welcome) {
+    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    unfinished_ = {};
+}
+
+Status WorldView::apply(const v1::GeometryPart& part) {
+    const auto failed = [&](const std::string& why) {
+        unfinished_ = {};
+        return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};
+    };
+    if (part.part() == 0) unfinished_ = {.id = part.id(), .next = 0, .bytes = {}};
+    if (part.id() != unfinished_.id || part.part() != unfinished_.next ||
+        part.part() >= part.parts())
+        return failed("part " + std::to_string(part.part()) + " of " +
+                      std::to_string(part.parts()) + " does not follow the one before");
+    if (unfinished_.bytes.size() + part.data().size() > geometry_bytes_max)
+        return failed("it has more than " + std::to_string(geometry_bytes_max) + " bytes");
+    unfinished_.bytes += part.data();
+    if (++unfinished_.next < part.parts()) return {};
+    v1::Shape shape;
+    if (!shape.ParseFromString(unfinished_.bytes)) return failed("its bytes are no Shape");
+    geometry_[part.id()] = std::move(shape);
+    unfinished_ = {};
+    return {};
+}
+
+const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
+    if (shape.kind_case() != v1::Shape::kGeometry) return &shape;
+    const auto known = geometry_.find(shape.geometry());
+    return known == geometry_.end() ? nullptr : &known->second;
+}
+
+void WorldView::apply(const v1::Roster& roster) {
+    for (const std::uint32_t id : roster.removed()) entities_.erase(id);
+    for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
+    leave_out_unknown();
+}
+
+Status WorldView::apply(const v1::Driven& driven) {
+    if (!driven.whole() && driven.entity() != driven_.entity)
+        return Error{ErrorCode::failed_precondition,
+                     "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
+    if (driven.whole()) driven_ = {};
+    Result<std::vector<std::uint32_t>> words =
+        wire::with_changes(driven_.words, driven.words(), driven.changed(), driven.values());
+    driven_ = {};
+    if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
+    driven_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
+    return {};
+}
+
+// Both are in rising order of id.
+void WorldView::leave_out_unknown() {
+    shown_.reset();
+    if (!datagrams_ || frames_.empty()) return;
+    const wire::QuantizedFrame& newest = frames_.back().state;
+    auto known = entities_.begin();
+    const auto is_unknown = [&](const wire::EntityState& e) {
+        while (known != entities_.end() && known->first < e.id) ++known;
+        return known == entities_.end() || known->first != e.id;
+    };
+    if (std::ranges::none_of(newest.entities, is_unknown)) return;
+    known = entities_.begin();
+    shown_ = newest;
+    std::erase_if(shown_->entities, is_unknown);
+}
+
+std::uint32_t WorldView::known_before() const {
+    std::uint32_t bits = 0;
+    if (frames_.empty()) return bits;
+    const std::uint32_t newest = frames_.back().state.frame;
+    for (const KnownFrame& known : frames_) {
+        const std::uint32_t back = newest - known.state.frame;
+        if (back >= 1 && back <= 32) bits |= 1u << (back - 1);
+    }
+    return bits;
+}
+
+const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
+    const auto at = std::lower_bound(
+        frames_.begin(), frames_.end(), frame,
+        [](const KnownFrame& f, std::uint32_t number) { return f.state.frame < number; });
+    return at != frames_.end() && at->state.frame == frame ? &*at : nullptr;
+}
+
+Status WorldView::apply(const v1::Snapshot& snapshot) {
+    const Result<wire::BaseFrames> told_bases =
+        wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!told_bases.ok()) return told_bases.error();
+    const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};
+    wire::Bases bases;
+    const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    const wire::Channels* base_channels = &no_channels_;
+    for (int k = 0; k < 3; k++) {
+        if (numbers[k] == 0) break;
+        const KnownFrame* known = find(numbers[k]);
+        if (!known)
+            return Error{ErrorCode::failed_precondition,
+                         "base frame " + std::to_string(numbers[k]) + " is not known"};
+        *slots[k] = &known->state;
+        if (k == 0) base_channels = &known->channels;
+    }
+    const std::string name = "frame " + std::to_string(snapshot.frame());
+    if (snapshot.frame() <= frame().frame)
+        return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
+    auto decoded = poses_of(snapshot, bases);
+    if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
+    const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
+    Result<wire::Channels> channels = wire::decode_channels(
+        {told, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
+    if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
+    frames_.push_back({std::move(*decoded), *std::move(channels)});
+    if (frames_.size() > ring) frames_.pop_front();
+    leave_out_unknown();
+    return {};
+}
+
+// Either a whole frame, or the cells that are in sight.
+Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
+                                                 const wire::Bases& bases) {
+    if (cells_) {
+        if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
+        wire::QuantizedFrame seen = cells_->frame(snapshot.frame());
+        // Who was removed may still be in a cell that comes late.
+        std::erase_if(seen.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+        return seen;
+    }
+    const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
+    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,
+                                      spec_, wire::default_entities_max, codec_);
+    if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
+        return Error{ErrorCode::corrupt_data, "the CRC does not match"};
+    return decoded;
+}
+
+wire::QuantizedFrame WorldView::shown_frame() const {
+    if (!cells_ || frames_.empty()) return frame();
+    wire::QuantizedFrame shown = cells_->shown(frame().frame, spec_, tick_us_);
+    std::erase_if(shown.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+    return shown;
+}
+
+WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
+    constexpr auto most = static_cast<std::int64_t>(latest_time_us);
+    const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);
+    const auto due = [&](std::uint32_t frame) {
+        return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
+    };
+    Times times{.due_us = due(snapshot.frame())};
+    const auto bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    if (!bases.ok() || bases->base == 0 || snapshot.still() == 0) return times;
+    if (snapshot.still() <= snapshot.frame() - bases->base)
+        times.still_until_us = due(bases->base + snapshot.still());
+    return times;
+}
+
+const wire::Channels& WorldView::channels() const {
+    return frames_.empty() ? no_channels_ : frames_.back().channels;
+}
+
+std::span<const std::int32_t> WorldView::channel(std::string_view kind,
+                                                 std::uint32_t entity) const {
+    for (const wire::Channel& channel : channels())
+        if (channel.entity == entity && channel.kind < kinds_.size() &&
+            kinds_[channel.kind].name() == kind)
+            return *channel.values;
+    return {};
+}
+
+std::optional<wire::Pose> WorldView::pose_of(std::uint32_t entity) const {
+    const auto& entities = frame().entities;
+    const auto at =
+        std::lower_bound(entities.begin(), entities.end(), entity,
+                         [](const wire::EntityState& e, std::uint32_t id) { return e.id < id; });
+    if (at == entities.end() || at->id != entity) return std::nullopt;
+    return wire::dequantize(*at, spec_);
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/prediction/src/foresight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jostle/modules/driven.h"
+
+namespace jostle::client {
+
+using namespace physics;
+
+namespace {
+
+// A frame and a foresight that agree differ by what is lost in a frame's integers (1.7 mm, 5 mrad
+// at the usual 512 a metre), and a little.
+constexpr double agree_m = 0.003, agree_rad = 0.01;
+// What a body did between two frames, against what was foreseen of it: up to this it is the
+// integers' noise, beyond somebody pushed it.
+constexpr double pushed_speed = 0.25, pushed_spin = 1;                  // m/s, rad/s
+constexpr double driven_speed_agrees = 0.05, driven_spin_agrees = 0.1;  // m/s, rad/s
+constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
+constexpr double rim_factor = 2;
+constexpr std::size_t rim_max = 64;
+constexpr std::uint32_t slow_ticks = 15;
+constexpr std::size_t inputs_max = 1024;
+constexpr std::int64_t unseen_us = 250'000;
+// What is driven is told by the stream, and frames may overtake that.
+constexpr std::uint32_t late_ticks = 8;
+constexpr std::uint32_t drive_patience_ticks = 60;
+
+double gap(const Vec3& a, const Vec3& b) {
+    return length(a - b);
+}
+
+bool agrees(const Transform& a, const Transform& b) {
+    return gap(a.position, b.position) <= agree_m &&
+           length(turn_between(a.rotation, b.rotation)) <= agree_rad;
+}
+
+// A push shows in the velocity before it shows in the pose.
+bool was_pushed(const Motion& guess, const ToldBody& told) {
+    return told.velocity && !told.at_rest &&
+           (gap(guess.linear, told.velocity->linear) > pushed_speed ||
+            gap(guess.angular, told.velocity->angular) > pushed_spin);
+}
+
+// What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
+// on as it goes there, and nothing here moves it.
+LocalBody local_body(const ToldBody& told, bool own) {
+    return {
+        .type = told.jointed && told.type == BodyType::dynamic ? BodyType::kinematic : told.type,
+        .mass = told.mass,
+        .linear_damping = told.linear_damping,
+        .angular_damping = told.angular_damping,
+        .gravity_scale = told.drivable && !own ? 0 : told.gravity_scale,
+        .locks = told.locks};
+}
+
+// Statics do not, nor what stands on its rails.
+bool moves(const ToldBody& body) {
+    return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
+}
+
+const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
+    const auto at =
+        std::lower_bound(frame.bodies.begin(), frame.bodies.end(), entity,
+                         [](const ToldBody& body, std::uint32_t id) { return body.entity < id; });
+    return at != frame.bodies.end() && at->entity == entity ? &*at : nullptr;
+}
+
+}  // namespace
+
+void Foresight::begin(Vec3 gravity, double tick_hz, int substeps) {
+    forget_world();
+    newest_drive_ = 0;
+    substeps_ = substeps >= 1 && substeps <= 64 ? substeps : options_.substeps;
+    inputs_.clear();
+    shown_.clear();
+    gravity_ = gravity;
+    if (tick_hz >= 4 && tick_hz <= 1e4) tick_s_ = 1 / tick_hz;
+}
+
+void Foresight::follow(std::uint32_t entity) {
+    if (entity_ == entity) return;
+    entity_ = entity;
+    forget_world();
+    newest_drive_ = 0;
+}
+
+void Foresight::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act act) {
+    if (sequence == 0 || tick_wanted == 0) return;
+    std::uint32_t first = tick_wanted;
+    if (!inputs_.empty() && inputs_.back().sequence == sequence) {
+        first = std::min(first, inputs_.back().tick);
+        inputs_.pop_back();
+    }
+    inputs_.push_back({sequence, tick_wanted, std::move(act)});
+    if (inputs_.size() > inputs_max) inputs_.pop_front();
+    // What we do now is no mistake: it is seen at once.
+    const bool changed = changed_;
+    const bool late = !moments_.empty() && tick_wanted < tick();
+    again_from(first);
+    changed_ = changed || late;
+}
+
+void Foresight::on_result(std::uint32_t sequence, std::uint32_t applied_in, bool applied) {
+    const auto sent = std::find_if(inputs_.begin(), inputs_.end(),
+                                   [&](const Sent& s) { return s.sequence == sequence; });
+    if (sent == inputs_.end()) return;
+    const std::uint32_t meant = sent->tick;
+    if (!applied)
+        inputs_.erase(sent);
+    else if (applied_in != meant)
+        sent->tick = applied_in;
+    else
+        return;
+    again_from(std::min(meant, std::max(1u, applied_in)));
+}
+
+// --- ticks ---
+
+void Foresight::forget_world() {
+    world_.reset();
+    moments_.clear();
+    told_.clear();
+    rim_.clear();
+    corrected_.clear();
+    newest_frame_ = 0;
+    reach_ = 0;
+}
+
+Foresight::Moment* Foresight::find(std::uint32_t wanted) {
+    if (moments_.empty() || wanted < moments_.front().tick || wanted > tick()) return nullptr;
+    return &moments_[wanted - moments_.front().tick];
+}
+
+void Foresight::keep(std::uint32_t at) {
+    moments_.emplace_back();
+    if (!spare_.empty()) {
+        moments_.back() = std::move(spare_.back());
+        spare_.pop_back();
+    }
+    world_->keep(moments_.back(), at);
+}
+
+void Foresight::drop_oldest() {
+    spare_.push_back(std::move(moments_.front()));
+    moments_.pop_front();
+}
+
+void Foresight::drop_newest() {
+    spare_.push_back(std::move(moments_.back()));
+    moments_.pop_back();
+}
+
+void Foresight::step() {
+    const std::uint32_t next = tick() + 1;
+    for (const Sent& sent : inputs_)
+        if (sent.tick == next) world_->apply(sent.act);
+    world_->step(tick_s_);
+    stats_.steps++;
+    keep(next);
+}
+
+void Foresight::step_to(std::uint32_t wanted) {
+    while (tick() < wanted) step();
+}
+
+// The world as it was after that tick; later moments are gone.
+void Foresight::go_back(std::uint32_t to) {
+    world_->go_back(*find(to));
+    while (tick() > to) drop_newest();
+    changed_ = true;
+}
+
+// Something is otherwise from that tick on.
+void Foresight::again_from(std::uint32_t first) {
+    if (moments_.empty() || first > tick() || first == 0) return;
+    const std::uint32_t now = tick();
+    // What was so in the newest frame is known.
+    go_back(std::max({first - 1, moments_.front().tick, newest_frame_}));
+    step_to(now);
+}
+
+// --- frames ---
+
+// Who is near where the body is, or where it comes to be, or was and is not yet far; and the
+// nearest of the others.
+Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) const {
+    std::vector<std::pair<double, const ToldBody*>> candidates;
+    const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
+    for (const ToldBody& body : frame.bodies) {
+        const bool own = body.entity == entity_;
+        if (!moves(body) && !own) continue;
+        const Vec3& at = body.pose.position;
+        double far = own ? 0 : gap(at, center);
+        if (ahead && !own) far = std::min(far, gap(at, ahead->pose.position));
+        far = std::max(0.0, far - reach_);
+        if (far <= rim_factor * options_.near_m) candidates.emplace_back(far, &body);
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
+    });
+    Around around;
+    for (const auto& [far, body] : candidates) {
+        const double most =
+            is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
+        // What moves on rails costs nothing to foresee.
+        const bool railed = body->type == BodyType::kinematic;
+        if (railed || (far <= most && around.near.size() < options_.near_max))
+            around.near[body->entity] = *body;
+        else if (around.rim.size() < rim_max)
+            around.rim[body->entity] = *body;
+    }
+    return around;
+}
+
+bool Foresight::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
+    const auto shapes = frame.shapes_of(body.entity);
+    return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
+                                 motion, body.at_rest);
+}
+
+void Foresight::add_fixed(const ToldFrame& frame, const Bodies& near) {
+    for (const ToldBody& body : frame.bodies) {
+        if (body.type == BodyType::dynamic || near.contains(body.entity)) continue;
+        if (world_->members().fixed.contains(body.entity)) {
+            if (body.type == BodyType::kinematic) world_->put(body.entity, body.pose);
+            continue;
+        }
+        if (world_->members().fixed.size() >= options_.fixed_max) return;
+        LocalBody stands = local_body(body, false);
+        stands.moves = false;
+        if (const auto shapes = frame.shapes_of(body.entity))
+            world_->add(body.entity, stands, *shapes, {.pose = body.pose}, true);
+    }
+}
+
+// How long a body moved since the frame before. While nothing moves no frames are sent, so that
+// what rested then began with this one.
+double Foresight::seconds_of(const ToldBody& before, std::uint32_t frame) const {
+    return (before.at_rest ? 1 : frame - newest_frame_) * tick_s_;
+}
+
+// Of one that is new here: what it did since the frame before.
+Motion Foresight::measured(const ToldBody& now, std::uint32_t frame) const {
+    Motion motion{.pose = now.pose};
+    if (now.velocity && !now.at_rest)
+        return {now.pose, now.velocity->linear, now.velocity->angular};
+    const auto before = told_.find(now.entity);
+    if (now.at_rest || before == told_.end() || frame <= newest_frame_) return motion;
+    const double seconds = seconds_of(before->second, frame);
+    const Transform& was = before->second.pose;
+    motion.linear = (now.pose.position - was.position) * (1 / seconds);
+    motion.angular = turn_between(was.rotation, now.pose.rotation) * (1 / seconds);
+    if (length(motion.linear) > 100 || length(motion.angular) > 100) return {.pose = now.pose};
+    return motion;
+}
+
+// Where the frame says, as fast as it says.
+Motion Foresight::put_right(const ToldBody& now, std::uint32_t frame) {
+    if (now.velocity && !now.at_rest)
+        return {now.pose, now.velocity->linear, now.velocity->angular};
+    return explained(now, frame);
+}
+
+// Where the frame says, at the velocity that explains how it came there.
+Motion Foresight::explained(const ToldBody& now, std::uint32_t frame) {
+    const std::uint32_t id = now.entity;
+    const Motion& guess = find(frame)->motions.at(id);
+    Motion right{now.pose, guess.linear, guess.angular};
+    const Moment* before = find(newest_frame_);
+    const auto was = told_.find(id);
+    if (before && was != told_.end() && before->motions.contains(id) && frame > newest_frame_) {
+        const Transform& from = before->motions.at(id).pose;
+        const double seconds = seconds_of(was->second, frame);
+        const Vec3 more =
+            (now.pose.position - was->second.pose.position) - (guess.pose.position - from.position);
+        const Vec3 turned = turn_between(was->second.pose.rotation, now.pose.rotation) -
+                            turn_between(from.rotation, guess.pose.rotation);
+        const auto last = corrected_.find(id);
+        const std::uint32_t since =
+            last == corrected_.end() ? slow_ticks : std::min(slow_ticks, frame - last->second);
+        const double slow_seconds = std::max(1u, since) * tick_s_;
+        right.linear += length(more) > pushed_speed * seconds
+                            ? more * (1 / seconds)
+                            : (now.pose.position - guess.pose.position) * (1 / slow_seconds);
+        right.angular +=
+            length(turned) > pushed_spin * seconds
+                ? turned * (1 / seconds)
+                : turn_between(guess.pose.rotation, now.pose.rotation) * (1 / slow_seconds);
+    }
+    if (now.at_rest) right.linear = right.angular = {};
+    corrected_[id] = frame;
+    return right;
+}
+
+bool Foresight::rim_changed(const Bodies& rim) const {
+    return !std::equal(
+        rim.begin(), rim.end(), rim_.begin(), rim_.end(), [](const auto& now, const auto& before) {
+            return now.first == before.first && agrees(now.second.pose, before.second.pose);
+        });
+}
+
+void Foresight::change_members(const ToldFrame& frame, const Around& around) {
+    const LocalWorld::Members& members = world_->members();
+    std::vector<std::uint32_t> gone;
+    for (const auto& [id, body] : members.moving)
+        if (!around.near.contains(id)) gone.push_back(id);
+    for (const auto& [id, body] : members.fixed)
+        if (!find_body(frame, id) || around.near.contains(id)) gone.push_back(id);
+    for (const auto& [id, body] : members.rim)
+        if (!around.rim.contains(id)) gone.push_back(id);
+    for (const std::uint32_t id : gone) world_->remove(id);
+    for (const auto& [id, now] : around.near)
+        if (!is_member(id)) add(frame, now, measured(now, frame.number));
+    add_fixed(frame, around.near);
+    change_rim(frame, around.rim);
+}
+
+void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
+    for (const auto& [id, now] : rim) {
+        const auto before = rim_.find(id);
+        if (!world_->members().rim.contains(id)) {
+            if (const auto shapes = frame.shapes_of(id)) world_->add_to_rim(id, *shapes, now.pose);
+        } else if (before == rim_.end() || !(before->second.pose == now.pose)) {
+            world_->put(id, now.pose);
+        }
+    }
+    rim_ = rim;
+}
+
+void Foresight::start(const ToldFrame& frame, const Around& around) {
+    moments_.clear();
+    rim_.clear();
+    world_.emplace(gravity_, substeps_);
+    change_members(frame, around);
+    if (is_driven(frame)) {
+        newest_drive_ = frame.drive.tick;
+        if (!world_->drive(entity_, frame.drive.module, frame.drive.words)) return forget_world();
+    }
+    // Distances are between origins, which tells nothing of what is larger than a step.
+    if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
+    keep(frame.number);
+    changed_ = true;
+}
+
+void Foresight::compare(const ToldFrame& told, const Around& around) {
+    const Bodies& near = around.near;
+    const std::uint32_t frame = told.number, now = tick();
+    const Moment& guess = *find(frame);
+    stats_.frames++;
+    stats_.last_error_m = 0;
+    std::map<std::uint32_t, Motion> wrong;
+    bool others = false;  // came or went
+    for (const auto& [id, body] : near) {
+        const auto at = guess.motions.find(id);
+        others |= at == guess.motions.end();
+        // What is driven is put right by take_drive().
+        if (at == guess.motions.end() || id == world_->members().driven) continue;
+        stats_.last_error_m =
+            std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
+        if (!agrees(at->second.pose, body.pose) || was_pushed(at->second, body))
+            wrong[id] = put_right(body, frame);
+    }
+    others |= std::any_of(guess.motions.begin(), guess.motions.end(),
+                          [&](const auto& one) { return !near.contains(one.first); });
+    if (wrong.empty() && !others && !rim_changed(around.rim)) return;
+    stats_.corrections += wrong.empty() ? 0 : 1;
+    go_back(frame);
+    drop_newest();
+    for (const auto& [id, motion] : wrong)
+        if (near.contains(id)) world_->set_motion(id, motion, near.at(id).at_rest);
+    change_members(told, around);
+    keep(frame);
+    step_to(now);
+}
+
+// Frames went past what was foreseen, for nobody drew. The world goes on as it is, with what hands
+// hold in it. False: too far.
+bool Foresight::catch_up(std::uint32_t frame) {
+    if (!world_ || frame <= newest_frame_ || frame - newest_frame_ > options_.ticks_max)
+        return false;
+    step_to(frame);
+    return find(frame) != nullptr;
+}
+
+// Whether it was told lately how the followed body is driven.
+bool Foresight::is_driven(const ToldFrame& frame) const {
+    const ToldDrive& drive = frame.drive;
+    return drive.tick != 0 && drive.entity == entity_ &&
+           drive.tick + drive_patience_ticks >= frame.number &&
+           drive.tick <= frame.number + late_ticks;
+}
+
+// All that is so of what is driven, to the bit of a single float. Where the guess is as good as
+// frames are, it stays.
+void Foresight::take_drive(const ToldDrive& drive) {
+    if (drive.tick <= newest_drive_) return;
+    const Moment* const guess = find(drive.tick);
+    const auto right = modules::motion_of_driven(drive.words);
+    if (!guess || !right) return;
+    newest_drive_ = drive.tick;
+    const auto at = guess->motions.find(entity_);
+    if (at == guess->motions.end()) return;
+    const Motion& guessed = at->second;
+    stats_.drives++;
+    stats_.last_drive_error_m = gap(guessed.pose.position, right->pose.position);
+    if (agrees(guessed.pose, right->pose) &&
+        gap(guessed.linear, right->linear) <= driven_speed_agrees &&
+        gap(guessed.angular, right->angular) <= driven_spin_agrees)
+        return;
+    stats_.drive_corrections++;
+    const std::uint32_t now = tick();
+    go_back(drive.tick);
+    drop_newest();
+    const bool goes_on = world_->drive(entity_, drive.module, drive.words);
+    keep(drive.tick);
+    if (!goes_on) return forget_world();
+    step_to(now);
+}
+
+void Foresight::on_frame(const ToldFrame& told) {
+    const std::uint32_t frame = told.number;
+    const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
+    const bool driven = own && is_driven(told);
+    const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
+    if (!own || (own->drivable ? !driven : !is_free)) return forget_world();
+    if (frame == newest_frame_) {
+        if (driven) take_drive(told.drive);
+        return;
+    }
+    const Around around = look_around(told, own->pose.position);
+    if (catch_up(frame)) {
+        if (driven) take_drive(told.drive);
+        if (world_) compare(told, around);
+    } else if (!driven || told.drive.tick == frame) {
+        start(told, around);
+    } else {
+        forget_world();  // until both are told of the same tick
+    }
+    if (!world_) return;
+    newest_frame_ = frame;
+    told_ = around.near;
+    while (moments_.front().tick + late_ticks < frame) drop_oldest();
+    while (!inputs_.empty() && inputs_.front().tick + late_ticks + 1 < frame) inputs_.pop_front();
+    std::erase_if(corrected_, [&](const auto& one) { return !told_.contains(one.first); });
+}
+
+// --- pictures ---
+
+std::vector<std::uint32_t> Foresight::drawn() const {
+    std::vector<std::uint32_t> ids;
+    if (world_)
+        for (const auto& [id, body] : world_->members().moving) ids.push_back(id);
+    for (const auto& [id, shown] : shown_)
+        if (!is_member(id)) ids.push_back(id);
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, Pace* pace) {
+    if (moments_.empty()) return std::nullopt;
+    const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
+                                 static_cast<double>(tick()));
+    const auto before = static_cast<std::uint32_t>(std::floor(at));
+    const Moment& a = *find(before);
+    const Moment& b = before < tick() ? *find(before + 1) : a;
+    const auto from = a.motions.find(id), to = b.motions.find(id);
+    if (from == a.motions.end() || to == b.motions.end()) return std::nullopt;
+    if (pace) *pace = {length(to->second.linear), length(to->second.angular)};
+    return to_pose(mix(from->second.pose, to->second.pose, at - before));
+}
+
+// Who was foreseen and is no longer, or the other way round, is walked over.
+PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
+                              const Shown* before, const Pace& pace, double seconds) {
+    if (!before) return walkable(pose_error(drawn.pose, *ahead), pace);
+    PoseError error = before->error;
+    if (!ahead && before->foreseen)
+        error = walkable(pose_error(before->pose, drawn.pose), pace);
+    else if (ahead && changed_)
+        error =
+            walkable(pose_error(before->pose,
+                                foreseen(drawn.entity, drawn_position_, nullptr).value_or(*ahead)),
+                     pace);
+    return decayed(error, pace, seconds);
+}
+
+std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
+                                          std::vector<SmoothPose> poses) {
+    const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - drawn_us_)) / 1e6;
+    if (now_us - drawn_us_ > unseen_us) shown_.clear();
+    if (!moments_.empty()) {
+        const double most = newest_frame_ + options_.ticks_max;
+        step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
+    }
+    std::map<std::uint32_t, Shown> now;
+    for (SmoothPose& drawn : poses) {
+        Pace pace;
+        const auto ahead = foreseen(drawn.entity, position, &pace);
+        const auto before = shown_.find(drawn.entity);
+        if (!ahead && before == shown_.end()) continue;
+        const PoseError error = error_of(
+            drawn, ahead, before == shown_.end() ? nullptr : &before->second, pace, seconds);
+        drawn.pose = with_error(ahead ? *ahead : drawn.pose, error);
+        if (ahead || !error.none()) now[drawn.entity] = {drawn.pose, error, ahead.has_value()};
+    }
+    shown_ = std::move(now);
+    drawn_position_ = position;
+    drawn_us_ = now_us;
+    changed_ = false;
+    return poses;
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// What Predictor does (jostle/client/predictor.h), without messages: it is told of bodies, frames
+// and acts as plain data. Predictor reads messages for it, and clients/cpp/prediction/wasm is asked
+// by browsers. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clients/cpp/prediction/src/local_world.h"
+#include "jostle/client/interpolation.h"
+#include "jostle/client/predictor_options.h"
+
+namespace jostle::client {
+
+// A body of a frame.
+struct ToldBody {
+    std::uint32_t entity = 0;
+    physics::BodyType type = physics::BodyType::dynamic;
+    double mass = 0;  // kg, of a dynamic one
+    physics::Transform pose;
+    bool at_rest = false;
+    std::optional<Velocity> velocity = {};  // nothing: that was not told
+    bool drivable = false;                  // a module of the server moves it
+    bool jointed = false;                   // joints of the server hold it
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    physics::AxisLocks locks = 0;
+};
+
+// What the client drives, as jostle/modules/driven.h tells it.
+struct ToldDrive {
+    std::uint32_t entity = 0, tick = 0;  // 0: nothing was told
+    std::string module;
+    std::span<const std::uint32_t> words;
+};
+
+// A frame of the server.
+struct ToldFrame {
+    std::uint32_t number = 0;
+    std::span<const ToldBody> bodies;  // in rising order of entity
+    // Of one of them; nothing: they were never told, or are none that the solver can have.
+    std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
+    ToldDrive drive = {};
+};
+
+class Foresight {
+public:
+    explicit Foresight(PredictorOptions options) : options_(options) {}
+
+    // A stream begins: everything is forgotten but whom it follows.
+    void begin(physics::Vec3 gravity, double tick_hz, int substeps);
+    // Whose motion is foreseen; 0: nobody's.
+    void follow(std::uint32_t entity);
+    // An input of that number that is meant for a tick. Of the same number as the last one: in its
+    // place.
+    void add_act(std::uint32_t sequence, std::uint32_t tick, Act act);
+    // What became of it: it was applied in a tick, or it was not.
+    void on_result(std::uint32_t sequence, std::uint32_t tick, bool applied);
+    void on_frame(const ToldFrame& frame);
+
+    // Who is drawn otherwise than interpolated, now or since the last picture; in rising order.
+    std::vector<std::uint32_t> drawn() const;
+    // What Predictor::sample() says. Who is not among drawn() may be left out.
+    std::vector<SmoothPose> sample(double position, std::int64_t now_us,
+                                   std::vector<SmoothPose> interpolated);
+
+    const PredictorStats& stats() const { return stats_; }
+    std::size_t bodies() const { return world_ ? world_->members().moving.size() : 0; }
+
+private:
+    using Moment = LocalWorld::Moment;
+    struct Sent {
+        std::uint32_t sequence, tick;
+        Act act;
+    };
+    struct Shown {
+        wire::Pose pose;
+        PoseError error;
+        bool foreseen;
+    };
+    using Bodies = std::map<std::uint32_t, ToldBody>;
+    // The dynamic bodies about the one that is followed: who moves in the world, and round these
+    // who stands in it, so that nothing falls for want of what carries it.
+    struct Around {
+        Bodies near, rim;
+    };
+
+    // --- ticks ---
+    void forget_world();
+    std::uint32_t tick() const { return moments_.back().tick; }
+    Moment* find(std::uint32_t tick);
+    void keep(std::uint32_t tick);
+    void drop_oldest();
+    void drop_newest();
+    void step();
+    void step_to(std::uint32_t tick);
+    void go_back(std::uint32_t tick);
+    void again_from(std::uint32_t first);
+
+    // --- frames ---
+    bool is_member(std::uint32_t id) const {
+        return world_ && world_->members().moving.contains(id);
+    }
+    Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
+    bool add(const ToldFrame& frame, const ToldBody& body, const Motion& motion);
+    void add_fixed(const ToldFrame& frame, const Bodies& near);
+    bool rim_changed(const Bodies& rim) const;
+    void change_members(const ToldFrame& frame, const Around& around);
+    void change_rim(const ToldFrame& frame, const Bodies& rim);
+    double seconds_of(const ToldBody& before, std::uint32_t frame) const;
+    Motion measured(const ToldBody& now, std::uint32_t frame) const;
+    Motion put_right(const ToldBody& now, std::uint32_t frame);
+    Motion explained(const ToldBody& now, std::uint32_t frame);
+    void start(const ToldFrame& frame, const Around& around);
+    bool catch_up(std::uint32_t frame);
+    bool is_driven(const ToldFrame& frame) const;
+    void take_drive(const ToldDrive& drive);
+    void compare(const ToldFrame& frame, const Around& around);
+
+    // --- pictures ---
+    std::optional<wire::Pose> foreseen(std::uint32_t id, double position, Pace* pace);
+    PoseError error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
+                       const Shown* before, const Pace& pace, double seconds);
+
+    PredictorOptions options_;
+    PredictorStats stats_;
+    physics::Vec3 gravity_{0, -9.81, 0};
+    int substeps_ = 8;
+    double tick_s_ = 1.0 / 60;
+    std::uint32_t entity_ = 0;
+    std::optional<LocalWorld> world_;
+    std::deque<Moment> moments_;  // one for each tick, the newest last: where the world is
+    std::vector<Moment> spare_;   // for their memory
+    std::deque<Sent> inputs_;     // by sequence
+    std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
+    double reach_ = 0;  // m that the followed body is larger than a metre about its origin
+    Bodies told_;       // of that frame: who was near
+    Bodies rim_;        // as they stand in the world
+    std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
+    // The last picture.
+    std::map<std::uint32_t, Shown> shown_;
+    double drawn_position_ = 0;
+    std::int64_t drawn_us_ = 0;
+    bool changed_ = false;  // since then, what had been foreseen
+};
+
+}  // namespace jostle::client

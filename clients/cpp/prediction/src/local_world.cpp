@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "clients/cpp/prediction/src/local_world.h"
+
+#include <utility>
+
+#include "jostle/modules/character.h"
+#include "jostle/modules/driven.h"
+#include "jostle/modules/player_interaction.h"
+#include "jostle/modules/vehicle.h"
+
+namespace jostle::client {
+
+using namespace physics;
+
+namespace {
+
+// Those that move what somebody drives, and tell of it. Who knows them already has the same.
+void know_modules() {
+    static const bool known = [] {
+        static_cast<void>(register_module("character", [] {
+                              return std::make_unique<modules::Characters>();
+                          }).ok());
+        static_cast<void>(
+            register_module("vehicle", [] { return std::make_unique<modules::Vehicles>(); }).ok());
+        return true;
+    }();
+    static_cast<void>(known);
+}
+
+}  // namespace
+
+LocalWorld::LocalWorld(Vec3 gravity, int substeps)
+    : world_(WorldDef{.gravity = gravity, .substeps = substeps}) {}
+
+LocalWorld::Members& LocalWorld::change() {
+    auto changed = std::make_shared<Members>(*members_);
+    Members& members = *changed;
+    members_ = std::move(changed);
+    return members;
+}
+
+bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const ShapeDef> shapes,
+                     const Motion& motion, bool at_rest) {
+    BodyDef def{.type = of.type, .pose = motion.pose};
+    if (of.moves) {
+        def.linear_velocity = motion.linear;
+        def.angular_velocity = motion.angular;
+    }
+    if (of.type == BodyType::dynamic) {
+        def.mass = of.mass;
+        def.linear_damping = of.linear_damping;
+        def.angular_damping = of.angular_damping;
+        def.gravity_scale = of.gravity_scale;
+        def.locks = of.locks;
+    }
+    const Result<BodyId> body = world_.create_body(def, shapes);
+    if (!body.ok()) return false;
+    Members& members = change();
+    (of.moves ? members.moving : members.fixed)[entity] = *body;
+    if (of.moves) set_motion(entity, motion, at_rest);
+    return true;
+}
+
+bool LocalWorld::add_to_rim(std::uint32_t entity, std::span<const ShapeDef> shapes,
+                            const Transform& pose) {
+    const Result<BodyId> body =
+        world_.create_body({.type = BodyType::static_body, .pose = pose}, shapes);
+    if (body.ok()) change().rim[entity] = *body;
+    return body.ok();
+}
+
+void LocalWorld::put(std::uint32_t entity, const Transform& pose) {
+    const BodyId body = body_of(entity);
+    const Result<BodyState> now = world_.body(body);
+    if (now.ok() && !(now->pose == pose)) static_cast<void>(world_.set_pose(body, pose).ok());
+}
+
+BodyId LocalWorld::body_of(std::uint32_t entity) const {
+    for (const auto* list : {&members_->moving, &members_->fixed, &members_->rim})
+        if (const auto at = list->find(entity); at != list->end()) return at->second;
+    return {};
+}
+
+bool LocalWorld::drive(std::uint32_t entity, const std::string& tag,
+                       std::span<const std::uint32_t> words) {
+    const auto at = members_->moving.find(entity);
+    if (at == members_->moving.end()) return false;
+    know_modules();
+    if (world_.module(tag) == nullptr) {
+        Result<std::unique_ptr<Module>> made = make_module(tag);
+        if (!made.ok() || !world_.add_module(std::move(made).value()).ok()) return false;
+    }
+    if (!modules::take_driven(world_, *world_.module(tag), at->second, words,
+                              [this](std::uint32_t name) { return body_of(name); }))
+        return false;
+    if (members_->driven != entity || members_->driver != tag) {
+        Members& members = change();
+        members.driven = entity;
+        members.driver = tag;
+    }
+    return true;
+}
+
+void LocalWorld::remove(std::uint32_t entity) {
+    Members& members = change();
+    for (auto* list : {&members.moving, &members.fixed, &members.rim}) {
+        const auto at = list->find(entity);
+        if (at == list->end()) continue;
+        static_cast<void>(world_.destroy_body(at->second).ok());
+        list->erase(at);
+    }
+    if (members.held && !world_.contains(*members.held)) members.held.reset();
+    if (members.driven == entity) members.driven = 0;
+}
+
+Motion LocalWorld::motion(std::uint32_t entity) const {
+    const BodyState body = *world_.body(members_->moving.at(entity));
+    return {body.pose, body.linear_velocity, body.angular_velocity};
+}
+
+double LocalWorld::reach(std::uint32_t entity) const {
+    const BodyId body = body_of(entity);
+    const Vec3 origin = world_.body(body)->pose.position;
+    double reach = 0;
+    for (const ShapeId shape : world_.shapes_of(body)) {
+        const Result<Aabb> bounds = world_.bounds(shape);
+        if (!bounds.ok()) continue;
+        const Vec3 far = max(abs(bounds->low - origin), abs(bounds->high - origin));
+        reach = maximum(reach, length(far));
+    }
+    return reach;
+}
+
+// What is foreign and cannot be so leaves the body as it was.
+void LocalWorld::set_motion(std::uint32_t entity, const Motion& motion, bool at_rest) {
+    const BodyId body = members_->moving.at(entity);
+    if (!world_.set_pose(body, motion.pose).ok()) return;
+    if (!world_.set_velocity(body, motion.linear, motion.angular).ok()) return;
+    if (at_rest) static_cast<void>(world_.set_awake(body, false).ok());
+}
+
+void LocalWorld::apply(const Act& act) {
+    std::visit([this](const auto& one) { perform(one); }, act);
+}
+
+void LocalWorld::perform(const Push& push) {
+    const auto at = members_->moving.find(push.entity);
+    if (at == members_->moving.end()) return;
+    static_cast<void>(
+        modules::push_by_hand(world_, *world_.body(at->second), push.impulse, push.point).ok());
+}
+
+void LocalWorld::perform(const Grab& grab) {
+    perform(Release{});
+    const auto at = members_->moving.find(grab.entity);
+    if (at == members_->moving.end()) return;
+    const Result<JointId> joint =
+        world_.create_joint(modules::held_at(*world_.body(at->second), grab.point));
+    if (joint.ok()) change().held = *joint;
+}
+
+void LocalWorld::perform(const Drag& drag) {
+    if (!members_->held) return;
+    const Result<JointState> joint = world_.joint(*members_->held);
+    if (!joint.ok()) return;
+    GrabJoint kind = std::get<GrabJoint>(joint->def.kind);
+    kind.target = drag.target;
+    static_cast<void>(world_.set_joint(*members_->held, kind).ok());
+}
+
+void LocalWorld::perform(const Release&) {
+    if (!members_->held) return;
+    static_cast<void>(world_.destroy_joint(*members_->held).ok());
+    change().held.reset();
+}
+
+void LocalWorld::perform(const Steer& steer) {
+    Module* const module = members_->driven == 0 ? nullptr : world_.module(members_->driver);
+    if (module != nullptr) module->control(world_, body_of(members_->driven), steer.controls);
+}
+
+void LocalWorld::step(double seconds) {
+    static_cast<void>(world_.step(seconds).ok());
+}
+
+void LocalWorld::keep(Moment& moment, std::uint32_t tick) const {
+    moment.tick = tick;
+    moment.point.keep(world_);
+    moment.members = members_;
+    moment.motions.clear();
+    for (const auto& [entity, body] : members_->moving) moment.motions[entity] = motion(entity);
+}
+
+void LocalWorld::go_back(const Moment& moment) {
+    static_cast<void>(moment.point.restore(world_).ok());
+    members_ = moment.members;
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// What is foreseen in: entities as bodies of the solver, and moments of it to go back to. It knows
+// no message, so that it is also built where there are none (clients/cpp/prediction/wasm). One
+// thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "clients/cpp/prediction/src/motion.h"
+#include "jostle/physics/module.h"
+#include "jostle/physics/restore_point.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::client {
+
+// What an input does in its tick, as the server does it (jostle/modules/hand.h).
+struct Push {
+    std::uint32_t entity = 0;
+    physics::Vec3 impulse;               // N s
+    std::optional<physics::Vec3> point;  // of the world; nothing: the centre of mass
+};
+struct Grab {
+    std::uint32_t entity = 0;
+    physics::Vec3 point;  // of the world
+};
+struct Drag {
+    physics::Vec3 target;
+};
+struct Release {};
+// What is held by who drives, until it is held otherwise.
+struct Steer {
+    physics::Controls controls;
+};
+using Act = std::variant<Push, Grab, Drag, Release, Steer>;
+
+// What a body is, for this world.
+struct LocalBody {
+    physics::BodyType type = physics::BodyType::dynamic;
+    double mass = 0;  // kg, of a dynamic one
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    physics::AxisLocks locks = 0;
+    bool moves = true;  // else it stands as long as no frame says otherwise
+};
+
+class LocalWorld {
+public:
+    // Who is in it. Shared by the moments in which that was so.
+    struct Members {
+        // By entity. Those of the rim are dynamic ones that stand as long as no frame says
+        // otherwise.
+        std::map<std::uint32_t, physics::BodyId> moving, fixed, rim;
+        std::optional<physics::JointId> held;
+        // Who is driven, and the module that moves it.
+        std::uint32_t driven = 0;
+        std::string driver;
+    };
+    // After the step of a tick.
+    struct Moment {
+        std::uint32_t tick = 0;
+        physics::RestorePoint point;
+        std::shared_ptr<const Members> members;
+        std::map<std::uint32_t, Motion> motions;  // of the moving
+    };
+
+    LocalWorld(physics::Vec3 gravity, int substeps);
+
+    const Members& members() const { return *members_; }
+    // False: the solver cannot have such a body.
+    bool add(std::uint32_t entity, const LocalBody& body, std::span<const physics::ShapeDef> shapes,
+             const Motion& motion, bool at_rest);
+    bool add_to_rim(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
+                    const physics::Transform& pose);
+    // One that stands, or a kinematic one of the fixed.
+    void put(std::uint32_t entity, const physics::Transform& pose);
+    // From now on it moves one of the moving as the module of that tag does, and it is as the words
+    // say (jostle/modules/driven.h). False: there is no such module, or it takes no such words.
+    bool drive(std::uint32_t entity, const std::string& module,
+               std::span<const std::uint32_t> words);
+    void remove(std::uint32_t entity);
+    Motion motion(std::uint32_t entity) const;
+    // m from its origin to the furthest corner of what bounds it.
+    double reach(std::uint32_t entity) const;
+    void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
+    // As the server does, at the begin of a tick.
+    void apply(const Act& act);
+    void step(double seconds);
+
+    void keep(Moment& moment, std::uint32_t tick) const;
+    void go_back(const Moment& moment);
+
+private:
+    Members& change();
+    void perform(const Push& push);
+    void perform(const Grab& grab);
+    void perform(const Drag& drag);
+    void perform(const Release& release);
+    void perform(const Steer& steer);
+    physics::BodyId body_of(std::uint32_t entity) const;
+
+    physics::World world_;
+    std::shared_ptr<const Members> members_ = std::make_shared<const Members>();
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/convex_decomposition.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "jostle/physics/scalar.h"
+#include "modules/convex_decomposition/src/closed_mesh.h"
+#include "modules/convex_decomposition/src/cut_mesh.h"
+
+namespace jostle::decomposition {
+namespace {
+
+using namespace physics;
+using HullPointer = std::shared_ptr<const ConvexHull>;
+
+struct Part {
+    Aabb box;                       // that it was cut out by
+    std::vector<Triangle> surface;  // that matters there
+    Piece piece;
+    HullPointer hull;  // null: it has too many corners for one
+    bool done = false;
+
+    double excess() const { return hull ? maximum(hull->volume - piece.volume, 0) : 1e300; }
+};
+
+// Nothing for what is flat, and so holds nothing.
+std::optional<Part> part_in(const std::vector<Triangle>& surface, const Aabb& box) {
+    Part part{.box = box, .surface = seen_from(surface, box)};
+    part.piece = piece_in(part.surface, box);
+    if (part.piece.points.size() < 4) return std::nullopt;
+    const Vec3 size = box.high - box.low;
+    if (part.piece.volume < 1e-9 * size.x * size.y * size.z) return std::nullopt;
+    if (auto hull = build_hull(part.piece.points); hull.ok()) part.hull = *hull;
+    return part;
+}
+
+using Halves = std::vector<Part>;
+
+// What has too many corners for a hull counts as its box.
+double volume_of(const Halves& halves) {
+    double volume = 0;
+    for (const Part& half : halves) {
+        const Vec3 size = half.piece.bounds.high - half.piece.bounds.low;
+        volume += half.hull ? half.hull->volume : size.x * size.y * size.z;
+    }
+    return volume;
+}
+
+Aabb with_wall(Aabb box, int axis, double at, bool high) {
+    Vec3& wall = high ? box.high : box.low;
+    (axis == 0 ? wall.x : (axis == 1 ? wall.y : wall.z)) = at;
+    return box;
+}
+
+// The two sides of the plane that leaves the hulls smallest, of those that are tried.
+Halves best_cut(const Part& part, int planes) {
+    Halves best;
+    double least = 1e300;
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 1; k <= planes; k++) {
+            const double low = part.piece.bounds.low[axis], high = part.piece.bounds.high[axis];
+            const double at = low + (high - low) * k / (planes + 1);
+            if (!(at > low && at < high)) continue;
+            Halves halves;
+            for (const bool below : {true, false})
+                if (auto half = part_in(part.surface, with_wall(part.box, axis, at, below)))
+                    halves.push_back(std::move(*half));
+            const double volume = volume_of(halves);
+            if (halves.size() == 2 && volume < least) {
+                least = volume;
+                best = std::move(halves);
+            }
+        }
+    return best;
+}
+
+double excess_of(const std::vector<Part>& parts) {
+    double sum = 0;
+    for (const Part& part : parts) sum += part.hull ? part.excess() : 0;
+    return sum;
+}
+
+void cut(std::vector<Part>& parts, const Options& options, double allowed) {
+    while (parts.size() < static_cast<std::size_t>(options.parts_max)) {
+        const auto worst = std::max_element(parts.begin(), parts.end(), [](auto& a, auto& b) {
+            return (a.done ? -1 : a.excess()) < (b.done ? -1 : b.excess());
+        });
+        const bool in_one = std::all_of(parts.begin(), parts.end(),
+                                        [](const Part& part) { return part.hull != nullptr; });
+        if (worst->done || (in_one && excess_of(parts) <= allowed)) return;
+        Halves halves = best_cut(*worst, options.planes_an_axis);
+        if (halves.empty()) {
+            worst->done = true;
+            continue;
+        }
+        *worst = std::move(halves[0]);
+        parts.push_back(std::move(halves[1]));
+    }
+}
+
+bool are_neighbours(const Part& a, const Part& b) {
+    const Vec3 size =
+        max(a.piece.bounds.high, b.piece.bounds.high) - min(a.piece.bounds.low, b.piece.bounds.low);
+    const double near = 1e-6 * length(size);
+    for (int axis = 0; axis < 3; axis++)
+        if (a.piece.bounds.low[axis] > b.piece.bounds.high[axis] + near ||
+            b.piece.bounds.low[axis] > a.piece.bounds.high[axis] + near)
+            return false;
+    return true;
+}
+
+// One hull round two; nothing when it has too many corners.
+std::optional<Part> joined(const Part& a, const Part& b) {
+    Part part;
+    part.piece.points = a.hull->vertices;
+    part.piece.points.insert(part.piece.points.end(), b.hull->vertices.begin(),
+                             b.hull->vertices.end());
+    part.piece.bounds = {min(a.piece.bounds.low, b.piece.bounds.low),
+                         max(a.piece.bounds.high, b.piece.bounds.high)};
+    part.piece.volume = a.piece.volume + b.piece.volume;
+    const auto hull = build_hull(part.piece.points);
+    if (!hull.ok()) return std::nullopt;
+    part.hull = *hull;
+    return part;
+}
+
+// The pair that adds least first, while the sum allows it.
+void join(std::vector<Part>& parts, double allowed) {
+    struct Pair {
+        std::size_t a, b;
+        double more;
+    };
+    const auto more_of = [&](std::size_t a, std::size_t b) {
+        const auto both = joined(parts[a], parts[b]);
+        return both ? both->excess() - parts[a].excess() - parts[b].excess() : 1e300;
+    };
+    std::vector<Pair> pairs;
+    for (std::size_t b = 1; b < parts.size(); b++)
+        for (std::size_t a = 0; a < b; a++)
+            if (are_neighbours(parts[a], parts[b])) pairs.push_back({a, b, more_of(a, b)});
+    std::vector<bool> gone(parts.size(), false);
+    while (!pairs.empty()) {
+        const auto least = std::min_element(pairs.begin(), pairs.end(),
+                                            [](auto& x, auto& y) { return x.more < y.more; });
+        if (excess_of(parts) + least->more > allowed) break;
+        const auto [a, b, more] = *least;
+        parts[a] = *joined(parts[a], parts[b]);
+        parts[b] = {};
+        gone[b] = true;
+        std::erase_if(pairs,
+                      [&](const Pair& p) { return p.a == a || p.b == a || p.a == b || p.b == b; });
+        for (std::size_t k = 0; k < parts.size(); k++)
+            if (k != a && !gone[k] && are_neighbours(parts[a], parts[k]))
+                pairs.push_back({std::min(a, k), std::max(a, k), more_of(a, k)});
+    }
+    std::erase_if(parts, [](const Part& part) { return part.hull == nullptr; });
+}
+
+// Of points of the hulls' faces, as many as one can wait for.
+double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) {
+    std::size_t faces = 0;
+    for (const Part& part : parts) faces += part.hull->faces.size();
+    const double most = 4e7 / static_cast<double>(mesh.triangles.size());
+    const int side =
+        static_cast<int>(clamp(square_root(most / static_cast<double>(3 * faces + 1)), 1, 8));
+    double furthest = 0;
+    const auto ask = [&](Vec3 p) {
+        if (is_inside(mesh.triangles, p)) return;
+        furthest = maximum(furthest, distance_to_surface(mesh.triangles, p));
+    };
+    for (const Part& part : parts)
+        for (const HullFace& face : part.hull->faces) {
+            const auto corners = part.hull->vertices_of(face);
+            const auto at = [&](std::size_t k) { return part.hull->vertices[corners[k]]; };
+            for (std::size_t k = 1; k + 1 < corners.size(); k++)
+                for (int i = 0; i < side; i++)
+                    for (int j = 0; j + i < side; j++) {
+                        const double u = (i + 1.0 / 3) / side, v = (j + 1.0 / 3) / side;
+                        ask(at(0) + (at(k) - at(0)) * u + (at(k + 1) - at(0)) * v);
+                    }
+        }
+    return furthest;
+}
+
+Status check(const Options& options) {
+    const auto refuse = [](const char* what) { return Error{ErrorCode::invalid_argument, what}; };
+    if (options.parts_max < 1 || options.parts_max > 1024)
+        return refuse("parts_max must be from 1 to 1024");
+    if (!(options.excess >= 0 && options.excess <= 10))
+        return refuse("excess must be from 0 to 10");
+    if (options.planes_an_axis < 1 || options.planes_an_axis > 127)
+        return refuse("planes_an_axis must be from 1 to 127");
+    return {};
+}
+
+}  // namespace
+
+Result<Decomposition> decompose(std::span<const Vec3> vertices,
+                                std::span<const std::uint32_t> indices, const Options& options) {
+    if (Status s = check(options); !s.ok()) return s.error();
+    const Result<ClosedMesh> mesh = make_closed_mesh(vertices, indices);
+    if (!mesh.ok()) return mesh.error();
+    auto whole = part_in(mesh->triangles, mesh->bounds);
+    if (!whole) return Error{ErrorCode::invalid_argument, "the mesh encloses no volume"};
+    std::vector<Part> parts;
+    parts.push_back(std::move(*whole));
+    const double allowed = options.excess * mesh->volume;
+    cut(parts, options, allowed);
+    if (std::any_of(parts.begin(), parts.end(), [](const Part& p) { return p.hull == nullptr; }))
+        return Error{ErrorCode::resource_exhausted, "a part has more than " +
+                                                        std::to_string(max_hull_vertices) +
+                                                        " corners; allow more parts"};
+    join(parts, allowed);
+    Decomposition found{.mesh_volume = mesh->volume,
+                        .excess = excess_of(parts) / mesh->volume,
+                        .furthest = furthest_outside(*mesh, parts)};
+    for (const Part& part : parts) found.parts.push_back(part.hull);
+    return found;
+}
+
+}  // namespace jostle::decomposition

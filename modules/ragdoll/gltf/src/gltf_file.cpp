@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "modules/ragdoll/gltf/src/gltf_file.h"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "jostle/physics/scalar.h"
+#include "modules/ragdoll/gltf/src/base64.h"
+
+namespace jostle::modules::gltf {
+
+using namespace physics;
+using nlohmann::json;
+
+namespace {
+
+constexpr int depth_max = 64;  // of JSON
+
+Error corrupt(std::string message) {
+    return {ErrorCode::corrupt_data, std::move(message)};
+}
+
+// glTF is little-endian, as all machines are that Jostle runs on.
+template <class T>
+T read_bits(const std::byte* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
+struct Component {
+    std::size_t bytes = 0;
+    double largest = 1;  // what is 1 when normalised
+    double (*read)(const std::byte*) = nullptr;
+};
+template <class T>
+Component component() {
+    const double largest =
+        std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1;
+    return {sizeof(T), largest,
+            [](const std::byte* from) { return static_cast<double>(read_bits<T>(from)); }};
+}
+Component component_of(std::size_t type) {
+    switch (type) {
+        case 5120:
+            return component<std::int8_t>();
+        case 5121:
+            return component<std::uint8_t>();
+        case 5122:
+            return component<std::int16_t>();
+        case 5123:
+            return component<std::uint16_t>();
+        case 5125:
+            return component<std::uint32_t>();
+        case 5126:
+            return component<float>();
+        default:
+            return {};
+    }
+}
+
+std::size_t width_of(std::string_view type) {
+    if (type == "SCALAR") return 1;
+    if (type == "VEC3") return 3;
+    if (type == "VEC4") return 4;
+    return type == "MAT4" ? 16 : 0;
+}
+
+// A whole number from 0 on that a file may have; its absence counts as `otherwise`.
+Result<std::size_t> whole(const Place& place, std::size_t otherwise) {
+    if (!place.there()) return otherwise;
+    if (!place.value->is_number_integer()) return place.wrong("is no whole number");
+    const auto value = place.value->is_number_unsigned()
+                           ? place.value->get<std::uint64_t>()
+                           : static_cast<std::uint64_t>(place.value->get<std::int64_t>());
+    if (value > file_bytes_max) return place.wrong("is negative or above 64 million");
+    return static_cast<std::size_t>(value);
+}
+
+}  // namespace
+
+Error Place::wrong(const std::string& what) const {
+    return corrupt((path.empty() ? "the file" : path) + " " + what);
+}
+Place Place::at(const char* name) const {
+    const std::string below = path.empty() ? name : path + "." + name;
+    if (value == nullptr || !value->is_object()) return {nullptr, below};
+    const auto found = value->find(name);
+    return {found == value->end() ? nullptr : &*found, below};
+}
+Place Place::at(std::size_t index) const {
+    const std::string below = path + "[" + std::to_string(index) + "]";
+    return {index < size() ? &(*value)[index] : nullptr, below};
+}
+std::size_t Place::size() const {
+    return value != nullptr && value->is_array() ? value->size() : 0;
+}
+
+Result<File> File::open(std::span<const std::byte> bytes, const GltfBufferReader& outside) {
+    if (bytes.size() > file_bytes_max) return corrupt("the file has more than 64 MB");
+    File file;
+    if (Status s = file.open_container(bytes); !s.ok()) return s.error();
+    const Place version = file.root().at("asset").at("version");
+    if (!version.there() || !version.value->is_string() ||
+        !version.value->get_ref<const std::string&>().starts_with("2."))
+        return version.wrong("is not \"2.0\": no glTF 2 file");
+    if (Status s = file.load_buffers(outside); !s.ok()) return s.error();
+    return file;
+}
+
+// A .glb is a head of 12 bytes and chunks, of which the first is the JSON text and the second, if
+// there is one, the first buffer. All else is a .gltf: the text alone.
+Status File::open_container(std::span<const std::byte> bytes) {
+    constexpr std::uint32_t magic = 0x46546c67, json_type = 0x4e4f534a, binary_type = 0x004e4942;
+    if (bytes.size() < 4 || read_bits<std::uint32_t>(bytes.data()) != magic) return parse(bytes);
+    if (bytes.size() < 20) return corrupt("the file ends within the head of a .glb");
+    if (read_bits<std::uint32_t>(bytes.data() + 4) != 2)
+        return corrupt("the file is a .glb of another version than 2");
+    if (read_bits<std::uint32_t>(bytes.data() + 8) > bytes.size())
+        return corrupt("the file is shorter than its head says");
+    std::size_t at = 12;
+    for (int k = 0; k < 2 && at + 8 <= bytes.size(); k++) {
+        const std::size_t size = read_bits<std::uint32_t>(bytes.data() + at);
+        const auto type = read_bits<std::uint32_t>(bytes.data() + at + 4);
+        at += 8;
+        if (size > bytes.size() - at)
+            return corrupt("chunk " + std::to_string(k) + " ends behind the end of the file");
+        if (k == 0 && type != json_type) return corrupt("the first chunk is not JSON");
+        const std::span<const std::byte> chunk = bytes.subspan(at, size);
+        if (k == 0) {
+            if (Status s = parse(chunk); !s.ok()) return s;
+        } else if (type == binary_type) {
+            has_chunk_ = true;
+            chunk_.assign(chunk.begin(), chunk.end());
+        }
+        at += size;
+    }
+    return {};
+}
+
+Status File::parse(std::span<const std::byte> text) {
+    if (text.size() > json_bytes_max) return corrupt("the JSON text has more than 16 MB");
+    bool deep = false;
+    const auto keep = [&](int depth, json::parse_event_t, json&) {
+        deep = deep || depth > depth_max;
+        return !deep;
+    };
+    const char* const from = reinterpret_cast<const char*>(text.data());
+    json_ = json::parse(from, from + text.size(), keep, false);
+    if (deep) return corrupt("the JSON text is nested more than 64 deep");
+    if (!json_.is_object()) return corrupt("the file is neither a .glb nor a JSON object");
+    return {};
+}
+
+Status File::load_buffers(const GltfBufferReader& outside) {
+    const Result<Place> list = array("buffers");
+    if (!list.ok()) return list.error();
+    std::size_t total = 0;
+    for (std::size_t k = 0; k < list->size(); k++) {
+        const Place buffer = list->at(k), uri = buffer.at("uri");
+        const Result<std::size_t> length = whole(buffer.at("byteLength"), 0);
+        if (!length.ok()) return length.error();
+        std::vector<std::byte> bytes;
+        if (!uri.there()) {
+            if (k > 0 || !has_chunk_) return buffer.wrong("has no uri, and the file no such chunk");
+            bytes = std::move(chunk_);
+        } else if (!uri.value->is_string()) {
+            return uri.wrong("is no text");
+        } else if (const auto& text = uri.value->get_ref<const std::string&>();
+                   text.starts_with("data:")) {
+            const std::size_t comma = text.find(";base64,");
+            if (comma == std::string::npos) return uri.wrong("is a data URI, but not in base64");
+            auto decoded = from_base64(std::string_view(text).substr(comma + 8));
+            if (!decoded) return uri.wrong("is not base64");
+            bytes = std::move(*decoded);
+        } else {
+            if (!outside) return uri.wrong("names a buffer outside, and nobody reads those here");
+            Result<std::vector<std::byte>> read = outside(text);
+            if (!read.ok()) return uri.wrong("cannot be read: " + read.error().message);
+            bytes = std::move(*read);
+        }
+        total += bytes.size();
+        if (total > file_bytes_max) return list->wrong("have more than 64 MB");
+        if (bytes.size() < *length)
+            return buffer.wrong("has " + std::to_string(bytes.size()) + " bytes and says " +
+                                std::to_string(*length));
+        buffers_.push_back(std::move(bytes));
+    }
+    return {};
+}
+
+Result<Place> File::array(const char* name) const {
+    const Place place = root().at(name);
+    if (place.there() && !place.value->is_array()) return place.wrong("is no array");
+    if (place.size() > elements_max)
+        return place.wrong("has more than " + std::to_string(elements_max) + " elements");
+    return place;
+}
+
+Result<std::size_t> File::index(const Place& place, std::size_t count, const char* of_what) {
+    if (!place.there()) return place.wrong("is missing");
+    const Result<std::size_t> value = whole(place, 0);
+    if (!value.ok()) return value.error();
+    if (*value >= count)
+        return place.wrong("is " + std::to_string(*value) + "; there are " + std::to_string(count) +
+                           " " + of_what);
+    return value;
+}
+
+Result<std::vector<double>> File::numbers(const Place& place, std::size_t count) {
+    if (place.size() != count) return place.wrong("must be " + std::to_string(count) + " numbers");
+    std::vector<double> values;
+    for (std::size_t k = 0; k < count; k++) {
+        const Place number = place.at(k);
+        if (!number.value->is_number()) return number.wrong("is no number");
+        values.push_back(number.value->get<double>());
+        if (!is_finite(values.back())) return number.wrong("is not finite");
+    }
+    return values;
+}
+
+Result<Numbers> File::accessor(const Place& which, const std::string& type) const {
+    const Result<Place> accessors = array("accessors"), views = array("bufferViews");
+    if (!accessors.ok()) return accessors.error();
+    if (!views.ok()) return views.error();
+    const Result<std::size_t> found = index(which, accessors->size(), "accessors");
+    if (!found.ok()) return found.error();
+    const Place a = accessors->at(*found);
+    if (a.at("sparse").there()) return a.wrong("is sparse, which is not read");
+    const Place kind = a.at("type");
+    if (!kind.there() || *kind.value != type) return kind.wrong("is not \"" + type + "\"");
+    const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
+                              count = whole(a.at("count"), 0),
+                              offset = whole(a.at("byteOffset"), 0);
+    for (const auto* value : {&component_type, &count, &offset})
+        if (!value->ok()) return value->error();
+    if (*count > numbers_max / width_of(type))
+        return a.at("count").wrong("is more than " + std::to_string(numbers_max / width_of(type)));
+    const Component component = component_of(*component_type);
+    if (component.read == nullptr) return a.at("componentType").wrong("is none of glTF's");
+
+    const Result<std::size_t> view_index = index(a.at("bufferView"), views->size(), "buffer views");
+    if (!view_index.ok()) return view_index.error();
+    const Place view = views->at(*view_index);
+    const Result<std::size_t> buffer = index(view.at("buffer"), buffers_.size(), "buffers");
+    if (!buffer.ok()) return buffer.error();
+    Numbers numbers{.width = width_of(type)};
+    const std::size_t element = numbers.width * component.bytes;
+    const Result<std::size_t> begin = whole(view.at("byteOffset"), 0),
+                              length = whole(view.at("byteLength"), 0),
+                              stride = whole(view.at("byteStride"), element);
+    for (const auto* value : {&begin, &length, &stride})
+        if (!value->ok()) return value->error();
+    const std::vector<std::byte>& bytes = buffers_[*buffer];
+    if (*begin > bytes.size() || *length > bytes.size() - *begin)
+        return view.wrong("ends behind the end of its buffer");
+    if (*stride < element) return view.at("byteStride").wrong("is less than an element has");
+    // Each is at most 64 million: no product overflows.
+    if (*count > 0 && *offset + (*count - 1) * *stride + element > *length)
+        return a.wrong("ends behind the end of its buffer view");
+
+    const Place normalised = a.at("normalized");
+    const bool shares = normalised.there() && *normalised.value == true;
+    numbers.values.reserve(*count * numbers.width);
+    for (std::size_t k = 0; k < *count; k++)
+        for (std::size_t i = 0; i < numbers.width; i++) {
+            const double value =
+                component.read(bytes.data() + *begin + *offset + k * *stride + i * component.bytes);
+            if (!is_finite(value)) return a.wrong("has a number that is not finite");
+            numbers.values.push_back(shares ? value / component.largest : value);
+        }
+    return numbers;
+}
+
+}  // namespace jostle::modules::gltf

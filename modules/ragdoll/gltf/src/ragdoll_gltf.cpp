@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/ragdoll_gltf.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "modules/ragdoll/gltf/src/skeleton.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using gltf::SkeletonJoint;
+
+namespace {
+
+constexpr std::size_t bones_max = 256;
+
+// A kept joint while it becomes a bone; in metres.
+struct Piece {
+    std::size_t joint = 0;
+    int parent = -1;
+    GltfBone wanted = {};
+    Vec3 start = {}, end = {};  // of its axis
+    std::vector<Vec3> points = {};
+    std::vector<std::size_t> children = {};
+    std::size_t below = 1;  // how many pieces hang on it, with itself
+};
+
+Error invalid(const std::string& what) {
+    return {ErrorCode::invalid_argument, what};
+}
+bool is_within(double x, double low, double high) {
+    return x >= low && x <= high;  // NaN is not
+}
+
+Status check_bone(const GltfBone& bone, const std::string& where) {
+    if (!is_finite(bone.axis) || !(length(bone.axis) > 1e-6))
+        return invalid(where + ".axis is no direction");
+    if (!is_within(bone.swing, 0, pi)) return invalid(where + ".swing must be from 0 to pi");
+    if (!(bone.lower >= -pi && bone.lower <= bone.upper && bone.upper <= pi))
+        return invalid(where + ": lower and upper must be from -pi to pi, the lower first");
+    return {};
+}
+Status check(const GltfFigureOptions& options) {
+    if (!is_within(options.scale, 1e-4, 1e4)) return invalid("scale must be from 1e-4 to 1e4 m");
+    if (!is_within(options.density, 1e-6, 1e6))
+        return invalid("density must be from 1e-6 to 1e6 kg/m^3");
+    if (!is_within(options.least_radius, 1e-4, 100))
+        return invalid("least_radius must be from 1e-4 to 100 m");
+    if (Status s = check_bone(options.otherwise, "otherwise"); !s.ok()) return s;
+    for (std::size_t k = 0; k < options.bones.size(); k++)
+        if (Status s = check_bone(options.bones[k], "bones[" + std::to_string(k) + "] (" +
+                                                        options.bones[k].name + ")");
+            !s.ok())
+            return s;
+    return {};
+}
+
+const GltfBone& wanted_of(const GltfFigureOptions& options, const std::string& name) {
+    for (const GltfBone& bone : options.bones)
+        if (bone.name == name) return bone;
+    return options.otherwise;
+}
+
+// What is welded gives its points to the one above that is kept. So does the tip of a chain, a
+// joint on which nothing hangs: it says where its parent ends.
+class Pieces {
+public:
+    Pieces(const std::vector<SkeletonJoint>& joints, const GltfFigureOptions& options)
+        : joints_(joints), options_(options), of_joint_(joints.size()) {
+        std::vector<bool> bears(joints.size());
+        for (std::size_t k = joints.size(); k-- > 0;) {
+            bears[k] = bears[k] || !joints[k].points.empty();
+            if (bears[k] && joints[k].parent >= 0)
+                bears[static_cast<std::size_t>(joints[k].parent)] = true;
+        }
+        const bool any = bears.front();  // else there is no mesh, and each is kept
+        for (std::size_t k = 0; k < joints.size(); k++) add(k, !any || bears[k]);
+        for (std::size_t k = pieces.size(); k-- > 1;)
+            pieces[static_cast<std::size_t>(pieces[k].parent)].below += pieces[k].below;
+        for (std::size_t k = 0; k < pieces.size(); k++) find_end(k);
+    }
+
+    std::vector<Piece> pieces;
+
+private:
+    Vec3 place_of(std::size_t joint) const { return joints_[joint].world.shift * options_.scale; }
+
+    void add(std::size_t k, bool bears) {
+        const GltfBone& wanted = wanted_of(options_, joints_[k].name);
+        const int above =
+            joints_[k].parent < 0
+                ? -1
+                : static_cast<int>(of_joint_[static_cast<std::size_t>(joints_[k].parent)]);
+        const bool kept = above < 0 || (bears && wanted.kind != GltfBoneKind::welded);
+        of_joint_[k] = kept ? pieces.size() : static_cast<std::size_t>(above);
+        if (kept) {
+            if (above >= 0)
+                pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
+            pieces.push_back({.joint = k, .parent = above, .wanted = wanted, .start = place_of(k)});
+        } else {
+            tips_.push_back({of_joint_[k], place_of(k)});
+        }
+        for (const Vec3 point : joints_[k].points)
+            pieces[of_joint_[k]].points.push_back(point * options_.scale);
+    }
+
+    // To the child on which most hangs; without one to its tip, or as far as its points go along
+    // the way that leads to it.
+    void find_end(std::size_t k) {
+        Piece& piece = pieces[k];
+        if (!piece.children.empty()) {
+            std::size_t most = piece.children.front();
+            for (const std::size_t child : piece.children)
+                if (pieces[child].below > pieces[most].below) most = child;
+            piece.end = pieces[most].start;
+            return;
+        }
+        piece.end = piece.start;
+        for (const auto& [owner, tip] : tips_)
+            if (owner == k && length(tip - piece.start) > length(piece.end - piece.start))
+                piece.end = tip;
+        if (length(piece.end - piece.start) >= options_.least_radius) return;
+        const Vec3 from =
+            piece.parent < 0 ? piece.start : pieces[static_cast<std::size_t>(piece.parent)].start;
+        const Vec3 way = piece.start - from;
+        const Vec3 along = length(way) > 1e-9 ? way * (1 / length(way)) : Vec3{0, 1, 0};
+        double far = piece.points.empty() ? 0.5 * length(way) : 0;
+        for (const Vec3 point : piece.points) far = maximum(far, dot(point - piece.start, along));
+        piece.end = piece.start + along * far;
+    }
+
+    const std::vector<SkeletonJoint>& joints_;
+    const GltfFigureOptions& options_;
+    std::vector<std::size_t> of_joint_;  // its piece, or whose it is welded to
+    std::vector<std::pair<std::size_t, Vec3>> tips_;
+};
+
+// A unit vector across another, as near to a wished one as may be.
+Vec3 across(Vec3 along, Vec3 wished) {
+    for (const Vec3 v : {wished, Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
+        const Vec3 rest = v - along * dot(along, v);
+        if (length(rest) > 1e-3 * maximum(length(v), 1e-9)) return rest * (1 / length(rest));
+    }
+    return {0, 1, 0};
+}
+// The rotation whose axes those are: square to each other, of length one.
+Quat rotation_of(const Mat3& m) {
+    const double t = m.x.x + m.y.y + m.z.z;
+    if (t > 0) return normalized({m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x, 1 + t});
+    if (m.x.x >= m.y.y && m.x.x >= m.z.z)
+        return normalized({1 + m.x.x - m.y.y - m.z.z, m.x.y + m.y.x, m.z.x + m.x.z, m.y.z - m.z.y});
+    if (m.y.y >= m.z.z)
+        return normalized({m.x.y + m.y.x, 1 + m.y.y - m.x.x - m.z.z, m.y.z + m.z.y, m.z.x - m.x.z});
+    return normalized({m.z.x + m.x.z, m.y.z + m.z.y, 1 + m.z.z - m.x.x - m.y.y, m.x.y - m.y.x});
+}
+
+// The mean distance of its points from its axis, at most what makes it a ball.
+double radius_of(const Piece& piece, Vec3 along, double size, double least) {
+    double sum = 0;
+    for (const Vec3 point : piece.points) {
+        const Vec3 arm = point - piece.start;
+        sum += length(arm - along * clamp(dot(arm, along), 0, size));
+    }
+    const double mean =
+        piece.points.empty() ? 0.15 * size : sum / static_cast<double>(piece.points.size());
+    return maximum(least, minimum(mean, maximum(0.5 * size, least)));
+}
+
+RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
+                    const GltfFigureOptions& options) {
+    const Vec3 way = piece.end - piece.start;
+    const double size = length(way);
+    const Vec3 along = size > 1e-9 ? way * (1 / size) : Vec3{0, 1, 0};
+    const double radius = radius_of(piece, along, size, options.least_radius);
+    RagdollBone bone{.name = joint.name, .parent = piece.parent};
+    const Vec3 side = across(along, joint.world.linear.x);
+    // A capsule lies along y.
+    bone.rest = {piece.start + way * 0.5, rotation_of({side, along, cross(side, along)})};
+    bone.shapes.push_back(
+        {.geometry = Capsule{radius, maximum(0.5 * size - radius, 2e-4 + 1e-3 * radius)},
+         .density = options.density});
+    if (piece.parent < 0) return bone;
+    const GltfBone& wanted = piece.wanted;
+    bone.muscle = wanted.muscle;
+    const JointLimit limit{true, wanted.lower, wanted.upper};
+    Vec3 x = along, z = side;
+    if (wanted.kind == GltfBoneKind::hinge) {
+        const Vec3 axis = joint.world.linear * wanted.axis;
+        z = length(axis) > 1e-12 ? axis * (1 / length(axis)) : side;
+        x = across(z, along);
+        bone.joint = HingeJoint{.limit = limit};
+    } else if (wanted.kind == GltfBoneKind::cone_twist) {
+        bone.joint = ConeTwistJoint{.swing = wanted.swing, .twist = limit};
+    }
+    bone.frame = {piece.start, rotation_of({x, cross(z, x), z})};
+    return bone;
+}
+
+// Of a buffer's file: below the folder of the one that names it.
+Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path) {
+    std::error_code code;
+    const auto size = std::filesystem::file_size(path, code);
+    if (code) return Error{ErrorCode::not_found, path.string() + " cannot be read"};
+    if (size > gltf::file_bytes_max) return invalid(path.string() + " has more than 64 MB");
+    std::ifstream in(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in.good() && !in.eof())
+        return Error{ErrorCode::not_found, path.string() + " cannot be read"};
+    const auto* from = reinterpret_cast<const std::byte*>(text.data());
+    return std::vector<std::byte>(from, from + text.size());
+}
+
+bool is_below(const std::filesystem::path& path) {
+    if (path.empty() || path.is_absolute()) return false;
+    return std::none_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+}
+
+}  // namespace
+
+Result<GltfFigure> figure_from_gltf(std::span<const std::byte> bytes,
+                                    const GltfFigureOptions& options,
+                                    const GltfBufferReader& outside) {
+    if (Status s = check(options); !s.ok()) return s.error();
+    const Result<gltf::File> file = gltf::File::open(bytes, outside);
+    if (!file.ok()) return file.error();
+    const Result<std::vector<SkeletonJoint>> joints = gltf::read_skeleton(*file, options.skin);
+    if (!joints.ok()) return joints.error();
+    for (const GltfBone& bone : options.bones)
+        if (std::none_of(joints->begin(), joints->end(),
+                         [&](const SkeletonJoint& joint) { return joint.name == bone.name; }))
+            return invalid("the skin has no joint \"" + bone.name + "\"");
+    const Pieces found(*joints, options);
+    if (found.pieces.size() > bones_max)
+        return invalid("the skin has " + std::to_string(found.pieces.size()) +
+                       " joints with something on them; a figure has at most " +
+                       std::to_string(bones_max) + ": weld some");
+    GltfFigure figure;
+    for (const Piece& piece : found.pieces) {
+        const SkeletonJoint& joint = (*joints)[piece.joint];
+        figure.def.bones.push_back(bone_of(piece, joint, options));
+        figure.nodes.push_back(joint.node);
+    }
+    return figure;
+}
+
+Result<GltfFigure> read_gltf_figure(const std::string& path, const GltfFigureOptions& options) {
+    const std::filesystem::path file(path);
+    const Result<std::vector<std::byte>> bytes = read_bytes(file);
+    if (!bytes.ok()) return bytes.error();
+    const auto beside = [&](const std::string& uri) -> Result<std::vector<std::byte>> {
+        if (!is_below(uri)) return invalid("\"" + uri + "\" is not in the file's folder");
+        return read_bytes(file.parent_path() / uri);
+    };
+    return figure_from_gltf(*bytes, options, beside);
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "modules/ragdoll/gltf/src/skeleton.h"
+
+#include <algorithm>
+
+#include "jostle/physics/quat.h"
+
+namespace jostle::modules::gltf {
+
+using namespace physics;
+
+namespace {
+
+constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+constexpr double farthest = 1e9;  // units: what is further away is no figure's
+
+struct Node {
+    std::size_t parent = nobody;
+    Affine local, world;
+    bool placed = false;
+};
+
+bool is_near(const Affine& m) {
+    for (const Vec3 v : {m.linear.x, m.linear.y, m.linear.z, m.shift})
+        if (!(length(v) < farthest)) return false;
+    return true;
+}
+
+// Columns of a 4 x 4 matrix, of which the last row is 0 0 0 1.
+Affine affine_of(const double* m) {
+    return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
+}
+
+Result<Affine> local_of(const Place& node) {
+    if (const Place matrix = node.at("matrix"); matrix.there()) {
+        const Result<std::vector<double>> m = File::numbers(matrix, 16);
+        if (!m.ok()) return m.error();
+        return affine_of(m->data());
+    }
+    std::vector<double> shift{0, 0, 0}, turn{0, 0, 0, 1}, scale{1, 1, 1};
+    for (const auto& [name, values] :
+         {std::pair{"translation", &shift}, {"rotation", &turn}, {"scale", &scale}}) {
+        const Place place = node.at(name);
+        if (!place.there()) continue;
+        Result<std::vector<double>> read = File::numbers(place, values->size());
+        if (!read.ok()) return read.error();
+        *values = *read;
+    }
+    const Quat q{turn[0], turn[1], turn[2], turn[3]};
+    if (!(norm_squared(q) > 0.9 && norm_squared(q) < 1.1))
+        return node.at("rotation").wrong("is no unit quaternion");
+    const Mat3 m = to_matrix(normalized(q));
+    return Affine{{m.x * scale[0], m.y * scale[1], m.z * scale[2]}, {shift[0], shift[1], shift[2]}};
+}
+
+// Each node is the child of one at most, and of none of those below it.
+Result<std::vector<Node>> read_nodes(const File& file) {
+    const Result<Place> list = file.array("nodes");
+    if (!list.ok()) return list.error();
+    std::vector<Node> nodes(list->size());
+    for (std::size_t k = 0; k < nodes.size(); k++) {
+        const Result<Affine> local = local_of(list->at(k));
+        if (!local.ok()) return local.error();
+        nodes[k].local = *local;
+        const Place children = list->at(k).at("children");
+        for (std::size_t c = 0; c < children.size(); c++) {
+            const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
+            if (!child.ok()) return child.error();
+            if (nodes[*child].parent != nobody)
+                return children.at(c).wrong("is a child of nodes[" +
+                                            std::to_string(nodes[*child].parent) + "] already");
+            nodes[*child].parent = k;
+        }
+    }
+    std::vector<std::size_t> way;
+    for (std::size_t k = 0; k < nodes.size(); k++) {
+        way.clear();
+        for (std::size_t at = k; at != nobody && !nodes[at].placed; at = nodes[at].parent) {
+            way.push_back(at);
+            if (way.size() > nodes.size()) return list->at(k).wrong("is below itself");
+        }
+        for (; !way.empty(); way.pop_back()) {
+            Node& node = nodes[way.back()];
+            node.world = node.parent == nobody ? node.local : nodes[node.parent].world * node.local;
+            if (!is_near(node.world))
+                return list->at(way.back()).wrong("stands further away than 1e9");
+            node.placed = true;
+        }
+    }
+    return nodes;
+}
+
+std::string name_of(const Place& node, std::size_t index) {
+    const Place name = node.at("name");
+    if (name.there() && name.value->is_string())
+        return name.value->get_ref<const std::string&>().substr(0, 200);
+    return "node " + std::to_string(index);
+}
+
+struct SkinReader {
+    const File& file;
+    const std::vector<Node>& nodes;
+    Place skin;
+    std::vector<std::size_t> joint_nodes;  // in the skin's order
+    std::vector<SkeletonJoint> joints;     // parents first
+    std::vector<std::size_t> place_of;     // by the skin's order
+
+    Status read_joints() {
+        const Place list = skin.at("joints");
+        if (list.size() == 0 || list.size() > joints_max)
+            return list.wrong("must be 1 to " + std::to_string(joints_max) + " nodes");
+        std::vector<std::size_t> of_node(nodes.size(), nobody);
+        for (std::size_t k = 0; k < list.size(); k++) {
+            const Result<std::size_t> node = File::index(list.at(k), nodes.size(), "nodes");
+            if (!node.ok()) return node.error();
+            if (of_node[*node] != nobody) return list.at(k).wrong("is there twice");
+            of_node[*node] = k;
+            joint_nodes.push_back(*node);
+        }
+        std::vector<std::size_t> parents;
+        for (const std::size_t node : joint_nodes) {
+            std::size_t above = nodes[node].parent;
+            while (above != nobody && of_node[above] == nobody) above = nodes[above].parent;
+            parents.push_back(above == nobody ? nobody : of_node[above]);
+        }
+        return sort(parents);
+    }
+
+    // Level by level, each in the skin's order.
+    Status sort(const std::vector<std::size_t>& parents) {
+        place_of.assign(parents.size(), nobody);
+        std::vector<std::vector<std::size_t>> children(parents.size());
+        std::vector<std::size_t> order;
+        for (std::size_t k = 0; k < parents.size(); k++)
+            (parents[k] == nobody ? order : children[parents[k]]).push_back(k);
+        if (order.size() != 1)
+            return skin.at("joints").wrong("have " + std::to_string(order.size()) +
+                                           " roots; a figure has one");
+        for (std::size_t k = 0; k < order.size(); k++)
+            order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
+        for (const std::size_t k : order) {
+            place_of[k] = joints.size();
+            const std::size_t node = joint_nodes[k];
+            joints.push_back(
+                {.node = node,
+                 .name = name_of(file.root().at("nodes").at(node), node),
+                 .parent = parents[k] == nobody ? -1 : static_cast<int>(place_of[parents[k]]),
+                 .world = nodes[node].world});
+        }
+        return {};
+    }
+
+    // By joint in the skin's order: from a mesh's points to where they are in the scene. A joint
+    // takes them to its own axes and stands in the scene itself.
+    Result<std::vector<Affine>> binds() const {
+        std::vector<Affine> result;
+        for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
+        const Place place = skin.at("inverseBindMatrices");
+        if (!place.there()) return result;
+        const Result<Numbers> matrices = file.accessor(place, "MAT4");
+        if (!matrices.ok()) return matrices.error();
+        if (matrices->count() < result.size())
+            return place.wrong("has " + std::to_string(matrices->count()) + " matrices for " +
+                               std::to_string(result.size()) + " joints");
+        for (std::size_t k = 0; k < result.size(); k++)
+            result[k] = result[k] * affine_of((*matrices)[k]);
+        return result;
+    }
+
+    Status read_points(std::size_t index) {
+        const Result<std::vector<Affine>> to_scene = binds();
+        if (!to_scene.ok()) return to_scene.error();
+        const Result<Place> meshes = file.array("meshes");
+        if (!meshes.ok()) return meshes.error();
+        std::size_t points = 0, all = 0;
+        const Place list = file.root().at("nodes");
+        for (std::size_t k = 0; k < list.size(); k++) {
+            const Place of_skin = list.at(k).at("skin"), of_mesh = list.at(k).at("mesh");
+            if (!of_skin.there() || !of_mesh.there() || *of_skin.value != index) continue;
+            const Result<std::size_t> mesh = File::index(of_mesh, meshes->size(), "meshes");
+            if (!mesh.ok()) return mesh.error();
+            const Place primitives = meshes->at(*mesh).at("primitives");
+            all += primitives.size();
+            if (all > elements_max)
+                return primitives.wrong("are too many: at most " + std::to_string(elements_max) +
+                                        " of all meshes of a skin");
+            for (std::size_t p = 0; p < primitives.size(); p++)
+                if (Status s = read_primitive(primitives.at(p).at("attributes"), *to_scene, points);
+                    !s.ok())
+                    return s;
+        }
+        return {};
+    }
+
+    Status read_primitive(const Place& attributes, const std::vector<Affine>& to_scene,
+                          std::size_t& points) {
+        const Place joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
+        if (!joints_at.there() || !weights_at.there()) return {};
+        const Result<Numbers> position = file.accessor(attributes.at("POSITION"), "VEC3"),
+                              joint = file.accessor(joints_at, "VEC4"),
+                              weight = file.accessor(weights_at, "VEC4");
+        for (const auto* numbers : {&position, &joint, &weight})
+            if (!numbers->ok()) return numbers->error();
+        if (joint->count() != position->count() || weight->count() != position->count())
+            return attributes.wrong("has attributes of different counts");
+        points += position->count();
+        if (points > points_max)
+            return attributes.wrong("has more points than " + std::to_string(points_max));
+        for (std::size_t k = 0; k < position->count(); k++) {
+            const double *const w = (*weight)[k], *const j = (*joint)[k], *const x = (*position)[k];
+            const auto most = static_cast<std::size_t>(std::max_element(w, w + 4) - w);
+            if (!(j[most] >= 0 && j[most] < static_cast<double>(to_scene.size())))
+                return joints_at.wrong("names a joint that the skin has not");
+            const auto at = static_cast<std::size_t>(j[most]);
+            const Vec3 there = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
+            if (!(length(there) < farthest))
+                return attributes.at("POSITION").wrong("stands further away than 1e9");
+            joints[place_of[at]].points.push_back(there);
+        }
+        return {};
+    }
+};
+
+}  // namespace
+
+Vec3 apply(const Affine& m, Vec3 v) {
+    return m.linear * v + m.shift;
+}
+Affine operator*(const Affine& a, const Affine& b) {
+    return {a.linear * b.linear, apply(a, b.shift)};
+}
+
+Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t skin) {
+    const Result<Place> skins = file.array("skins");
+    if (!skins.ok()) return skins.error();
+    if (skin >= skins->size())
+        return skins->wrong("has no [" + std::to_string(skin) + "]; there are " +
+                            std::to_string(skins->size()));
+    const Result<std::vector<Node>> nodes = read_nodes(file);
+    if (!nodes.ok()) return nodes.error();
+    SkinReader reader{file, *nodes, skins->at(skin), {}, {}, {}};
+    if (Status s = reader.read_joints(); !s.ok()) return s.error();
+    if (Status s = reader.read_points(skin); !s.ok()) return s.error();
+    return std::move(reader.joints);
+}
+
+}  // namespace jostle::modules::gltf

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "physics/src/serialization/derive.h"
+
+#include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/shape_proxy.h"
+
+namespace jostle::physics {
+namespace {
+
+void derive_axes(std::vector<BodyWarm>& set) {
+    for (BodyWarm& warm : set) warm.axes = to_matrix(warm.rotation);
+}
+
+void derive_shapes(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.shapes.ids.size(); i++) {
+        if (!world.shapes.ids.alive(i)) continue;
+        ShapeRecord& shape = world.shapes.shapes[i];
+        derive_shape_pose(world.bodies.cold[shape.body], shape);
+        // The list of moved shapes was saved in its order; entering a tree must not add to it.
+        const bool moved = shape.moved;
+        const std::size_t fresh = world.triggers.fresh.size();
+        shape.moved = true;
+        create_proxy(world, i);
+        shape.moved = moved;
+        world.triggers.fresh.resize(fresh);
+    }
+}
+
+void derive_contacts(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
+        if (!world.contacts.ids.alive(i)) continue;
+        const Contact& c = world.contacts.contacts[i];
+        if (c.parent == none) world.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
+        if (c.colour < 0) continue;
+        write_body_indices(world, c);
+        derive_flags(world, c);
+        const ContactPlace place = place_of(world, c);
+        place.meta->set(LaneFlag::bounces, place.lane, place.meta->restitution[place.lane] > 0);
+        place.meta->set(LaneFlag::touching_now, place.lane, c.touching);
+    }
+}
+
+}  // namespace
+
+void derive_all(WorldState& world) {
+    world.bodies.ids.rebuild_free_list();
+    world.shapes.ids.rebuild_free_list();
+    world.contacts.ids.rebuild_free_list();
+    world.joints.ids.rebuild_free_list();
+    world.islands.ids.rebuild_free_list();
+    world.fields.ids.rebuild_free_list();
+    world.fields.derive_active();
+    for (const ContactAnswer& answer : world.contacts.answers)
+        world.contacts.contacts[answer.contact].answered = true;
+    derive_axes(world.bodies.statics);
+    derive_axes(world.bodies.awake);
+    for (Island& island : world.islands.islands) derive_axes(island.sleepers);
+    for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
+        BodyCold& cold = world.bodies.cold[i];
+        if (!world.bodies.ids.alive(i)) continue;
+        world.bodies.asleep_in_place += cold.asleep_in_place ? 1 : 0;
+        // The bytes have the inverses, too, but strangers write what they like. Those from before
+        // 2026-11-24 have zeroes where bodies sleep in place.
+        invert_mass(cold);
+    }
+    derive_shapes(world);
+    derive_contacts(world);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// The stores are plain arrays, so a copy of them is a dozen blocks of memory. No list of fields
+// here: what is added to a store is kept without further ado.
+#include "jostle/physics/restore_point.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "jostle/physics/world.h"
+#include "physics/src/serialization/field_list.h"
+#include "physics/src/serialization/saved_world.h"
+#include "physics/src/state/world_access.h"
+
+namespace jostle::physics {
+
+// What there are thousands of is copied as bytes; a shape is not, because it shares its geometry,
+// nor a joint, of which some kinds have numbers elsewhere.
+static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyable_v<BodyWarm> &&
+              std::is_trivially_copyable_v<MotionBound> && std::is_trivially_copyable_v<Contact> &&
+              std::is_trivially_copyable_v<SeparationBound> &&
+              std::is_trivially_copyable_v<ContactConstraintWide> &&
+              std::is_trivially_copyable_v<SavedContact>);
+
+struct RestorePoint::Kept {
+    WorldStores stores;
+    PendingEvents pending;  // the next step publishes them
+    struct ModuleState {
+        std::string tag;
+        std::vector<std::byte> state;
+    };
+    std::vector<ModuleState> modules;  // in their order
+};
+
+RestorePoint::RestorePoint() = default;
+RestorePoint::RestorePoint(RestorePoint&&) noexcept = default;
+RestorePoint& RestorePoint::operator=(RestorePoint&&) noexcept = default;
+RestorePoint::~RestorePoint() = default;
+
+void RestorePoint::keep(const World& world) {
+    if (!kept_) kept_ = std::make_unique<Kept>();
+    kept_->stores = state_of(world);
+    kept_->pending = state_of(world).events.pending;
+    kept_->modules.clear();
+    for (const std::unique_ptr<Module>& module : state_of(world).listeners.modules)
+        kept_->modules.push_back({std::string(module->tag()), save_module(*module)});
+}
+
+Status RestorePoint::restore(World& world) const {
+    if (!kept_)
+        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+    WorldState& state = state_of(world);
+    if (state.listeners.stepping != nullptr)
+        return Error{ErrorCode::failed_precondition,
+                     "restore point: the world is stepping; restore it between two steps"};
+    // All that may fail comes before anything changes.
+    std::vector<std::unique_ptr<Module>> missing;
+    for (const Kept::ModuleState& kept : kept_->modules) {
+        if (state.listeners.module(kept.tag) != nullptr) continue;
+        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+        if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
+        missing.push_back(std::move(made).value());
+    }
+    const int threads = state.def.threads;
+    static_cast<WorldStores&>(state) = kept_->stores;
+    state.def.threads = threads;
+    state.events.clear_published();
+    state.events.pending = kept_->pending;
+    state.wake_requests.clear();
+    state.changes_at_rest++;
+    return restore_modules(world, std::move(missing));
+}
+
+Result<RestorePoint::Saved> RestorePoint::save() const {
+    if (!kept_)
+        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+    ListenerStore modules;
+    for (const Kept::ModuleState& kept : kept_->modules) {
+        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+        if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
+        if (Status s = load_module(**made, kept.state); !s.ok()) return s.error();
+        modules.add(std::move(made).value());
+    }
+    SaverAndHash visitor;
+    begin_saved_world(visitor.saver, kept_->stores);
+    visit_stores(visitor, kept_->stores);
+    visit_modules(visitor, modules);
+    return Saved{end_saved_world(visitor.saver), visitor.hash.hasher.value};
+}
+
+// The modules of the world become those that were kept, in their order.
+Status RestorePoint::restore_modules(World& world,
+                                     std::vector<std::unique_ptr<Module>> missing) const {
+    ListenerStore& listeners = state_of(world).listeners;
+    const auto kept = [&](std::string_view tag) {
+        return std::any_of(kept_->modules.begin(), kept_->modules.end(),
+                           [&](const Kept::ModuleState& state) { return state.tag == tag; });
+    };
+    std::vector<std::string> gone;
+    for (const std::unique_ptr<Module>& module : listeners.modules)
+        if (!kept(module->tag())) gone.emplace_back(module->tag());
+    for (const std::string& tag : gone) listeners.remove_module(tag);
+    for (std::unique_ptr<Module>& module : missing) listeners.add(std::move(module));
+    std::vector<std::string> order;
+    for (const Kept::ModuleState& state : kept_->modules) order.push_back(state.tag);
+    listeners.sort_modules(order);
+    for (const Kept::ModuleState& state : kept_->modules) {
+        Module& module = *listeners.module(state.tag);
+        if (Status s = load_module(module, state.state); !s.ok()) return s;
+        module.restored(world);
+    }
+    return {};
+}
+
+}  // namespace jostle::physics

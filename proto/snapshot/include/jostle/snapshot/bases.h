@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// What a snapshot is told against.
+#pragma once
+
+#include <cstddef>
+
+#include "jostle/snapshot/entity_state.h"
+
+namespace jostle::wire {
+
+// The frames that a snapshot refers to. Without base it is absolute: it has all entities in full.
+// base2 and base3 sharpen the prediction; base2 needs base, base3 needs base2. Their frame numbers
+// fall, each by 1 to 255: frame > base > base2 > base3.
+struct Bases {
+    const QuantizedFrame* base = nullptr;
+    const QuantizedFrame* base2 = nullptr;
+    const QuantizedFrame* base3 = nullptr;
+};
+
+// Positions from `begin` to before `end`, in a frame and its base alike: the same entities, which
+// lie at rest in the base and are in the frame what they are there.
+struct QuietRun {
+    std::size_t begin = 0, end = 0;
+};
+
+}  // namespace jostle::wire

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Codec 1: Rice and exponential Golomb codes of bits, nothing learned. Cheap on both sides. Called
+// by frame_codec.h alone, which has checked the quantisation and the spacing.
+#pragma once
+
+#include "jostle/snapshot/survivors.h"
+
+namespace jostle::wire {
+
+std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
+                                        const QuantSpec& spec);
+
+Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,
+                                                  const Bases& bases, const Spacing& t,
+                                                  const QuantSpec& spec, std::size_t max_entities);
+
+}  // namespace jostle::wire

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+//
+// Codec 2's one walk over a frame, for encoder and decoder alike: a Coder takes each bit with the
+// model that it is coded against, and gives back what is in the stream. Only the codec itself and
+// the program that trains its start include this.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "jostle/snapshot/bit_stream.h"
+#include "jostle/snapshot/frame_models.h"
+#include "jostle/snapshot/survivors.h"
+
+namespace jostle::wire {
+
+// Who goes and comes: what an encoder tells, and a decoder fills.
+struct WalkedLists {
+    std::vector<std::size_t> removed;  // positions in the base
+    std::vector<EntityState> spawned;
+};
+
+inline WalkedLists lists_of(const Succession& to) {
+    WalkedLists lists{.removed = to.removed, .spawned = {}};
+    lists.spawned.reserve(to.spawned.size());
+    for (const EntityState* state : to.spawned) lists.spawned.push_back(*state);
+    return lists;
+}
+
+template <class Coder>
+class RangeWalk {
+public:
+    RangeWalk(Coder& coder, FrameModels& models, const QuantSpec& spec)
+        : coder_(coder), models_(models), spec_(spec) {}
+
+    // Who goes and comes. False: a decoder found a fault().
+    bool entities(WalkedLists& lists, const Bases& bases, std::size_t max_entities) {
+        const bool any =
+            coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
+        if (!any) return true;
+        const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
+        if (!removed(lists.removed, in_base)) return false;
+        const std::size_t survive = in_base - lists.removed.size();
+        if (survive > max_entities) return fail("more entities than the limit");
+        return spawned(lists.spawned, bases, max_entities - survive);
+    }
+
+    // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
+    bool survivors(const std::vector<const EntityState*>& kept, std::vector<EntityState>& states,
+                   const std::vector<Survivor>& survivors, const Spacing& t,
+                   std::size_t quiet_after = 0) {
+        quiet_after_ = quiet_after;
+        std::size_t resting = quiet_after;
+        for (const Survivor& s : survivors) resting += s.quiet_before + (s.base->at_rest ? 1 : 0);
+        std::uint64_t run = 0;
+        if (!resting_run(run, kept, survivors, 0, resting)) return false;
+        for (std::size_t i = 0; i < survivors.size(); i++) {
+            const Survivor& s = survivors[i];
+            resting -= s.quiet_before;
+            run -= s.quiet_before;
+            const bool rested = s.base->at_rest;
+            if (rested) resting--;
+            if (rested && run > 0) {
+                run--;
+                if constexpr (!Coder::encoding) states.push_back(*s.base);
+                continue;
+            }
+            EntityState state = Coder::encoding ? *kept[i] : *s.base;
+            if (!(rested ? roused(state, s, t) : awake(state, s, t))) return false;
+            if constexpr (!Coder::encoding) states.push_back(state);
+            if (rested && !resting_run(run, kept, survivors, i + 1, resting)) return false;
+        }
+        return true;
+    }
+
+    const std::string& fault() const { return fault_; }
+
+private:
+    // How an entity that is awake in base moved before.
+    enum Pace : std::size_t { motionless, moving, stopped };
+
+    static Pace pace_of(const Survivor& s) {
+        if (!s.base2 || s.base2->at_rest || !same_pose(*s.base, *s.base2)) return moving;
+        return s.base3 && same_pose(*s.base, *s.base3) ? motionless : stopped;
+    }
+
+    bool fail(const char* what) {
+        if (fault_.empty()) fault_ = what;
+        return false;
+    }
+    bool ended() {
+        if constexpr (Coder::encoding)
+            return false;
+        else
+            return coder_.past_end() && !fail("the data ends early");
+    }
+
+    // ---- numbers ----
+
+    // 0 and above: the width of value + 1 in unary, then its bits below the leading one. A decoder
+    // may be given one as wide as 2^40.
+    std::uint64_t count(CountModels& m, std::uint64_t value) {
+        const unsigned wanted = bit_width(value + 1) - 1;
+        unsigned width = 0;
+        while (width < CountModels::widths && coder_.bit(m.wider[width], wanted > width)) width++;
+        const std::uint64_t leading = std::uint64_t{1} << width;
+        return (leading | coder_.raw((value + 1) & (leading - 1), width)) - 1;
+    }
+
+    std::int64_t number(MagnitudeModels& m, TailModels& tail, std::int64_t value) {
+        if (!coder_.bit(m.nonzero, value != 0)) return 0;
+        const bool negative = coder_.bit(m.negative, value < 0);
+        const auto size = static_cast<std::uint64_t>(value < 0 ? -value : value);
+        std::uint64_t told = 1;
+        if (coder_.bit(m.above_1, size > 1)) {
+            if (!coder_.bit(m.above_3, size > 3))
+                told = 2 | (coder_.bit(m.odd, (size & 1) != 0) ? 1 : 0);
+            else
+                told = large(tail, size);
+        }
+        return negative ? -static_cast<std::int64_t>(told) : static_cast<std::int64_t>(told);
+    }
+
+    std::uint64_t large(TailModels& tail, std::uint64_t size) {
+        constexpr unsigned first = TailModels::first_width, last = TailModels::last_width;
+        const unsigned wanted = bit_width(size) - 1;
+        unsigned width = first;
+        while (width < last && coder_.bit(tail.wider[width - first], wanted > width)) width++;
+        if (width == last) width += static_cast<unsigned>(coder_.raw(wanted - last, 5));
+        const bool second =
+            coder_.bit(tail.second[std::min(width, last) - first], (size >> (width - 1) & 1) != 0);
+        const std::uint64_t low = (std::uint64_t{1} << (width - 1)) - 1;
+        return (std::uint64_t{2} | (second ? 1 : 0)) << (width - 1) |
+               coder_.raw(size & low, width - 1);
+    }
+
+    // ---- entities that go and come ----
+
+    bool removed(std::vector<std::size_t>& positions, std::size_t size) {
+        const std::uint64_t total = count(models_.removed, positions.size());
+        if (total > size) return fail("removed: more than there are");
+        positions.resize(static_cast<std::size_t>(total));
+        std::uint64_t next = 0;
+        for (std::size_t& position : positions) {
+            const std::uint64_t told = next + count(models_.removed_gap, position - next);
+            if (told >= size) return fail("removed: a position past the end");
+            position = static_cast<std::size_t>(told);
+            next = told + 1;
+        }
+        return !ended();
+    }
+
+    bool spawned(std::vector<EntityState>& states, const Bases& bases, std::size_t limit) {
+        const std::uint64_t total = count(models_.spawned, states.size());
+        if (total > limit) return fail("spawned: more entities than the limit");
+        Finder in_base(bases.base);
+        EntityState before;
+        for (std::uint64_t i = 0; i < total; i++) {
+            if (!Coder::encoding) states.emplace_back();
+            EntityState& state = states[static_cast<std::size_t>(i)];
+            if (!newcomer(state, before) || ended()) return false;
+            if (in_base.find(state.id)) return fail("spawned: an id that the base has");
+            before = state;
+        }
+        return true;
+    }
+
+    // Told as the difference from the one spawned before it: neighbours were often made together.
+    bool newcomer(EntityState& state, const EntityState& before) {
+        const std::uint64_t id =
+            std::uint64_t{before.id} + 1 + count(models_.id_gap, state.id - before.id - 1);
+        if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
+        state.id = static_cast<std::uint32_t>(id);
+        for (std::size_t k = 0; k < 3; k++) {
+            const std::int64_t step = std::int64_t{state.position[k]} - before.position[k];
+            auto size = static_cast<std::int64_t>(count(
+                models_.position_step[k], static_cast<std::uint64_t>(step < 0 ? -step : step)));
+            if (size != 0 && coder_.bit(models_.position_negative, step < 0)) size = -size;
+            if (!is_position(before.position[k] + size))
+                return fail("spawned: a position out of range");
+            state.position[k] = static_cast<std::int32_t>(before.position[k] + size);
+        }
+        const bool same = state.largest == before.largest && state.rotation == before.rotation;
+        if (coder_.bit(models_.turned, !same)) {
+            if (!components(state)) return false;
+        } else {
+            state.largest = before.largest;
+            state.rotation = before.rotation;
+        }
+        state.at_rest = coder_.bit(models_.spawned_rests, state.at_rest);
+        return true;
+    }
+
+    bool components(EntityState& state) {
+        state.largest = static_cast<std::uint8_t>(coder_.raw(state.largest, 2));
+        const unsigned bits = component_bits(spec_);
+        const std::int64_t sign = std::int64_t{1} << (bits - 1);
+        std::array<std::int64_t, 3> r{};
+        for (std::size_t k = 0; k < 3; k++)
+            r[k] = static_cast<std::int64_t>(
+                       coder_.raw(static_cast<std::uint64_t>(state.rotation[k] + sign), bits)) -
+                   sign;
+        return rotation(state, r);
+    }
+
+    bool rotation(EntityState& state, const std::array<std::int64_t, 3>& r) {
+        if constexpr (Coder::encoding) return true;
+        if (!is_rotation(r, spec_)) return fail("a rotation that is none");
+        for (std::size_t k = 0; k < 3; k++) state.rotation[k] = static_cast<std::int16_t>(r[k]);
+        return true;
+    }
+
+    // ---- entities that stay ----
+
+    // How many of those at rest, from survivor `from` on, stay as they are before the next that
+    // does not; `left` are there.
+    bool resting_run(std::uint64_t& run, const std::vector<const EntityState*>& kept,
+                     const std::vector<Survivor>& survivors, std::size_t from, std::size_t left) {
+        run = left;
+        if (left == 0) return true;
+        if constexpr (Coder::encoding) {
+            run = quiet_after_;
+            std::uint64_t so_far = 0;
+            for (std::size_t i = from; i < survivors.size(); i++) {
+                so_far += survivors[i].quiet_before;
+                if (!survivors[i].base->at_rest) continue;
+                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].base)) {
+                    run = 0;
+                    break;
+                }
+                so_far++;
+            }
+            run += so_far;
+        }
+        const bool none = coder_.bit(models_.wakes_none, run == left);
+        run = none ? left : count(models_.resting_run, run);
+        if (!none && run >= left) return fail("a run of resting entities past the end");
+        return !ended();
+    }
+
+    // At rest in base, and now it is not, or lies elsewhere.
+    bool roused(EntityState& state, const Survivor& s, const Spacing& t) {
+        state.at_rest = coder_.bit(models_.stays_at_rest, state.at_rest);
+        return pose(state, s, t);
+    }
+
+    bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
+        const Pace pace = pace_of(s);
+        const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.base));
+        state.at_rest = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
+        return !changed || pose(state, s, t);
+    }
+
+    static std::size_t width_of(std::int64_t v, unsigned most) {
+        return std::min(bit_width(static_cast<std::uint64_t>(v < 0 ? -v : v)), most);
+    }
+    // -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above.
+    static std::size_t signed_class(std::int64_t v) {
+        if (v < 0) return v <= -4 ? 0 : v <= -2 ? 1 : 2;
+        return v >= 4 ? 6 : v >= 2 ? 5 : v == 1 ? 4 : 3;
+    }
+    static std::size_t size_class(std::int64_t v) { return v == 0 ? 0 : v <= 3 ? 1 : 2; }
+    static std::int64_t size_of(std::int64_t v) { return v < 0 ? -v : v; }
+    // Numbers are told along the way that an entity moves, or else bends.
+    static bool backwards(std::int64_t step, std::int64_t bend) {
+        return step != 0 ? step < 0 : bend < 0;
+    }
+
+    bool pose(EntityState& state, const Survivor& s, const Spacing& t) {
+        const Prediction p = predict(*s.base, s.base2, s.base3, t, spec_);
+        std::int64_t off = 0;  // sum of the magnitudes so far
+        for (std::size_t k = 0; k < 3; k++) {
+            const std::int64_t bend = p.position_bend[k];
+            const bool back = backwards(p.position_step[k], bend);
+            const std::size_t step = width_of(p.position_step[k], 3);
+            MagnitudeModels& m =
+                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -bend : bend)]
+                                [size_class(p.position_change - size_of(bend))]
+                                [k == 0 ? 0 : 1 + width_of(off, 4) / 2];
+            const std::int64_t error = state.position[k] - p.position[k];
+            const std::int64_t told = number(m, models_.position_tail[step], back ? -error : error);
+            const std::int64_t v = p.position[k] + (back ? -told : told);
+            if (!is_position(v)) return fail("a position out of range");
+            state.position[k] = static_cast<std::int32_t>(v);
+            off += size_of(told);
+        }
+        return turn(state, p, off != 0) && !ended();
+    }
+
+    bool turn(EntityState& state, const Prediction& p, bool moved_off) {
+        largest(state, p);
+        // As a rotation whose largest component is that one would have them.
+        std::array<std::int64_t, 3> r{}, step{}, bend{};
+        const std::int64_t sign = p.rotation[state.largest] < 0 ? -1 : 1;
+        std::int64_t change = 0;
+        for (std::size_t k = 0; k < 3; k++) {
+            const std::size_t from = others[state.largest][k];
+            r[k] = sign * p.rotation[from];
+            step[k] = sign * p.rotation_step[from];
+            bend[k] = sign * p.rotation_bend[from];
+            change += size_of(bend[k]);
+        }
+        std::int64_t off = 0;
+        for (std::size_t k = 0; k < 3; k++) {
+            const bool back = backwards(step[k], bend[k]);
+            const std::size_t width = width_of(step[k], 3);
+            MagnitudeModels& m =
+                models_.rotation[width][signed_class(back ? -bend[k] : bend[k])][size_class(
+                    change - size_of(bend[k]))][k == 0 ? moved_off : 2 + width_of(off, 2)];
+            const std::int64_t error = state.rotation[k] - r[k];
+            const std::int64_t told =
+                number(m, models_.rotation_tail[width], back ? -error : error);
+            r[k] += back ? -told : told;
+            off += size_of(told);
+        }
+        return rotation(state, r);
+    }
+
+    // Which component is left out: the predicted one mostly, the less so the less it leads.
+    void largest(EntityState& state, const Prediction& p) {
+        std::int64_t second = 0;
+        for (std::size_t k = 0; k < 4; k++)
+            if (k != p.largest) second = std::max(second, size_of(p.rotation[k]));
+        const std::size_t lead = width_of(size_of(p.rotation[p.largest]) - second, 15) / 4;
+        if (coder_.bit(models_.same_largest[lead], state.largest == p.largest)) {
+            state.largest = p.largest;
+            return;
+        }
+        const unsigned on = (state.largest - p.largest - 1u) & 3;  // 0, 1 or 2
+        unsigned told = 2;
+        if (!coder_.bit(models_.other_largest[0], on == 2))
+            told = coder_.bit(models_.other_largest[1], on == 1) ? 1 : 0;
+        state.largest = static_cast<std::uint8_t>((p.largest + 1 + told) & 3);
+    }
+
+    Coder& coder_;
+    FrameModels& models_;
+    const QuantSpec spec_;
+    std::string fault_;
+    std::size_t quiet_after_ = 0;  // Succession::quiet_after
+};
+
+}  // namespace jostle::wire

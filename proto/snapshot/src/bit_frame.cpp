@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+//
+// Writer and reader walk the same list of survivors (entities of the base that are still there)
+// with the same helpers; what differs is only who knows the new state.
+#include "jostle/snapshot/bit_frame.h"
+
+#include <algorithm>
+
+#include "jostle/snapshot/bit_stream.h"
+#include "jostle/snapshot/survivors.h"
+
+namespace jostle::wire {
+namespace {
+
+constexpr unsigned gap_order = 4;        // between ids, positions in a list
+constexpr unsigned still_order = 5;      // runs of still entities
+constexpr unsigned position_order = 12;  // absolute positions
+
+// Expected to stay as it is; all others are live.
+bool is_still(const Survivor& s) {
+    return s.base->at_rest || !s.base2 ||
+           (same_pose(*s.base, *s.base2) && (!s.base3 || same_pose(*s.base, *s.base3)));
+}
+
+// Rice parameters from how restless the entity was.
+struct Widths {
+    unsigned position, rotation;
+    bool rotation_may_be_exact;  // one bit says that it is
+};
+
+Widths widths_of(const Survivor& s, const Prediction& p, const Spacing& t) {
+    static constexpr std::uint8_t for_position[12] = {0, 0, 0, 1, 2, 2, 3, 3, 4, 5, 6, 7};
+    static constexpr std::uint8_t for_rotation[12] = {0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8};
+    std::int64_t position = p.position_change, rotation = p.rotation_change;
+    // No or little history: the change says nothing; expect some units per tick.
+    if (is_still(s) || !s.base3 || same_pose(*s.base, *s.base2)) {
+        position = std::max(position, 4 * t.dt1);
+        rotation = std::max(rotation, 4 * t.dt1);
+    }
+    const auto clamp = [](std::int64_t change) {
+        return std::min(bit_width(static_cast<std::uint64_t>(change)), 11u);
+    };
+    return {for_position[clamp(position)], for_rotation[clamp(rotation)], rotation == 0};
+}
+
+// ---- writing ----
+
+void write_components(BitWriter& out, const EntityState& state, const QuantSpec& spec) {
+    out.bits(state.largest, 2);
+    for (const std::int16_t component : state.rotation)
+        out.bits(static_cast<std::uint64_t>(component), component_bits(spec));
+}
+
+void write_pose(BitWriter& out, const EntityState& now, const Survivor& s, const Spacing& t,
+                const QuantSpec& spec) {
+    const Prediction p = predict(*s.base, s.base2, s.base3, t, spec);
+    const Widths widths = widths_of(s, p, t);
+    for (std::size_t k = 0; k < 3; k++)
+        out.rice(zig_zag(now.position[k] - p.position[k]), widths.position);
+
+    std::array<std::uint64_t, 3> residual{};
+    for (std::size_t k = 0; k < 3; k++) residual[k] = zig_zag(now.rotation[k] - p.components[k]);
+    const bool same_largest = now.largest == p.largest;
+    if (widths.rotation_may_be_exact) {
+        const bool exact = same_largest && residual == std::array<std::uint64_t, 3>{};
+        out.bits(exact ? 1 : 0, 1);
+        if (exact) return;
+    }
+    if (!same_largest || residual[0] >> widths.rotation >= rice_escape) {
+        out.bits((1u << rice_escape) - 1, rice_escape);
+        write_components(out, now, spec);
+        return;
+    }
+    for (const std::uint64_t r : residual) out.rice(r, widths.rotation);
+}
+
+void write_removed(BitWriter& out, const std::vector<std::size_t>& removed) {
+    out.exp_golomb(removed.size(), 0);
+    std::size_t next = 0;
+    for (const std::size_t position : removed) {
+        out.exp_golomb(position - next, gap_order);
+        next = position + 1;
+    }
+}
+
+void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawned,
+                   const QuantSpec& spec) {
+    out.exp_golomb(spawned.size(), 0);
+    std::uint32_t next_id = 1;
+    for (const EntityState* state : spawned) {
+        out.exp_golomb(state->id - next_id, gap_order);
+        for (const std::int32_t p : state->position) out.exp_golomb(zig_zag(p), position_order);
+        write_components(out, *state, spec);
+        out.bits(state->at_rest ? 1 : 0, 1);
+        next_id = state->id + 1;
+    }
+}
+
+void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
+                     const QuantSpec& spec) {
+    const std::vector<Survivor>& survivors = to.survivors;
+    const std::vector<const EntityState*>& now = to.kept;
+    // Still entities from `from` on before the first one that changes its pose.
+    const auto run_of_still = [&](std::size_t from) {
+        std::uint64_t run = 0;
+        for (std::size_t i = from; i < survivors.size(); i++) {
+            run += survivors[i].quiet_before;
+            if (!is_still(survivors[i])) continue;
+            if (!same_pose(*now[i], *survivors[i].base)) return run;
+            run++;
+        }
+        return run + to.quiet_after;
+    };
+    std::vector<std::size_t> toggles;
+    std::uint64_t run = run_of_still(0);
+    out.exp_golomb(run, still_order);
+    std::size_t position = 0;
+    for (std::size_t i = 0; i < survivors.size(); i++, position++) {
+        const Survivor& s = survivors[i];
+        position += s.quiet_before;
+        run -= s.quiet_before;
+        const bool still = is_still(s);
+        bool changed;
+        if (still) {
+            changed = run == 0;
+            if (!changed) run--;
+        } else {
+            changed = !same_pose(*now[i], *s.base);
+            out.bits(changed ? 1 : 0, 1);
+        }
+        if (now[i]->at_rest != (changed ? false : s.base->at_rest)) toggles.push_back(position);
+        if (!changed) continue;
+        write_pose(out, *now[i], s, t, spec);
+        if (still) {
+            run = run_of_still(i + 1);
+            out.exp_golomb(run, still_order);
+        }
+    }
+    write_removed(out, toggles);  // the same code: positions in a list
+}
+
+// ---- reading ----
+
+class BitFrameReader {
+public:
+    BitFrameReader(std::span<const std::byte> packed, const QuantSpec& spec)
+        : in_(packed), spec_(spec) {}
+
+    Result<std::vector<EntityState>> decode(const Bases& bases, const Spacing& t,
+                                            std::size_t max_entities) {
+        std::vector<std::size_t> removed;
+        const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
+        if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
+        const std::vector<Survivor> survivors = survivors_of(bases, removed);
+        std::vector<EntityState> spawned;
+        if (survivors.size() > max_entities ||
+            !read_spawned(spawned, bases, max_entities - survivors.size()))
+            return corrupt(error_.empty() ? "more entities than the limit" : error_);
+        std::vector<EntityState> kept;
+        if (!read_survivors(kept, survivors, t)) return corrupt(error_);
+        if (!in_.at_clean_end()) return corrupt(at("bits are left over or missing"));
+        return merged(kept, spawned);
+    }
+
+private:
+    std::string at(const std::string& what) const {
+        return what + " (at bit " + std::to_string(in_.bit_position()) + ")";
+    }
+    bool fail(const std::string& what) {
+        if (error_.empty()) error_ = at(what);
+        return false;
+    }
+    bool ended() { return in_.past_end() && !fail("the data ends early"); }
+
+    // Rising positions in a list of `size`.
+    bool read_positions(std::vector<std::size_t>& positions, std::size_t size, const char* what) {
+        const std::uint64_t count = in_.exp_golomb(0);
+        if (ended()) return false;
+        if (count > size) return fail(std::string(what) + ": more than there are");
+        std::uint64_t next = 0;
+        for (std::uint64_t i = 0; i < count; i++) {
+            const std::uint64_t position = next + in_.exp_golomb(gap_order);
+            if (ended()) return false;
+            if (position >= size) return fail(std::string(what) + ": a position past the end");
+            positions.push_back(static_cast<std::size_t>(position));
+            next = position + 1;
+        }
+        return true;
+    }
+
+    bool read_components(EntityState& state) {
+        const unsigned bits = component_bits(spec_);
+        state.largest = static_cast<std::uint8_t>(in_.bits(2));
+        for (std::int16_t& component : state.rotation) {
+            const std::uint64_t raw = in_.bits(bits);
+            const std::int64_t sign = std::int64_t{1} << (bits - 1);
+            component = static_cast<std::int16_t>((static_cast<std::int64_t>(raw) ^ sign) - sign);
+        }
+        return is_rotation({state.rotation[0], state.rotation[1], state.rotation[2]}, spec_) ||
+               fail("a rotation that is none");
+    }
+
+    bool read_spawned(std::vector<EntityState>& spawned, const Bases& bases, std::size_t limit) {
+        const std::uint64_t count = in_.exp_golomb(0);
+        if (ended()) return false;
+        if (count > limit) return fail("spawned: more entities than the limit");
+        std::uint64_t next_id = 1;
+        Finder in_base(bases.base);
+        for (std::uint64_t i = 0; i < count; i++) {
+            const std::uint64_t id = next_id + in_.exp_golomb(gap_order);
+            if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
+            EntityState state{.id = static_cast<std::uint32_t>(id)};
+            for (std::int32_t& p : state.position) {
+                const std::int64_t v = un_zig_zag(in_.exp_golomb(position_order));
+                if (!is_position(v)) return fail("spawned: a position out of range");
+                p = static_cast<std::int32_t>(v);
+            }
+            if (!read_components(state)) return false;
+            state.at_rest = in_.bits(1) != 0;
+            if (ended()) return false;
+            if (in_base.find(state.id)) return fail("spawned: an id that the base has");
+            spawned.push_back(state);
+            next_id = id + 1;
+        }
+        return true;
+    }
+
+    bool read_pose(EntityState& state, const Survivor& s, const Spacing& t) {
+        const Prediction p = predict(*s.base, s.base2, s.base3, t, spec_);
+        const Widths widths = widths_of(s, p, t);
+        for (std::size_t k = 0; k < 3; k++) {
+            const std::int64_t v = p.position[k] + un_zig_zag(in_.rice(widths.position));
+            if (!is_position(v)) return fail("a position out of range");
+            state.position[k] = static_cast<std::int32_t>(v);
+        }
+        std::array<std::int64_t, 3> r = p.components;
+        if (!(widths.rotation_may_be_exact && in_.bits(1) != 0)) {
+            if (in_.take_escape()) return read_components(state) && !ended();
+            for (std::int64_t& c : r) c += un_zig_zag(in_.rice(widths.rotation));
+        }
+        if (ended()) return false;
+        if (!is_rotation(r, spec_)) return fail("a rotation that is none");
+        state.largest = p.largest;
+        for (std::size_t k = 0; k < 3; k++) state.rotation[k] = static_cast<std::int16_t>(r[k]);
+        return true;
+    }
+
+    bool read_survivors(std::vector<EntityState>& kept, const std::vector<Survivor>& survivors,
+                        const Spacing& t) {
+        kept.reserve(survivors.size());
+        std::uint64_t run = in_.exp_golomb(still_order);
+        for (const Survivor& s : survivors) {
+            EntityState state = *s.base;
+            const bool still = is_still(s);
+            bool changed;
+            if (still) {
+                changed = run == 0;
+                if (!changed) run--;
+            } else {
+                changed = in_.bits(1) != 0;
+            }
+            if (changed) {
+                if (!read_pose(state, s, t)) return false;
+                state.at_rest = false;
+                if (still) run = in_.exp_golomb(still_order);
+            }
+            if (ended()) return false;
+            kept.push_back(state);
+        }
+        if (run != 0) return fail("a run of still entities past the end");
+        std::vector<std::size_t> toggles;
+        if (!read_positions(toggles, kept.size(), "rest toggles")) return false;
+        for (const std::size_t i : toggles) kept[i].at_rest = !kept[i].at_rest;
+        return true;
+    }
+
+    BitReader in_;
+    const QuantSpec& spec_;
+    std::string error_;
+};
+
+}  // namespace
+
+std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
+                                        const QuantSpec& spec) {
+    BitWriter out;
+    write_removed(out, to.removed);
+    write_spawned(out, to.spawned, spec);
+    write_survivors(out, to, t, spec);
+    return out.finish();
+}
+
+Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,
+                                                  const Bases& bases, const Spacing& t,
+                                                  const QuantSpec& spec, std::size_t max_entities) {
+    return BitFrameReader(packed, spec).decode(bases, t, max_entities);
+}
+
+}  // namespace jostle::wire

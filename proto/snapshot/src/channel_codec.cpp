@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/snapshot/channel_codec.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "jostle/snapshot/bit_stream.h"
+#include "jostle/snapshot/crc32.h"
+
+namespace jostle::wire {
+namespace {
+
+enum class Change : std::uint8_t { values = 0, length = 1, ended = 2 };
+constexpr unsigned change_bits = 2;
+// Orders of the exponential Golomb codes (WIRE.md).
+constexpr unsigned count_order = 1, entity_order = 2, length_order = 3, run_order = 0;
+
+using Key = std::pair<std::uint32_t, std::uint32_t>;
+Key key_of(const Channel& channel) {
+    return {channel.kind, channel.entity};
+}
+
+// The order of the code of the next difference, from the widths of those before it. Large and small
+// ones alternate in many channels (an angle, a gear), so no code fits that knows their mean alone.
+class Spread {
+public:
+    unsigned order() const { return four_widths_ < 8 ? 0 : (four_widths_ >> 2) - 2; }
+    void saw(std::uint64_t size) { four_widths_ += bit_width(size) - (four_widths_ >> 2); }
+
+private:
+    unsigned four_widths_ = 16;  // four times their mean
+};
+
+// Differences are of 32 bits and wrap around, so that every one of them can be told.
+std::int32_t difference(std::int32_t value, std::int32_t base) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) -
+                                     static_cast<std::uint32_t>(base));
+}
+std::int32_t sum(std::int32_t base, std::int32_t difference) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(base) +
+                                     static_cast<std::uint32_t>(difference));
+}
+std::int32_t value_at(const std::vector<std::int32_t>* base, std::size_t k) {
+    return base && k < base->size() ? (*base)[k] : 0;
+}
+
+// What a changed channel says, as the CRC sees it.
+class Digest {
+public:
+    void add(const Channel& channel, bool ended) {
+        put(channel.kind);
+        put(channel.entity);
+        put(ended ? 0xffffffffu : static_cast<std::uint32_t>(channel.values->size()));
+        if (ended) return;
+        for (const std::int32_t value : *channel.values) put(static_cast<std::uint32_t>(value));
+    }
+    std::uint32_t crc() const { return crc32(bytes_); }
+
+private:
+    void put(std::uint32_t value) {
+        for (int k = 0; k < 4; k++)
+            bytes_.push_back(static_cast<std::byte>(value >> (8 * k) & 0xff));
+    }
+    std::vector<std::byte> bytes_;
+};
+
+struct Changed {
+    const Channel* now = nullptr;   // null: it ended
+    const Channel* base = nullptr;  // null: it is new
+
+    const Channel& either() const { return now ? *now : *base; }
+};
+
+// Both lists are sorted, so one walk along both finds what differs.
+std::vector<Changed> changed_channels(const Channels& now, const Channels& base,
+                                      std::uint64_t kinds) {
+    std::vector<Changed> changed;
+    const auto wanted = [&](const Changed& c) { return (kinds >> c.either().kind & 1) != 0; };
+    auto b = base.begin();
+    const auto ended_before = [&](const Key* key) {
+        for (; b != base.end() && (!key || key_of(*b) < *key); ++b)
+            if (const Changed ended{nullptr, &*b}; wanted(ended)) changed.push_back(ended);
+    };
+    for (const Channel& channel : now) {
+        const Key key = key_of(channel);
+        ended_before(&key);
+        const bool known = b != base.end() && key_of(*b) == key;
+        const Changed change{&channel, known ? &*b : nullptr};
+        const bool same = known && (b->values == channel.values || *b->values == *channel.values);
+        if (!same && wanted(change)) changed.push_back(change);
+        if (known) ++b;
+    }
+    ended_before(nullptr);
+    return changed;
+}
+
+void write_values(BitWriter& bits, const std::vector<std::int32_t>& values,
+                  const std::vector<std::int32_t>* base) {
+    Spread spread;
+    std::size_t k = 0;
+    while (k < values.size()) {
+        const std::size_t first = k;
+        while (k < values.size() && values[k] == value_at(base, k)) k++;
+        bits.exp_golomb(k - first, run_order);
+        if (k == values.size()) return;
+        const std::uint64_t size = zig_zag(difference(values[k], value_at(base, k))) - 1;
+        bits.exp_golomb(size, spread.order());
+        spread.saw(size);
+        k++;
+    }
+}
+
+// Kinds and entities rise, so a channel is told by how far it is from the one before.
+class Place {
+public:
+    void write(BitWriter& bits, const Channel& channel) {
+        bits.exp_golomb(channel.kind - kind_, 0);
+        bits.exp_golomb(channel.entity - (channel.kind == kind_ ? next_entity_ : 0), entity_order);
+        follow(channel.kind, channel.entity);
+    }
+    // False: it is out of range.
+    bool read(BitReader& bits, Channel& channel) {
+        const std::uint64_t kind = kind_ + bits.exp_golomb(0);
+        const std::uint64_t entity =
+            bits.exp_golomb(entity_order) + (kind == kind_ ? next_entity_ : 0);
+        if (kind >= channel_kinds_max || entity > 0xffffffffu) return false;
+        channel.kind = static_cast<std::uint32_t>(kind);
+        channel.entity = static_cast<std::uint32_t>(entity);
+        follow(channel.kind, channel.entity);
+        return true;
+    }
+
+private:
+    void follow(std::uint32_t kind, std::uint32_t entity) {
+        kind_ = kind;
+        next_entity_ = std::uint64_t{entity} + 1;
+    }
+    std::uint32_t kind_ = 0;
+    std::uint64_t next_entity_ = 0;
+};
+
+Error bad_channels(const std::string& what) {
+    return {ErrorCode::corrupt_data, "channels: " + what};
+}
+std::string name_of(const Channel& channel) {
+    return "kind " + std::to_string(channel.kind) + " of entity " + std::to_string(channel.entity);
+}
+
+Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
+                                  const std::vector<std::int32_t>* base) {
+    auto values = std::make_shared<std::vector<std::int32_t>>(count);
+    for (std::size_t k = 0; k < count; k++) (*values)[k] = value_at(base, k);
+    Spread spread;
+    std::uint64_t k = 0;
+    while (k < count) {
+        k += bits.exp_golomb(run_order);
+        if (k > count) return bad_channels("a run of equal values goes past the end");
+        if (k == count) break;
+        const std::uint64_t size = bits.exp_golomb(spread.order());
+        if (size >= 0xffffffffu) return bad_channels("a difference beyond 32 bits");
+        spread.saw(size);
+        std::int32_t& value = (*values)[k++];
+        value = sum(value, static_cast<std::int32_t>(un_zig_zag(size + 1)));
+        if (bits.past_end()) return bad_channels("the bytes end early");
+    }
+    return ChannelValues(std::move(values));
+}
+
+// One change, into `channel`: its values are null where it ended.
+Status read_change(BitReader& bits, Channel& channel, const Channel* base) {
+    const std::uint64_t change = bits.bits(change_bits);
+    channel.values = nullptr;
+    if (change == static_cast<std::uint64_t>(Change::ended))
+        return base ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
+    if (change > static_cast<std::uint64_t>(Change::ended))
+        return bad_channels(name_of(channel) + " changes in a way that is not known");
+    const bool told = change == static_cast<std::uint64_t>(Change::length);
+    if (!told && !base) return bad_channels(name_of(channel) + " changed, but was not there");
+    const std::uint64_t count = told ? bits.exp_golomb(length_order) : base->values->size();
+    if (count > channel_values_max)
+        return bad_channels(name_of(channel) + " has more than " +
+                            std::to_string(channel_values_max) + " values");
+    Result<ChannelValues> values =
+        read_values(bits, static_cast<std::size_t>(count), base ? base->values.get() : nullptr);
+    if (!values.ok()) return values.error();
+    channel.values = *std::move(values);
+    return {};
+}
+
+Status check_sizes(const Channels& channels) {
+    std::size_t values = 0;
+    for (const Channel& channel : channels) values += channel.values->size();
+    if (channels.size() > channels_max)
+        return bad_channels("more than " + std::to_string(channels_max) + " of them");
+    if (values > frame_values_max)
+        return bad_channels("more than " + std::to_string(frame_values_max) + " values");
+    return {};
+}
+
+}  // namespace
+
+PackedChannels encode_channels(const Channels& now, const Channels& base, std::uint64_t kinds) {
+    const std::vector<Changed> changed = changed_channels(now, base, kinds);
+    if (changed.empty()) return {};
+    BitWriter bits;
+    Digest digest;
+    Place place;
+    bits.exp_golomb(changed.size() - 1, count_order);
+    for (const Changed& c : changed) {
+        place.write(bits, c.either());
+        digest.add(c.either(), !c.now);
+        if (!c.now) {
+            bits.bits(static_cast<std::uint64_t>(Change::ended), change_bits);
+            continue;
+        }
+        const auto& values = *c.now->values;
+        const bool same_length = c.base && c.base->values->size() == values.size();
+        bits.bits(static_cast<std::uint64_t>(same_length ? Change::values : Change::length),
+                  change_bits);
+        if (!same_length) bits.exp_golomb(values.size(), length_order);
+        write_values(bits, values, c.base ? c.base->values.get() : nullptr);
+    }
+    return {.bytes = bits.finish(), .crc = digest.crc()};
+}
+
+Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& base) {
+    if (bytes.empty()) return ReadChannels{base, 0};
+    BitReader bits(bytes);
+    const std::uint64_t count = bits.exp_golomb(count_order) + 1;
+    Channels channels;
+    Digest digest;
+    Place place;
+    auto b = base.begin();
+    for (std::uint64_t i = 0; i < count; i++) {
+        Channel channel;
+        if (!place.read(bits, channel)) return bad_channels("a kind or an entity out of range");
+        for (; b != base.end() && key_of(*b) < key_of(channel); ++b) channels.push_back(*b);
+        const bool known = b != base.end() && key_of(*b) == key_of(channel);
+        if (Status s = read_change(bits, channel, known ? &*b : nullptr); !s.ok()) return s.error();
+        if (known) ++b;
+        digest.add(channel, !channel.values);
+        if (channel.values) channels.push_back(std::move(channel));
+        if (bits.past_end()) return bad_channels("the bytes end early");
+        if (Status s = check_sizes(channels); i % 256 == 255 && !s.ok()) return s.error();
+    }
+    channels.insert(channels.end(), b, base.end());
+    if (!bits.at_clean_end()) return bad_channels("there are bytes after the end");
+    if (Status s = check_sizes(channels); !s.ok()) return s.error();
+    return ReadChannels{std::move(channels), digest.crc()};
+}
+
+Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
+                                 const Channels& base) {
+    Result<ReadChannels> read = read_channels(bytes, base);
+    if (!read.ok()) return read.error();
+    if (read->crc != crc) return bad_channels("the CRC does not match");
+    return std::move(read->channels);
+}
+
+}  // namespace jostle::wire

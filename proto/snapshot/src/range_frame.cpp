@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/snapshot/range_frame.h"
+
+#include "jostle/snapshot/range_walk.h"
+
+namespace jostle::wire {
+
+std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& bases,
+                                          const Spacing& t, const QuantSpec& spec) {
+    FrameModels models = start_models(t.dt1);
+    RangeEncoder out;
+    RangeWalk walk(out, models, spec);
+    WalkedLists lists = lists_of(to);
+    walk.entities(lists, bases, to.kept.size() + to.spawned.size());
+    std::vector<EntityState> none;
+    walk.survivors(to.kept, none, to.survivors, t, to.quiet_after);
+    return out.finish();
+}
+
+Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> packed,
+                                                    const Bases& bases, const Spacing& t,
+                                                    const QuantSpec& spec,
+                                                    std::size_t max_entities) {
+    FrameModels models = start_models(t.dt1);
+    RangeDecoder in(packed);
+    RangeWalk walk(in, models, spec);
+    const auto at = [&](const std::string& what) {
+        return corrupt(what + " (at byte " + std::to_string(in.byte_position()) + ")");
+    };
+    WalkedLists lists;
+    if (!walk.entities(lists, bases, max_entities)) return at(walk.fault());
+    const std::vector<Survivor> survivors = survivors_of(bases, lists.removed);
+    if (survivors.size() > max_entities) return at("more entities than the limit");
+    std::vector<EntityState> kept;
+    kept.reserve(survivors.size());
+    if (!walk.survivors({}, kept, survivors, t)) return at(walk.fault());
+    if (in.past_end()) return at("the data ends early");
+    if (!in.at_clean_end()) return at("bytes are left over");
+    return merged(std::move(kept), lists.spawned);
+}
+
+}  // namespace jostle::wire

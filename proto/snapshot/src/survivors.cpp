@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/snapshot/survivors.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jostle/snapshot/bit_stream.h"
+
+namespace jostle::wire {
+
+std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::size_t>& removed) {
+    if (!bases.base) return {};
+    const std::vector<EntityState>& base = bases.base->entities;
+    std::vector<Survivor> survivors(base.size() - removed.size());
+    Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
+    std::size_t next_removed = 0, next = 0;
+    for (std::size_t i = 0; i < base.size(); i++) {
+        if (next_removed < removed.size() && removed[next_removed] == i) {
+            next_removed++;
+            continue;
+        }
+        Survivor& s = survivors[next++];
+        s.base = &base[i];
+        if (s.base->at_rest) continue;
+        s.base2 = in_base2.find(s.base->id);
+        if (s.base2) s.base3 = in_base3.find(s.base->id);
+    }
+    return survivors;
+}
+
+Spacing spacing_of(std::uint32_t frame, const Bases& bases) {
+    Spacing t;
+    if (bases.base) t.dt1 = std::int64_t{frame} - bases.base->frame;
+    if (bases.base2) t.dt2 = std::int64_t{bases.base->frame} - bases.base2->frame;
+    if (bases.base2 && bases.base3) t.dt3 = std::int64_t{bases.base2->frame} - bases.base3->frame;
+    return t;
+}
+
+Succession succession_of(const QuantizedFrame& frame, const Bases& bases) {
+    Succession to;
+    static const std::vector<EntityState> nobody;
+    const std::vector<EntityState>&base = bases.base ? bases.base->entities : nobody,
+          &now = frame.entities;
+    to.kept.resize(std::min(base.size(), now.size()));
+    std::size_t i = 0, k = 0, kept = 0;
+    while (i < base.size() && k < now.size()) {
+        if (base[i].id == now[k].id) {
+            to.kept[kept++] = &now[k++];
+            i++;
+        } else if (base[i].id < now[k].id) {
+            to.removed.push_back(i++);
+        } else {
+            to.spawned.push_back(&now[k++]);
+        }
+    }
+    while (i < base.size()) to.removed.push_back(i++);
+    while (k < now.size()) to.spawned.push_back(&now[k++]);
+    to.kept.resize(kept);
+    to.survivors = survivors_of(bases, to.removed);
+    return to;
+}
+
+Succession succession_of(const QuantizedFrame& frame, const Bases& bases,
+                         std::span<const QuietRun> quiet) {
+    Succession to;
+    Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
+    std::size_t at = 0, left_out = 0;
+    const auto look_until = [&](std::size_t end) {
+        for (; at < end; at++) {
+            Survivor s{.base = &bases.base->entities[at],
+                       .quiet_before = std::exchange(left_out, 0)};
+            if (!s.base->at_rest) s.base2 = in_base2.find(s.base->id);
+            if (s.base2) s.base3 = in_base3.find(s.base->id);
+            to.kept.push_back(&frame.entities[at]);
+            to.survivors.push_back(s);
+        }
+    };
+    for (const QuietRun& run : quiet) {
+        look_until(run.begin);
+        left_out += run.end - run.begin;
+        at = run.end;
+    }
+    look_until(frame.entities.size());
+    to.quiet_after = left_out;
+    return to;
+}
+
+std::vector<EntityState> merged(std::vector<EntityState> kept,
+                                const std::vector<EntityState>& spawned) {
+    if (spawned.empty()) return kept;
+    std::vector<EntityState> all(kept.size() + spawned.size());
+    std::merge(kept.begin(), kept.end(), spawned.begin(), spawned.end(), all.begin(),
+               [](const EntityState& a, const EntityState& b) { return a.id < b.id; });
+    return all;
+}
+
+unsigned component_bits(const QuantSpec& spec) {
+    return bit_width(static_cast<std::uint64_t>(spec.rotation_component)) + 1;
+}
+
+bool is_rotation(const std::array<std::int64_t, 3>& components, const QuantSpec& spec) {
+    const std::int64_t m = spec.rotation_component;
+    std::int64_t sum = 0;
+    for (const std::int64_t c : components) {
+        if (c < -m || c > m) return false;
+        sum += c * c;
+    }
+    return sum <= 2 * m * m;
+}
+
+}  // namespace jostle::wire

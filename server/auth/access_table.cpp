@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/access_table.h"
+
+#include <array>
+#include <string>
+
+namespace jostle::server {
+
+namespace {
+
+using enum CallKind;
+constexpr Scope server = Scope::server, any_world = Scope::any_world, own_world = Scope::own_world;
+
+constexpr AccessRow table[] = {
+    {"jostle.v1.WorldService/ListWorlds", read, Role::viewer, server},
+    {"jostle.v1.WorldService/GetWorld", read, Role::viewer, any_world},
+    {"jostle.v1.WorldService/CreateWorld", create, Role::director, server},
+    {"jostle.v1.WorldService/DeleteWorld", remove, Role::director, own_world},
+    {"jostle.v1.WorldService/JoinWorld", join, Role::viewer, any_world},
+    {"jostle.v1.PlayService/Play", play, Role::viewer, any_world},
+    {"jostle.v1.QueryService/CastRays", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/CastShapes", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/Overlap", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/ClosestPoints", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
+    {"jostle.v1.AdminService/ListClients", admin, Role::admin, server},
+    {"jostle.v1.AdminService/Kick", admin, Role::admin, server},
+    {"jostle.v1.AdminService/SetPaused", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/StepWorld", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/ExportWorld", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/RewindWorld", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/Drain", admin, Role::admin, server},
+    {"jostle.v1.AdminService/Profile", admin, Role::admin, any_world},
+    {"grpc.health.v1.Health/Check", open, Role::none, server},
+    {"grpc.health.v1.Health/Watch", open, Role::none, server},
+    {"grpc.reflection.v1.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
+    {"grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
+
+    {play_inputs, inputs, Role::player, any_world},
+
+    {"GET /api/worlds", read, Role::viewer, server},
+    {"GET /api/worlds/{id}", read, Role::viewer, any_world},
+    {"POST /api/worlds", create, Role::director, server},
+    {"DELETE /api/worlds/{id}", remove, Role::director, own_world},
+    {"POST /api/query/{method}", query, Role::viewer, any_world},
+    {"GET /play", play, Role::viewer, any_world},
+    {"GET /healthz", open, Role::none, server},
+    {"GET /readyz", open, Role::none, server},
+    // The admin listener, which is on loopback or asks for a certificate. Metrics name nobody.
+    {"GET /metrics", open, Role::none, server},
+    {"GET /debug/profile", admin, Role::admin, any_world},
+    // The last, because it takes what no other took.
+    {"GET /{file}", open, Role::none, server},
+};
+
+constexpr std::string_view viewer_files = "GET /{file}";
+constexpr std::array<std::string_view, 2> not_files = {"/api", "/debug"};
+
+// The next part of a path, without the '/' before it.
+std::string_view take_part(std::string_view& path) {
+    path.remove_prefix(1);
+    const std::string_view part = path.substr(0, path.find('/'));
+    path.remove_prefix(part.size());
+    return part;
+}
+
+// "/api/worlds/{id}" fits "/api/worlds/w1": a part in braces takes any one part that is not empty.
+bool fits(std::string_view pattern, std::string_view path) {
+    while (!pattern.empty() && !path.empty()) {
+        const std::string_view wanted = take_part(pattern), given = take_part(path);
+        const bool any = wanted.starts_with('{');
+        if (any ? given.empty() : wanted != given) return false;
+    }
+    return pattern.empty() && path.empty();
+}
+
+bool may_be_file(std::string_view path) {
+    for (const std::string_view folder : not_files)
+        if (path == folder || path.starts_with(std::string(folder) + "/")) return false;
+    return true;
+}
+
+}  // namespace
+
+std::string_view name_of(CallKind kind) {
+    static constexpr std::array<std::string_view, 9> names = {
+        "open", "read", "query", "join", "play", "inputs", "create", "delete", "admin"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::span<const AccessRow> access_table() {
+    return table;
+}
+
+const AccessRow* find_call(std::string_view call) {
+    if (call.starts_with('/')) call.remove_prefix(1);
+    for (const AccessRow& row : table)
+        if (row.call == call) return &row;
+    return nullptr;
+}
+
+const AccessRow* find_route(std::string_view method, std::string_view path) {
+    if (!path.starts_with('/')) return nullptr;
+    if (method == "HEAD") method = "GET";
+    for (const AccessRow& row : table) {
+        const std::size_t space = row.call.find(" /");
+        if (space == std::string_view::npos || row.call == viewer_files) continue;
+        if (row.call.substr(0, space) == method && fits(row.call.substr(space + 1), path))
+            return &row;
+    }
+    return method == "GET" && may_be_file(path) ? find_call(viewer_files) : nullptr;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/gate.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <optional>
+
+#include "server/config/exposure.h"
+#include "server/util/address.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t logins_max = 10000;
+
+Error unauthenticated(std::string message) {
+    return {ErrorCode::unauthenticated, std::move(message)};
+}
+Error denied(std::string message) {
+    return {ErrorCode::permission_denied, std::move(message)};
+}
+Error too_often(std::string_view what, Clock::duration wait) {
+    const double seconds = to_ms(wait) / 1000;
+    return {ErrorCode::resource_exhausted,
+            fmt::format("too many {}; ask again in {:.1f} s", what, seconds),
+            static_cast<int>(to_ms(wait))};
+}
+
+// For whom tickets are counted: all who are anonymous are one subject, but not one person. The
+// words keep a subject apart that is written as an address is.
+std::string account_of(const Identity& who, std::string_view address) {
+    return who.anonymous ? "address " + network_of(address) : "subject " + who.subject;
+}
+std::string_view quota_subject_of(const Identity& who) {
+    return who.anonymous ? std::string_view{} : std::string_view(who.subject);
+}
+
+struct Paid {
+    Work work;
+    std::string_view name;
+};
+std::optional<Paid> paid_by(CallKind kind) {
+    switch (kind) {
+        case CallKind::create:
+            return Paid{Work::creates, "new worlds"};
+        case CallKind::join:
+        case CallKind::play:
+            return Paid{Work::joins, "joins"};
+        case CallKind::query:
+            return Paid{Work::queries, "queries"};
+        default:
+            return std::nullopt;
+    }
+}
+
+bool tells_of_grants(CallKind kind) {
+    switch (kind) {
+        case CallKind::join:
+        case CallKind::play:
+        case CallKind::create:
+        case CallKind::remove:
+        case CallKind::admin:
+            return true;
+        default:
+            return false;
+    }
+}
+
+AuditEntry entry_of(const Identity& who, std::string_view address, const Moment& now) {
+    return {.time = now.wall,
+            .subject = who.subject,
+            .role = name_of(who.role),
+            .token_id = who.token_id,
+            .address = address};
+}
+
+AuditEntry entry_of(const Identity& who, const Ask& ask, const Moment& now) {
+    AuditEntry entry = entry_of(who, ask.address, now);
+    const AccessRow* row = find_call(ask.call);
+    entry.what = row ? name_of(row->kind) : "unknown";
+    entry.call = ask.call;
+    entry.world = ask.world.id;
+    return entry;
+}
+
+Status check_role(const Identity& who, const AccessRow& row) {
+    if (who.role >= row.least) return {};
+    const std::string needed = fmt::format("this takes the role {}", name_of(row.least));
+    if (who.anonymous) return unauthenticated(needed + "; show a token (Authorization: Bearer)");
+    return denied(fmt::format("{}, and yours is {}", needed, name_of(who.role)));
+}
+
+// A token for one world opens no other, and makes none.
+Status check_world_of_token(const Identity& who, const AccessRow& row, const AskedWorld& world) {
+    if (who.world.empty()) return {};
+    const bool is_it = who.world == world.id || who.world == world.name;
+    if (row.kind == CallKind::create || (row.scope != Scope::server && !is_it))
+        return denied("your token is for another world");
+    return {};
+}
+
+Status check_owner(const Identity& who, const AccessRow& row, const AskedWorld& world) {
+    if (row.scope != Scope::own_world || who.role >= Role::admin) return {};
+    if (!world.owner.empty() && world.owner == who.subject) return {};
+    return denied("this world is not yours; only an admin may do that to it");
+}
+
+Status check_rights(const Identity& who, const AccessRow* row, const AskedWorld& world,
+                    const Moment& now) {
+    if (!row) return denied("this call stands in no row of the access table");
+    if (row->kind == CallKind::open) return {};
+    if (now.wall >= who.expires) return unauthenticated("your token has expired");
+    if (Status s = check_role(who, *row); !s.ok()) return s;
+    if (Status s = check_world_of_token(who, *row, world); !s.ok()) return s;
+    return check_owner(who, *row, world);
+}
+
+std::string_view reason_of(TicketFate fate) {
+    switch (fate) {
+        case TicketFate::good:
+            return "";
+        case TicketFate::unknown:
+            return "the ticket is unknown";
+        case TicketFate::used:
+            return "the ticket was used before";
+        case TicketFate::expired:
+            return "the ticket has expired";
+    }
+    return "";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Gate>> Gate::open(const Config& config) {
+    std::unique_ptr<KeySet> keys;
+    if (!config.auth.keys.empty()) {
+        Result<std::unique_ptr<KeySet>> opened = KeySet::open(config.auth.keys);
+        if (!opened.ok()) return opened.error();
+        keys = std::move(*opened);
+    }
+    Result<std::unique_ptr<AuditLog>> audit = AuditLog::open(config.auth.audit_log);
+    if (!audit.ok()) return audit.error();
+    return std::unique_ptr<Gate>(new Gate(config, std::move(keys), std::move(*audit)));
+}
+
+Gate::Gate(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit)
+    : rules_{.issuer = config.auth.issuer,
+             .audience = config.auth.audience,
+             .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
+      anonymous_role_(role_named(anonymous_role(config)).value_or(Role::none)),
+      keys_(std::move(keys)),
+      audit_(std::move(audit)),
+      quotas_(config.quota),
+      logins_(logins_max) {}
+
+Result<Identity> Gate::identify(const Caller& caller, const Moment& now) {
+    if (caller.bearer.empty() && caller.certificate.empty())
+        return Identity{.role = anonymous_role_};
+    Result<Identity> who =
+        !caller.bearer.empty()
+            ? identify_token(caller, now)
+            : Identity{.subject = std::string(certificate_prefix) + std::string(caller.certificate),
+                       .role = Role::admin,
+                       .anonymous = false};
+    if (who.ok()) audit_login(*who, caller.address, now);
+    return who;
+}
+
+// Checking a signature is the most that a stranger can make this server do before it knows him. So
+// an address whose tokens are refused all the time is made to wait, whatever it shows.
+Result<Identity> Gate::identify_token(const Caller& caller, const Moment& now) {
+    const std::string network = network_of(caller.address);
+    AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
+    entry.address = caller.address;
+    const auto refuse = [&](Error error) {
+        entry.reason = error.message;
+        audit_refusal(entry, now);
+        return error;
+    };
+    const Quotas::Answer quota = quotas_.look(Work::refused_logins, {}, network, now.steady);
+    if (!quota.granted) return refuse(too_often("refused tokens", quota.retry_after));
+    Result<Identity> who =
+        keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
+              : unauthenticated("this server believes no token: auth.keys is not set");
+    if (who.ok()) return who;
+    quotas_.take(Work::refused_logins, {}, network, now.steady);
+    return refuse(who.error());
+}
+
+Status Gate::admit(const Identity& who, const Ask& ask, const Moment& now) {
+    const AccessRow* row = find_call(ask.call);
+    Status status = check_rights(who, row, ask.world, now);
+    if (const std::optional<Paid> paid = row ? paid_by(row->kind) : std::nullopt;
+        status.ok() && paid) {
+        const Quotas::Answer quota =
+            quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);
+        if (!quota.granted) status = too_often(paid->name, quota.retry_after);
+    }
+    AuditEntry entry = entry_of(who, ask, now);
+    entry.outcome = status.ok() ? "granted" : "refused";
+    if (!status.ok()) {
+        entry.reason = status.error().message;
+        audit_refusal(entry, now);
+    } else if (tells_of_grants(row->kind)) {
+        audit_->record(entry);
+    }
+    return status;
+}
+
+void Gate::record(const Identity& who, const Ask& ask, const Status& outcome, const Moment& now) {
+    AuditEntry entry = entry_of(who, ask, now);
+    entry.outcome = outcome.ok() ? "done" : "failed";
+    if (!outcome.ok()) entry.reason = outcome.error().message;
+    audit_->record(entry);
+}
+
+Result<std::string> Gate::issue_ticket(const Identity& who, std::string_view world_id,
+                                       std::string_view address, const Moment& now) {
+    return tickets_.issue(who, account_of(who, address), std::string(world_id), now.steady);
+}
+
+// Which of the three was wrong with a ticket is for the audit log alone: to a guesser it would say
+// how near he is.
+Result<Gate::Entry> Gate::redeem_ticket(std::string_view ticket, std::string_view world_id,
+                                        std::string_view address, const Moment& now) {
+    Tickets::Redeemed redeemed = tickets_.redeem(ticket, now.steady);
+    std::string_view reason = reason_of(redeemed.fate);
+    if (reason.empty() && !world_id.empty() && world_id != redeemed.world_id)
+        reason = "the ticket is for another world";
+    if (reason.empty() && now.wall >= redeemed.who.expires)
+        reason = "the token behind the ticket has expired";
+    AuditEntry entry = entry_of(redeemed.who, address, now);
+    entry.what = "ticket";
+    entry.world = redeemed.world_id;
+    entry.outcome = reason.empty() ? "granted" : "refused";
+    entry.reason = reason;
+    if (reason.empty()) {
+        audit_->record(entry);
+        return Entry{std::move(redeemed.who), std::move(redeemed.world_id)};
+    }
+    audit_refusal(entry, now);
+    return unauthenticated("the ticket is not good (any more); ask JoinWorld for another");
+}
+
+void Gate::poll(const Moment& now) {
+    if (keys_) keys_->poll(now.steady);
+}
+
+void Gate::reload() {
+    if (keys_) keys_->reload();
+    audit_->reopen();
+}
+
+// One line for a token at an address, not one for each of its calls.
+void Gate::audit_login(const Identity& who, std::string_view address, const Moment& now) {
+    const std::string key = fmt::format("{}\n{}\n{}\n{}", who.subject, address, who.token_id,
+                                        who.expires.time_since_epoch().count());
+    {
+        const std::lock_guard lock(logins_mutex_);
+        if (std::exchange(logins_.find_or_make(key, [] { return false; }), true)) return;
+    }
+    AuditEntry entry = entry_of(who, address, now);
+    entry.what = "login";
+    entry.outcome = "granted";
+    audit_->record(entry);
+}
+
+// Whoever is refused all the time must not fill the disk with that.
+void Gate::audit_refusal(const AuditEntry& entry, const Moment& now) {
+    const std::string network = network_of(entry.address);
+    if (quotas_.take(Work::audited_refusals, {}, network, now.steady).granted) {
+        audit_->record(entry);
+    } else {
+        audit_->mute();
+    }
+}
+
+Result<std::string_view> bearer_in(std::string_view authorization) {
+    if (authorization.empty()) return std::string_view{};
+    constexpr std::string_view scheme = "bearer ";
+    bool fits = authorization.size() > scheme.size();
+    for (std::size_t i = 0; fits && i < scheme.size(); ++i)
+        fits = (authorization[i] | (scheme[i] == ' ' ? 0 : 0x20)) == scheme[i];
+    if (!fits)
+        return unauthenticated("the Authorization header is not \"Bearer\" and a token after it");
+    return authorization.substr(scheme.size());
+}
+
+}  // namespace jostle::server

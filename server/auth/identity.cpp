@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/identity.h"
+
+#include <algorithm>
+#include <array>
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> role_names = {"none", "viewer", "player", "director",
+                                                        "admin"};
+
+}  // namespace
+
+std::string_view name_of(Role role) {
+    return role_names[static_cast<std::size_t>(role)];
+}
+
+std::optional<Role> role_named(std::string_view name) {
+    const auto at = std::ranges::find(role_names, name);
+    if (at == role_names.end()) return std::nullopt;
+    return static_cast<Role>(at - role_names.begin());
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/json_web_token.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "server/auth/base64url.h"
+#include "server/auth/strict_json.h"
+
+namespace jostle::server {
+
+namespace {
+
+using nlohmann::json;
+using std::chrono::seconds;
+
+constexpr std::size_t token_depth_max = 4;
+constexpr std::size_t audiences_max = 32;
+
+Error refused(std::string message) {
+    return {ErrorCode::unauthenticated, std::move(message)};
+}
+
+// The three parts of a token, still encoded.
+struct Parts {
+    std::string_view header, claims, signature;
+    std::string_view signed_text;  // header and claims, with the dot between them
+};
+
+std::optional<Parts> split(std::string_view token) {
+    if (std::ranges::count(token, '.') != 2) return std::nullopt;
+    const std::size_t first = token.find('.'), second = token.rfind('.');
+    return Parts{.header = token.substr(0, first),
+                 .claims = token.substr(first + 1, second - first - 1),
+                 .signature = token.substr(second + 1),
+                 .signed_text = token.substr(0, second)};
+}
+
+Result<json> read_object(std::string_view encoded, const std::string& what) {
+    const std::optional<std::string> text = from_base64url(encoded);
+    if (!text) return refused("the token's " + what + " is no base64url");
+    Result<json> object = parse_strict_json(*text, token_depth_max);
+    if (!object.ok())
+        return refused("the token's " + what + " cannot be read: " + object.error().message);
+    if (!object->is_object()) return refused("the token's " + what + " is no JSON object");
+    return object;
+}
+
+// The key that the header names.
+Result<const VerifyKey*> choose_key(const json& header, const VerifyKeys& keys) {
+    const std::string* algorithm = text_of(header, "alg");
+    if (!algorithm || *algorithm != "ES256")
+        return refused("the token is not signed with ES256, the one algorithm that is taken");
+    if (header.contains("crit"))
+        return refused("the token's header asks for an extension (crit); none is known here");
+    if (const std::string* type = text_of(header, "typ");
+        header.contains("typ") && (!type || (*type != "JWT" && *type != "at+jwt")))
+        return refused("the token's header has a typ other than JWT and at+jwt");
+    const std::string* id = text_of(header, "kid");
+    if (!id) return refused("the token's header names no key (kid)");
+    const auto key = keys.find(*id);
+    if (key == keys.end()) return refused("the token is signed with a key that is not known here");
+    return &key->second;
+}
+
+// A time among the claims; nothing: it is missing.
+Result<std::optional<WallTime>> time_of(const json& claims, const char* name) {
+    const auto at = claims.find(name);
+    if (at == claims.end()) return std::optional<WallTime>();
+    const double value = at->is_number() ? at->get<double>() : -1;
+    if (!(value >= 0 && value < wall_seconds_max))
+        return refused(std::string("the token's ") + name + " is no time in seconds since 1970");
+    return std::optional(WallTime(seconds(static_cast<std::int64_t>(value))));
+}
+
+struct Times {
+    std::optional<WallTime> expires, issued, begins;
+};
+
+Result<Times> read_times(const json& claims) {
+    Times times;
+    for (const auto& [name, time] :
+         {std::pair("exp", &times.expires), std::pair("iat", &times.issued),
+          std::pair("nbf", &times.begins)}) {
+        const Result<std::optional<WallTime>> read = time_of(claims, name);
+        if (!read.ok()) return read.error();
+        *time = *read;
+    }
+    return times;
+}
+
+Status check_times(const Times& times, seconds leeway, WallTime now) {
+    if (!times.expires) return refused("the token has no end (exp)");
+    if (now >= *times.expires + leeway) return refused("the token has expired");
+    if (*times.expires > now + token_life_max + leeway)
+        return refused("the token ends (exp) more than 24 hours from now");
+    if (times.issued && *times.issued > now + leeway)
+        return refused("the token was issued (iat) in the future");
+    if (times.issued && *times.expires - *times.issued > token_life_max)
+        return refused("the token is good for more than 24 hours (iat to exp)");
+    if (times.begins && *times.begins > now + leeway)
+        return refused("the token is not good yet (nbf)");
+    return {};
+}
+
+// "aud" is a string or an array of strings.
+bool names_audience(const json& claims, const std::string& audience) {
+    const auto at = claims.find("aud");
+    if (at == claims.end()) return false;
+    if (at->is_string()) return at->get_ref<const std::string&>() == audience;
+    if (!at->is_array() || at->size() > audiences_max) return false;
+    return std::ranges::all_of(*at, [](const json& one) { return one.is_string(); }) &&
+           std::ranges::find(*at, json(audience)) != at->end();
+}
+
+Status check_parties(const json& claims, const TokenRules& rules) {
+    const std::string* issuer = text_of(claims, "iss");
+    if (!issuer) return refused("the token does not say who issued it (iss)");
+    if (*issuer != rules.issuer) return refused("the token is of another issuer (iss)");
+    if (!claims.contains("aud")) return refused("the token does not say whom it is for (aud)");
+    if (!names_audience(claims, rules.audience))
+        return refused("the token is for another audience (aud)");
+    return {};
+}
+
+Status check_subject(const std::string* subject) {
+    if (!subject || subject->empty()) return refused("the token names no subject (sub)");
+    if (subject->size() > subject_bytes_max)
+        return refused("the token's subject is longer than 128 bytes");
+    if (*subject == anonymous_subject || subject->starts_with(certificate_prefix))
+        return refused("the token's subject is one that only the server gives");
+    return {};
+}
+
+// A short text that need not be there.
+Result<std::string> option_of(const json& claims, const char* name) {
+    if (!claims.contains(name)) return std::string();
+    const std::string* text = text_of(claims, name);
+    if (!text || text->empty() || text->size() > subject_bytes_max)
+        return refused(std::string("the token's ") + name + " is no text of 1 to 128 bytes");
+    return *text;
+}
+
+Result<Identity> read_identity(const json& claims) {
+    Identity who{.anonymous = false};
+    const std::string* subject = text_of(claims, "sub");
+    if (Status s = check_subject(subject); !s.ok()) return s.error();
+    who.subject = *subject;
+    const std::string* role = text_of(claims, "role");
+    const std::optional<Role> named = role ? role_named(*role) : std::nullopt;
+    if (!named || *named == Role::none)
+        return refused("the token's role is not viewer, player, director or admin");
+    who.role = *named;
+    for (const auto& [name, field] :
+         {std::pair("world", &who.world), std::pair("jti", &who.token_id)}) {
+        Result<std::string> text = option_of(claims, name);
+        if (!text.ok()) return text.error();
+        *field = std::move(*text);
+    }
+    return who;
+}
+
+// The claims, once the key that the header names has signed them.
+Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
+    if (token.size() > token_bytes_max) return refused("the token is longer than 8192 bytes");
+    const std::optional<Parts> parts = split(token);
+    if (!parts) return refused("the token does not have three parts");
+    const Result<json> header = read_object(parts->header, "header");
+    if (!header.ok()) return header.error();
+    const Result<const VerifyKey*> key = choose_key(*header, keys);
+    if (!key.ok()) return key.error();
+    const std::optional<std::string> signature = from_base64url(parts->signature);
+    if (!signature || signature->size() != 64)
+        return refused("the token's signature is not 64 bytes of base64url");
+    if (!(*key)->verifies(parts->signed_text, *signature))
+        return refused("the token's signature is not that of the key it names");
+    return read_object(parts->claims, "claims");
+}
+
+}  // namespace
+
+Result<Identity> verify_token(std::string_view token, const VerifyKeys& keys,
+                              const TokenRules& rules, WallTime now) {
+    const Result<json> claims = read_signed(token, keys);
+    if (!claims.ok()) return claims.error();
+    const Result<Times> times = read_times(*claims);
+    if (!times.ok()) return times.error();
+    if (Status s = check_times(*times, rules.leeway, now); !s.ok()) return s.error();
+    if (Status s = check_parties(*claims, rules); !s.ok()) return s.error();
+    Result<Identity> who = read_identity(*claims);
+    if (who.ok()) who->expires = *times->expires + rules.leeway;
+    return who;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/key_set.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "server/auth/base64url.h"
+#include "server/auth/strict_json.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t file_bytes_max = 1 << 18;
+constexpr std::size_t keys_max = 100;
+constexpr std::size_t id_bytes_max = 256;
+constexpr std::size_t set_depth_max = 8;  // keys of other kinds may carry what they like
+
+Error broken(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+// A member that is that text.
+bool says(const json& key, const char* name, std::string_view text) {
+    const std::string* found = text_of(key, name);
+    return found && *found == text;
+}
+
+// Why a key cannot check tokens; empty: it can.
+std::string why_not(const json& key) {
+    if (!key.is_object()) return "it is no JSON object";
+    if (!says(key, "kty", "EC") || !says(key, "crv", "P-256"))
+        return "it is no EC key on the curve P-256";
+    if (key.contains("d")) return "it is a private key, which belongs with the issuer alone";
+    if (key.contains("use") && !says(key, "use", "sig")) return "its use is not sig";
+    if (key.contains("alg") && !says(key, "alg", "ES256")) return "its alg is not ES256";
+    const std::string* id = text_of(key, "kid");
+    if (!id || id->empty() || id->size() > id_bytes_max) return "it has no kid of 1 to 256 bytes";
+    return {};
+}
+
+std::optional<VerifyKey> point_of(const json& key) {
+    const std::string *x = text_of(key, "x"), *y = text_of(key, "y");
+    if (!x || !y) return std::nullopt;
+    const std::optional<std::string> x_bytes = from_base64url(*x), y_bytes = from_base64url(*y);
+    return x_bytes && y_bytes ? VerifyKey::from_point(*x_bytes, *y_bytes) : std::nullopt;
+}
+
+}  // namespace
+
+Result<KeySetText> read_key_set(std::string_view text) {
+    const Result<json> set = parse_strict_json(text, set_depth_max);
+    if (!set.ok()) return broken("it cannot be read: " + set.error().message);
+    const auto list = set->is_object() ? set->find("keys") : set->end();
+    if (list == set->end() || !list->is_array())
+        return broken("it is no JSON object with an array \"keys\"");
+    if (list->size() > keys_max) return broken("it holds more than 100 keys");
+    KeySetText out;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const json& key = (*list)[i];
+        std::string fault = why_not(key);
+        const std::optional<VerifyKey> point = fault.empty() ? point_of(key) : std::nullopt;
+        if (fault.empty() && !point) fault = "its x and y are no point of the curve";
+        if (!fault.empty()) {
+            out.warnings.push_back(fmt::format("key {} is left out: {}", i + 1, fault));
+            continue;
+        }
+        if (!out.keys.emplace(*text_of(key, "kid"), *point).second)
+            return broken(fmt::format("key {} has the kid of one before it", i + 1));
+    }
+    if (out.keys.empty()) return broken("it holds no EC key on P-256 with a kid");
+    return out;
+}
+
+Result<std::unique_ptr<KeySet>> KeySet::open(std::string path) {
+    std::unique_ptr<KeySet> set(new KeySet(std::move(path)));
+    if (Status s = set->read(); !s.ok()) return s.error();
+    return set;
+}
+
+std::shared_ptr<const VerifyKeys> KeySet::keys() const {
+    const std::lock_guard lock(mutex_);
+    return keys_;
+}
+
+bool KeySet::poll(Clock::time_point now) {
+    {
+        const std::lock_guard lock(reading_);
+        if (now < next_look_) return true;
+        next_look_ = now + std::chrono::seconds(1);
+        if (stamp_of(path_) == stamp_) return true;
+    }
+    return reload();
+}
+
+bool KeySet::reload() {
+    const Status s = read();
+    if (!s.ok()) log_error("{}; the keys of before stay in force", s.error().message);
+    return s.ok();
+}
+
+Status KeySet::read() {
+    const std::lock_guard reading(reading_);
+    stamp_ = stamp_of(path_);  // before it is read: a change in between is seen next time
+    const Result<std::string> text = read_bounded(path_, file_bytes_max);
+    if (!text.ok()) return text.error();
+    Result<KeySetText> read = read_key_set(*text);
+    if (!read.ok()) return broken("the key set " + path_ + " is broken: " + read.error().message);
+    for (const std::string& warning : read->warnings) log_warn("{}: {}", path_, warning);
+    log_info("keys for tokens in force: {}", read->keys.size());
+    auto keys = std::make_shared<const VerifyKeys>(std::move(read->keys));
+    const std::lock_guard lock(mutex_);
+    keys_ = std::move(keys);
+    return {};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/quotas.h"
+
+#include <algorithm>
+#include <string>
+
+namespace jostle::server {
+
+namespace {
+
+// A bucket's rate and store.
+struct Allowance {
+    double per_second = 1, at_once = 1;
+};
+
+Allowance per_minute(double count) {
+    return {count / 60, count};
+}
+
+Allowance of_subject(Work work, const QuotaSettings& s) {
+    switch (work) {
+        case Work::creates:
+            return per_minute(s.creates_per_minute);
+        case Work::joins:
+            return per_minute(s.joins_per_minute);
+        case Work::queries:
+            return {s.queries_per_second, s.queries_per_second};
+        case Work::refused_logins:
+            return per_minute(s.refused_logins_per_minute);
+        case Work::audited_refusals:
+            return per_minute(s.refusals_audited_per_minute);
+    }
+    return {};
+}
+
+Allowance of_address(Work work, const QuotaSettings& s) {
+    Allowance allowance = of_subject(work, s);
+    if (work == Work::refused_logins || work == Work::audited_refusals) return allowance;
+    allowance.per_second *= s.address_factor;
+    allowance.at_once *= s.address_factor;
+    return allowance;
+}
+
+}  // namespace
+
+// Both buckets of one take must be there at once.
+Quotas::Quotas(const QuotaSettings& settings)
+    : settings_(settings), buckets_(static_cast<std::size_t>(std::max(2, settings.buckets_max))) {}
+
+Quotas::Answer Quotas::take(Work work, std::string_view subject, std::string_view network,
+                            Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    const Answer answer = look_locked(work, subject, network, now);
+    if (!answer.granted) return answer;
+    if (!subject.empty()) bucket_of(work, true, subject, now).take(1, now);
+    bucket_of(work, false, network, now).take(1, now);
+    return answer;
+}
+
+Quotas::Answer Quotas::look(Work work, std::string_view subject, std::string_view network,
+                            Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    return look_locked(work, subject, network, now);
+}
+
+std::size_t Quotas::buckets() const {
+    const std::lock_guard lock(mutex_);
+    return buckets_.size();
+}
+
+TokenBucket& Quotas::bucket_of(Work work, bool subjects, std::string_view name,
+                               Clock::time_point now) {
+    std::string key{static_cast<char>('0' + static_cast<int>(work)), subjects ? 's' : 'a'};
+    key += name;
+    return buckets_.find_or_make(key, [&] {
+        const Allowance a = subjects ? of_subject(work, settings_) : of_address(work, settings_);
+        return TokenBucket(a.per_second, a.at_once, now);
+    });
+}
+
+Quotas::Answer Quotas::look_locked(Work work, std::string_view subject, std::string_view network,
+                                   Clock::time_point now) {
+    Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
+    if (!subject.empty())
+        wait = std::max(wait, bucket_of(work, true, subject, now).wait_for(1, now));
+    return {wait == Clock::duration::zero(), wait};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/strict_json.h"
+
+#include <set>
+#include <vector>
+
+namespace jostle::server {
+
+namespace {
+
+// Reads along without building anything; false from any of its functions ends the reading.
+class Checker : public nlohmann::json_sax<nlohmann::json> {
+public:
+    explicit Checker(std::size_t depth_max) : depth_max_(depth_max) {}
+
+    const char* fault = nullptr;
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return enter(); }
+    bool start_array(std::size_t) override { return enter(); }
+    bool end_object() override { return leave(); }
+    bool end_array() override { return leave(); }
+    bool key(string_t& name) override {
+        return keys_.back().insert(name).second || refuse("a key stands twice in one object");
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+        return refuse("it is no JSON");
+    }
+
+private:
+    bool refuse(const char* why) {
+        fault = why;
+        return false;
+    }
+    bool enter() {
+        keys_.emplace_back();
+        return keys_.size() <= depth_max_ || refuse("it is nested too deeply");
+    }
+    bool leave() {
+        keys_.pop_back();
+        return true;
+    }
+
+    const std::size_t depth_max_;
+    std::vector<std::set<std::string>> keys_;  // of each object that is open
+};
+
+}  // namespace
+
+Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t depth_max) {
+    Checker checker(depth_max);
+    if (!nlohmann::json::sax_parse(text, &checker))
+        return Error{ErrorCode::invalid_argument, checker.fault};
+    return nlohmann::json::parse(text, nullptr, false);
+}
+
+const std::string* text_of(const nlohmann::json& object, const char* name) {
+    const auto at = object.find(name);
+    return at == object.end() ? nullptr : at->get_ptr<const std::string*>();
+}
+
+}  // namespace jostle::server

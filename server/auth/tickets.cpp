@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/tickets.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <span>
+
+namespace jostle::server {
+
+namespace {
+
+constexpr char digits[] = "0123456789abcdef";
+
+std::string text_of(std::span<const std::uint8_t> key) {
+    std::string text;
+    for (const std::uint8_t byte : key) {
+        text += digits[byte >> 4];
+        text += digits[byte & 15];
+    }
+    return text;
+}
+
+int value_of(char digit) {
+    const char* at = digit == '\0' ? nullptr : std::strchr(digits, digit);
+    return at ? static_cast<int>(at - digits) : -1;
+}
+
+std::optional<std::array<std::uint8_t, 16>> key_of(std::string_view text) {
+    std::array<std::uint8_t, 16> key;
+    if (text.size() != 2 * key.size()) return std::nullopt;
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        const int high = value_of(text[2 * i]), low = value_of(text[2 * i + 1]);
+        if (high < 0 || low < 0) return std::nullopt;
+        key[i] = static_cast<std::uint8_t>(high << 4 | low);
+    }
+    return key;
+}
+
+}  // namespace
+
+// The keys are random already.
+std::size_t Tickets::KeyHash::operator()(const Key& key) const {
+    std::size_t hash;
+    std::memcpy(&hash, key.data(), sizeof hash);
+    return hash;
+}
+
+Result<std::string> Tickets::issue(const Identity& who, const std::string& holder,
+                                   const std::string& world_id, Clock::time_point now) {
+    Key key;
+    if (::getentropy(key.data(), key.size()) != 0)
+        return Error{ErrorCode::internal, "the operating system gave no random bytes"};
+    const std::lock_guard lock(mutex_);
+    sweep(now);
+    if (!make_room_for(holder, who.anonymous))
+        return Error{ErrorCode::resource_exhausted,
+                     "too many tickets wait to be used; ask again later",
+                     static_cast<int>(to_ms(limits_.life))};
+    std::list<Key>& own = by_holder_[holder];
+    table_[key] = {.who = who,
+                   .holder = holder,
+                   .world_id = world_id,
+                   .until = now + limits_.life,
+                   .place = waiting_.insert(waiting_.end(), key),
+                   .place_of_holder = own.insert(own.end(), key)};
+    return text_of(key);
+}
+
+Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    sweep(now);
+    const std::optional<Key> key = key_of(ticket);
+    const auto at = key ? table_.find(*key) : table_.end();
+    if (at == table_.end()) return {};
+    const Redeemed redeemed{at->second.fate, at->second.who, at->second.world_id};
+    if (redeemed.fate == TicketFate::good) bury(at, TicketFate::used, now);
+    return redeemed;
+}
+
+std::size_t Tickets::waiting() const {
+    const std::lock_guard lock(mutex_);
+    return waiting_.size();
+}
+
+// All live equally long, so the oldest is the first to expire.
+void Tickets::sweep(Clock::time_point now) {
+    while (!waiting_.empty()) {
+        const auto oldest = table_.find(waiting_.front());
+        if (oldest->second.until > now) break;
+        bury(oldest, TicketFate::expired, now);
+    }
+    while (!past_.empty() && table_.at(past_.front()).until <= now) {
+        table_.erase(past_.front());
+        past_.pop_front();
+    }
+}
+
+// It is remembered for a while, so that the audit log can tell a replay from a guess.
+void Tickets::bury(Table::iterator at, TicketFate fate, Clock::time_point now) {
+    Ticket& ticket = at->second;
+    take_from_holder(ticket);
+    past_.splice(past_.end(), waiting_, ticket.place);
+    ticket.fate = fate;
+    ticket.until = now + limits_.memory;
+    if (past_.size() <= limits_.total_max) return;
+    table_.erase(past_.front());
+    past_.pop_front();
+}
+
+void Tickets::take_from_holder(const Ticket& ticket) {
+    const auto holder = by_holder_.find(ticket.holder);
+    holder->second.erase(ticket.place_of_holder);
+    if (holder->second.empty()) by_holder_.erase(holder);
+}
+
+void Tickets::forget_oldest_of(const std::string& holder) {
+    const auto at = table_.find(by_holder_.at(holder).front());
+    waiting_.erase(at->second.place);
+    take_from_holder(at->second);
+    table_.erase(at);
+}
+
+std::size_t Tickets::count_of(const std::string& holder) const {
+    const auto at = by_holder_.find(holder);
+    return at == by_holder_.end() ? 0 : at->second.size();
+}
+
+// When all places are taken, whoever holds most gives one up, but to nobody who would then have
+// more than he. The search for him walks all holders, and happens only then.
+bool Tickets::make_room_for(const std::string& holder, bool anonymous) {
+    const std::size_t own = count_of(holder);
+    if (own >= (anonymous ? limits_.address_max : limits_.subject_max)) forget_oldest_of(holder);
+    if (waiting_.size() < limits_.total_max) return true;
+    const auto most = std::ranges::max_element(
+        by_holder_, {}, [](const auto& entry) { return entry.second.size(); });
+    if (most->second.size() > own + 1) {
+        forget_oldest_of(std::string(most->first));
+    } else if (own > 0) {
+        forget_oldest_of(holder);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/admin_methods.h"
+
+#include "jostle/v1/admin.pb.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t request_bytes_max = 4096;
+
+std::string path_of(const char* name) {
+    return std::string("/jostle.v1.AdminService/") + name;
+}
+
+enum class Audit { no, yes };
+
+// Of the server as a whole.
+template <class Request, class Response>
+CallMethod server_call(AdminControl& control, const char* name, Audit audit,
+                       Status (AdminControl::*handle)(const Request&, Response&)) {
+    return unary_method<Request, Response>(
+        path_of(name), CallWork::quick, request_bytes_max,
+        [&control, handle, audit](const CallContext& context, const Request& request,
+                                  Response& response) {
+            Status done = (control.*handle)(request, response);
+            if (audit == Audit::yes) context.gate.record(context.who, context.ask({}), done);
+            return done;
+        });
+}
+
+// Of the world that the request names.
+template <class Request, class Response>
+CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const char* name,
+                      CallWork work, Audit audit,
+                      Status (AdminControl::*handle)(const Request&, Response&)) {
+    return world_method<Request, Response>(
+        path_of(name), work, request_bytes_max, worlds,
+        [&control, handle, audit](const CallContext& context, const Request& request,
+                                  Response& response) {
+            Status done = (control.*handle)(request, response);
+            if (audit == Audit::yes)
+                context.gate.record(context.who, context.ask({request.world(), {}, {}}), done);
+            return done;
+        });
+}
+
+}  // namespace
+
+std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds) {
+    return {
+        server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
+        server_call(control, "Kick", Audit::yes, &AdminControl::kick),
+        server_call(control, "Drain", Audit::yes, &AdminControl::drain),
+        world_call(control, worlds, "SetPaused", CallWork::quick, Audit::yes,
+                   &AdminControl::set_paused),
+        world_call(control, worlds, "StepWorld", CallWork::waits, Audit::yes,
+                   &AdminControl::step_world),
+        world_call(control, worlds, "ExportWorld", CallWork::waits, Audit::no,
+                   &AdminControl::export_world),
+        world_call(control, worlds, "RewindWorld", CallWork::waits, Audit::yes,
+                   &AdminControl::rewind_world),
+        world_call(control, worlds, "Profile", CallWork::waits, Audit::no, &AdminControl::profile),
+    };
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/call_front.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "server/grpc/caller_identity.h"
+#include "server/grpc/message_bytes.h"
+#include "server/grpc/rich_status.h"
+#include "server/util/log.h"
+#include "server/util/text.h"
+
+namespace jostle::server {
+
+namespace {
+
+// How often timeouts and watches are looked at.
+constexpr auto front_housekeeping_period = std::chrono::milliseconds(100);
+// Calls that may arrive together before one of them has to wait for the thread.
+constexpr int calls_asked_for = 16;
+// Who asks stands back behind who plays.
+constexpr int asking_niceness = 10, changing_niceness = 5;
+
+Error too_much(std::string what) {
+    return {ErrorCode::resource_exhausted, std::move(what) + "; try again in a second"};
+}
+
+}  // namespace
+
+struct CallFront::Tag : RpcTag {
+    enum class Event { accepted, read, wrote, finished, done };
+
+    Tag(Call* of_call, Event of_event) : RpcTag(Of::call), call(of_call), event(of_event) {}
+
+    Call* call;
+    Event event;
+};
+
+// Belongs to the queue's thread, but for the time in which a thread of a pool answers: that one
+// begins the write that hands it back.
+struct CallFront::Call {
+    grpc::GenericServerContext context;
+    grpc::GenericServerAsyncReaderWriter stream{&context};
+    Tag accepted{this, Tag::Event::accepted}, read{this, Tag::Event::read},
+        wrote{this, Tag::Event::wrote}, finished{this, Tag::Event::finished},
+        done{this, Tag::Event::done};
+    const CallMethod* method = nullptr;
+    std::shared_ptr<Connection> connection;
+    std::string request;
+    Clock::time_point since{};  // it came
+    Identity who;
+    grpc::ByteBuffer incoming;
+    AnswerBytes told;  // of a watch: what it was told last
+    double unsent = 0;
+    std::atomic<Clock::rep> waits_since{0};  // for its client; 0: it does not
+    std::atomic<bool> gave_up{false};
+    bool begun = false, asked = false, writing = false, finishing = false;
+    bool is_finished = false, is_done = false;
+
+    bool over() const { return is_finished && is_done; }
+    void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
+};
+
+CallFront::CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+                     RpcMetrics* metrics)
+    : methods_([&] {
+          std::map<std::string, CallMethod> by_path;
+          for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
+          return by_path;
+      }()),
+      gate_(gate),
+      limits_(limits),
+      metrics_(metrics),
+      quick_(1, limits.queue_max, 0),
+      asking_(1, limits.queue_max, asking_niceness),
+      changing_(1, limits.queue_max, changing_niceness),
+      waiting_(limits.waiting_threads, limits.queue_max, 0) {}
+
+CallFront::~CallFront() {
+    stop();
+}
+
+void CallFront::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
+    queue_ = &queue;
+    connections_ = &connections;
+    due_ = Clock::now() + front_housekeeping_period;
+    for (int i = 0; i < calls_asked_for; i++) ask_for_call();
+}
+
+// The pools first: what they answer begins an operation, which a queue that shuts down forbids.
+void CallFront::stop() {
+    if (stopping_.exchange(true)) return;
+    quick_.stop();
+    asking_.stop();
+    changing_.stop();
+    waiting_.stop();
+}
+
+void CallFront::ask_for_call() {
+    calls_.push_back(std::make_unique<Call>());
+    Call& call = *calls_.back();
+    call.context.AsyncNotifyWhenDone(&call.done);
+    service_.RequestCall(&call.context, &call.stream, queue_, queue_, &call.accepted);
+}
+
+// While the front stops nothing is begun any more: the server has cancelled what is open.
+void CallFront::handle(RpcTag& any, bool ok) {
+    Tag& tag = static_cast<Tag&>(any);
+    Call& call = *tag.call;
+    switch (tag.event) {
+        case Tag::Event::accepted:
+            // Not ok: the server goes down; such a call gets no other event.
+            if (!ok) call.is_finished = call.is_done = true;
+            if (!ok || stopping_) break;
+            ask_for_call();
+            begin(call);
+            break;
+        case Tag::Event::read:
+            call.waits_since = 0;
+            if (!stopping_) on_read(call, ok);
+            break;
+        case Tag::Event::wrote:
+            call.writing = false;
+            call.waits_since = 0;
+            unsent_bytes_.fetch_sub(std::exchange(call.unsent, 0));
+            if (!stopping_) on_wrote(call, ok);
+            break;
+        case Tag::Event::finished:
+            call.is_finished = true;
+            unsent_bytes_.fetch_sub(std::exchange(call.unsent, 0));
+            break;
+        case Tag::Event::done:
+            call.is_done = true;
+            call.gave_up = call.context.IsCancelled();
+            break;
+    }
+    if (call.over()) forget(call);
+}
+
+void CallFront::forget(Call& call) {
+    if (call.begun) {
+        open_--;
+        call.connection->calls--;
+        call.connection->questions--;
+        if (call.method && call.method->stays_open()) staying_--;
+    }
+    std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
+}
+
+Status CallFront::admit(Call& call) const {
+    if (open_ > limits_.calls_max && !call.method->is_probe)
+        return too_much("too many calls are open");
+    if (call.connection->questions > limits_.calls_per_peer_max)
+        return too_much("too many calls are open on this connection");
+    if (call.method->stays_open() && staying_ > limits_.staying_max)
+        return too_much("too many streams of this kind are open");
+    return let_in(call);
+}
+
+// Who calls, and whether he may; of calls about a world that is asked when it is known which.
+Status CallFront::let_in(Call& call) const {
+    Result<Identity> who = identify(call.context, *call.connection, gate_);
+    if (!who.ok()) return who.error();
+    call.who = *std::move(who);
+    if (call.method->asks_for_world) return {};
+    return gate_.admit(call.who, context_of(call).ask({}));
+}
+
+CallContext CallFront::context_of(const Call& call) const {
+    return {.gate = gate_,
+            .call = std::string_view(call.method->path).substr(1),
+            .who = call.who,
+            .address = call.connection->address,
+            .deadline = call.context.deadline(),
+            .gave_up = [&call] { return call.gave_up.load(); }};
+}
+
+void CallFront::begin(Call& call) {
+    call.begun = true;
+    call.since = Clock::now();
+    call.connection = connections_->of(call.context.peer());
+    call.connection->calls_taken++;
+    call.connection->calls++;
+    call.connection->questions++;
+    open_++;
+    const auto known = methods_.find(call.context.method());
+    if (known != methods_.end()) call.method = &known->second;
+    if (call.method && call.method->stays_open()) staying_++;
+    if (!call.method) {
+        call.finishing = true;
+        count(call, grpc::StatusCode::UNIMPLEMENTED);
+        return call.stream.Finish({grpc::StatusCode::UNIMPLEMENTED,
+                                   "there is no method " + printable(call.context.method(), 200)},
+                                  &call.finished);
+    }
+    if (Status s = admit(call); !s.ok()) return finish(call, s);
+    call.wait_for_client();
+    call.stream.Read(&call.incoming, &call.read);
+}
+
+void CallFront::on_read(Call& call, bool ok) {
+    if (!ok) {
+        // The client sends no more: of a stream that is the end, of others it is too early.
+        if (call.method->work == CallWork::stream) return finish(call, {});
+        return finish(call, Error{ErrorCode::invalid_argument, "the request is missing"});
+    }
+    const std::size_t size = call.incoming.Length();
+    call.connection->consumed += size;
+    if (size > call.method->request_bytes_max)
+        return finish(call, Error{ErrorCode::resource_exhausted,
+                                  fmt::format("the request has {} bytes; at most {} are allowed",
+                                              size, call.method->request_bytes_max)});
+    copy_bytes(call.request, call.incoming);
+    call.incoming.Clear();
+    call.asked = true;
+    if (call.method->work != CallWork::watch) enqueue(call);
+}
+
+void CallFront::enqueue(Call& call) {
+    // Quick answers are small.
+    if (unsent_bytes_ > limits_.answer_bytes_max && call.method->work != CallWork::quick)
+        return finish(call, too_much("answers wait for clients that do not read"));
+    if (!pool_of(*call.method).add([this, &call] { answer(call); }))
+        finish(call, too_much("too many calls wait to be answered"));
+}
+
+WorkPool& CallFront::pool_of(const CallMethod& method) {
+    switch (method.work) {
+        case CallWork::query:
+            return asking_;
+        case CallWork::control:
+            return changing_;
+        case CallWork::waits:
+            return waiting_;
+        default:
+            return quick_;
+    }
+}
+
+// On a thread of a pool. The last operation it begins hands the call back.
+void CallFront::answer(Call& call) {
+    const CallContext context = context_of(call);
+    Status status;
+    AnswerBytes bytes;
+    try {
+        if (context.is_too_late())
+            status = Error{ErrorCode::deadline_exceeded, "the deadline has passed"};
+        else
+            status = call.method->run(context, call.request, bytes);
+    } catch (const std::exception& error) {
+        // Out of memory, say: this call fails and nothing else does.
+        log_error("{} failed: {}", call.method->path, error.what());
+        status = Error{ErrorCode::resource_exhausted, "the answer takes more than there is"};
+    }
+    call.request.clear();
+    if (!status.ok()) return finish(call, status);
+    call.unsent = static_cast<double>(bytes->size());
+    unsent_bytes_.fetch_add(call.unsent);
+    call.wait_for_client();
+    const grpc::ByteBuffer buffer = to_byte_buffer({{}, bytes});
+    if (call.method->work == CallWork::stream) return call.stream.Write(buffer, &call.wrote);
+    count(call, grpc::StatusCode::OK);
+    call.stream.WriteAndFinish(buffer, {}, grpc::Status::OK, &call.finished);
+}
+
+void CallFront::on_wrote(Call& call, bool ok) {
+    if (!ok || call.gave_up)
+        return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
+    if (call.method->work != CallWork::stream) return;
+    call.wait_for_client();
+    call.stream.Read(&call.incoming, &call.read);
+}
+
+void CallFront::finish(Call& call, const Status& status) {
+    call.finishing = true;
+    call.wait_for_client();
+    const grpc::Status rich = to_rich(status);
+    count(call, rich.error_code());
+    call.stream.Finish(rich, &call.finished);
+}
+
+// Once a call, when its status is known.
+void CallFront::count(const Call& call, grpc::StatusCode code) const {
+    if (!metrics_) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - call.since).count();
+    metrics_->handled(call.context.method(), code, seconds);
+}
+
+void CallFront::tell_watches() {
+    for (const auto& entry : calls_) {
+        Call& call = *entry;
+        if (!call.asked || call.finishing || call.writing || call.method->work != CallWork::watch)
+            continue;
+        if (call.gave_up) {
+            finish(call, Error{ErrorCode::aborted, "the client left"});
+            continue;
+        }
+        AnswerBytes now;
+        const CallContext context = context_of(call);
+        if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
+            finish(call, s);
+        } else if (!call.told || *call.told != *now) {
+            call.told = now;
+            call.writing = true;
+            call.wait_for_client();
+            call.stream.Write(to_byte_buffer({{}, now}), &call.wrote);
+        }
+    }
+}
+
+// A client that neither sends nor takes costs a call and its bytes: for a while only.
+void CallFront::give_up_waiting(Clock::time_point now) {
+    for (const auto& call : calls_) {
+        const Clock::rep since = call->waits_since.load();
+        if (since == 0 || call->is_done) continue;
+        if (now - Clock::time_point(Clock::duration(since)) > limits_.patience)
+            call->context.TryCancel();
+    }
+}
+
+void CallFront::housekeep(Clock::time_point now) {
+    if (now < due_) return;
+    due_ = now + front_housekeeping_period;
+    if (stopping_) return;
+    tell_watches();
+    give_up_waiting(now);
+}
+
+void CallFront::forget_all() {
+    calls_.clear();
+}
+
+}  // namespace jostle::server

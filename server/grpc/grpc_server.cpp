@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/grpc_server.h"
+
+#include <grpc/compression.h>
+#include <grpc/grpc.h>
+#include <grpcpp/resource_quota.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "grpc/health/v1/health.grpc.pb.h"
+#include "server/grpc/health_methods.h"
+#include "server/grpc/libraries.h"
+#include "server/grpc/reflection.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Of gRPC's own buffers; beyond it gRPC resets whatever stream it likes. The relay stops reading
+// long before.
+constexpr std::size_t buffers_max = 512u << 20;
+constexpr int message_bytes_max = 4 * 1024 * 1024;  // methods and play streams have limits of
+                                                    // their own
+constexpr int streams_per_connection_max = 100;
+constexpr int header_bytes_max = 8 * 1024;
+constexpr int handshake_ms = 5'000;  // from the connection to the first settings
+constexpr auto shutdown_patience = std::chrono::seconds(1);
+constexpr auto last_words_max = std::chrono::milliseconds(300);
+constexpr auto ask_period = std::chrono::milliseconds(500);
+constexpr auto unanswered_max = std::chrono::milliseconds(1500);
+
+// A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
+// or slower.
+void set_keepalive(grpc::ServerBuilder& builder) {
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+    builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
+}
+
+void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
+    builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
+    builder.SetMaxReceiveMessageSize(message_bytes_max);
+    // A few bytes of a compressed request could become gigabytes; nobody compresses a small
+    // message.
+    builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,
+                               1u << GRPC_COMPRESS_NONE);
+    builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, streams_per_connection_max);
+    builder.AddChannelArgument(GRPC_ARG_MAX_METADATA_SIZE, header_bytes_max);
+    builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, handshake_ms);
+    builder.AddChannelArgument(
+        GRPC_ARG_MAX_CONNECTION_IDLE_MS,
+        static_cast<int>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(settings.idle_max).count()));
+    // What a client may send ahead of its reader; a window that grows with the speed of the line
+    // would let strangers fill ours.
+    builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+}
+
+// Whose calls are counted by their names.
+void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
+    using enum RpcMetrics::Kind;
+    metrics.add(play_path, streaming);
+    for (const CallMethod& method : methods) {
+        metrics.add(method.path, method.stays_open() ? streaming : unary);
+    }
+}
+
+}  // namespace
+
+GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
+                       std::function<bool()> is_healthy, GrpcSettings settings)
+    : context_(context),
+      settings_(std::move(settings)),
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+             context.rpc_metrics),
+      table_(settings_.connections),
+      relay_(table_, settings_.relay, settings_.metrics),
+      acceptor_(table_, settings_.certificates, settings_.silence_max, settings_.metrics) {}
+
+GrpcServer::~GrpcServer() {
+    stop();
+}
+
+std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
+                                                std::function<bool()> is_healthy) {
+    std::set<std::string> services{"jostle.v1.PlayService"};
+    for (const CallMethod& method : methods)
+        services.insert(method.path.substr(1, method.path.rfind('/') - 1));
+    std::vector<std::string> names(services.begin(), services.end());
+    const auto add = [&](std::vector<CallMethod> more) {
+        std::ranges::move(more, std::back_inserter(methods));
+    };
+    add(health_methods(
+        names, [this, is_healthy = std::move(is_healthy)] { return serving_ && is_healthy(); }));
+    names.insert(names.end(), {"grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
+                               "grpc.reflection.v1alpha.ServerReflection"});
+    add(reflection_methods(std::move(names)));
+    if (context_.rpc_metrics) announce(methods, *context_.rpc_metrics);
+    return methods;
+}
+
+Status GrpcServer::start() {
+    tame_libraries();
+    if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
+    grpc::ServerBuilder builder;
+    door_ = builder.experimental().AddExternalConnectionAcceptor(
+        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
+        grpc::InsecureServerCredentials());  // TLS ends at the relay
+    set_keepalive(builder);
+    set_limits(builder, settings_);
+    builder.RegisterService(&play_service_);
+    builder.RegisterAsyncGenericService(&front_.service());
+    for (int i = 0; i < settings_.network_threads; ++i)
+        shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, table_,
+                                                      builder.AddCompletionQueue()));
+    server_ = builder.BuildAndStart();
+    if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
+    front_.start(shards_.front()->queue(), table_);
+    for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &front_ : nullptr);
+    serving_ = true;
+    answered_ = Clock::now().time_since_epoch().count();
+    asker_ = std::thread([this] { ask_itself(); });
+    const Status moving = relay_.start([this](int descriptor) {
+        grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
+        connection.fd = descriptor;
+        door_->HandleNewConnection(&connection);
+    });
+    if (!moving.ok()) return moving.error();
+    acceptor_.start(
+        [this](std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection) {
+            relay_.add(std::move(client), std::move(connection));
+        });
+    return {};
+}
+
+std::optional<std::string> GrpcServer::trouble(Clock::time_point now) const {
+    if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
+        return "gRPC does not answer";
+    if (!relay_.is_moving(now)) return "gRPC's connections stand still";
+    if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
+    return std::nullopt;
+}
+
+// Through gRPC and the front, by a transport that needs no descriptor: how many connections there
+// are is no matter of health.
+void GrpcServer::ask_itself() {
+    const auto health = grpc::health::v1::Health::NewStub(server_->InProcessChannel({}));
+    std::unique_lock lock(asker_mutex_);
+    do {
+        lock.unlock();
+        grpc::ClientContext call;
+        call.set_deadline(std::chrono::system_clock::now() + ask_period);
+        grpc::health::v1::HealthCheckResponse response;
+        if (health->Check(&call, {}, &response).ok())
+            answered_ = Clock::now().time_since_epoch().count();
+        lock.lock();
+    } while (!asker_wake_.wait_for(lock, ask_period, [this] { return !serving_; }));
+}
+
+void GrpcServer::wake() {
+    for (const auto& shard : shards_) shard->wake();
+}
+
+// gRPC's Shutdown() tells the connections at once, and returns when all calls have ended or the
+// patience has.
+void GrpcServer::drain(Clock::duration patience) {
+    if (!serving_.exchange(false) || !server_) return;
+    { const std::lock_guard lock(asker_mutex_); }
+    asker_wake_.notify_all();
+    if (asker_.joinable()) asker_.join();
+    acceptor_.stop();
+    shutdown_ = std::thread([this, patience] {
+        // Those who watch our health are told first.
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        server_->Shutdown(std::chrono::system_clock::now() + patience + shutdown_patience);
+    });
+}
+
+void GrpcServer::stop() {
+    if (stopped_) return;
+    stopped_ = true;
+    drain({});
+    // The shards and the front still run: they take the ends of their calls off their queues. Who
+    // drains with patience is not to wait any longer.
+    if (server_) grpc_server_cancel_all_calls(server_->c_server());
+    if (shutdown_.joinable()) shutdown_.join();
+    front_.stop();
+    for (const auto& shard : shards_) shard->stop();
+    relay_.stop(last_words_max);
+}
+
+}  // namespace jostle::server

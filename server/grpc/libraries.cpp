@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/libraries.h"
+
+#include <absl/synchronization/mutex.h>
+#include <google/protobuf/stubs/logging.h>
+#include <grpc/support/log.h>
+
+#include <string>
+
+#include "server/util/log.h"
+#include "server/util/text.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t words_bytes_max = 400;
+
+// Its errors are mostly about single peers: they are no trouble of the server's.
+void write_grpc(gpr_log_func_args* said) {
+    const std::string text = printable(said->message, words_bytes_max);
+    if (said->severity == GPR_LOG_SEVERITY_ERROR)
+        log_warn("gRPC: {}", text);
+    else
+        log_debug("gRPC: {}", text);
+}
+
+// Of messages that are none, mostly: who reads them knows what to do.
+void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::string& message) {
+    log_debug("protobuf: {}", printable(message, words_bytes_max));
+}
+
+}  // namespace
+
+void tame_libraries() {
+    absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
+    gpr_set_log_function(write_grpc);
+    google::protobuf::SetLogHandler(write_protobuf);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/play_shard.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// Timeouts and statistics need no better; frames and messages wake the thread by themselves.
+constexpr auto shard_housekeeping_period = std::chrono::milliseconds(50);
+// Of one that has no streams: each time that a thread wakes costs a quiet server.
+constexpr auto idle_shard_period = std::chrono::milliseconds(250);
+// Calls that may arrive together before one of them has to wait for the thread.
+constexpr std::size_t plays_asked_for = 16;
+constexpr std::size_t streams_without_hello_max = 256;
+constexpr std::size_t streams_without_hello_of_address_max = 64;
+
+}  // namespace
+
+PlayShard::PlayShard(PlayContext& context, RawPlayService& service,
+                     const ConnectionTable& connections,
+                     std::unique_ptr<grpc::ServerCompletionQueue> queue)
+    : context_(context), service_(service), connections_(connections), queue_(std::move(queue)) {}
+
+PlayShard::~PlayShard() {
+    stop();
+}
+
+void PlayShard::start(CallFront* front) {
+    front_ = front;
+    for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
+    thread_ = std::thread([this] { run(); });
+}
+
+// The server's limit on clients counts those who said hello; this one bounds those who did not.
+std::size_t PlayShard::streams_max() const {
+    return static_cast<std::size_t>(context_.config.world.clients_max) + streams_without_hello_max;
+}
+
+// Of those without a hello no address takes all the room.
+bool PlayShard::too_many_wait_from(const std::string& network) const {
+    const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
+        return !stream->link().said_hello() && stream->network() == network;
+    });
+    return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
+}
+
+void PlayShard::ask_for_call() {
+    waiting_.push_back(std::make_unique<PlayStream>(service_, *queue_));
+}
+
+// An alarm that is due at once is gRPC's way to put a foreign event on a completion queue. Its tag
+// is null.
+void PlayShard::wake() {
+    const std::lock_guard lock(wake_mutex_);
+    if (stopping_ || awake_.exchange(true)) return;
+    alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), nullptr);
+}
+
+// Its tag is the alarm itself.
+void PlayShard::wake_for_datagrams() {
+    const std::lock_guard lock(wake_mutex_);
+    if (stopping_ || datagrams_came_.exchange(true)) return;
+    datagram_alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), &datagram_alarm_);
+}
+
+void PlayShard::stop() {
+    {
+        const std::lock_guard lock(wake_mutex_);
+        if (stopping_) return;
+        stopping_ = true;
+    }
+    if (thread_.joinable()) {
+        thread_.join();
+    } else {
+        run();  // never started; gRPC still wants its queue emptied
+    }
+}
+
+void PlayShard::run() {
+    housekeeping_ = Clock::now() + idle_shard_period;
+    bool shut_down = false;
+    for (;;) {
+        // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
+        // begun on a queue that shuts down.
+        if (stopping_ && !shut_down) {
+            const std::lock_guard lock(wake_mutex_);
+            queue_->Shutdown();
+            shut_down = true;
+        }
+        void* tag = nullptr;
+        bool ok = false;
+        // gRPC takes its deadlines on the system clock; the distance is what counts.
+        const Clock::time_point due =
+            front_ ? std::min(housekeeping_, front_->housekeeping()) : housekeeping_;
+        const auto wait = std::max(Clock::duration::zero(), due - Clock::now());
+        const auto deadline = std::chrono::system_clock::now() + wait;
+        const auto next = queue_->AsyncNext(&tag, &ok, deadline);
+        if (next == grpc::CompletionQueue::SHUTDOWN) break;
+
+        const Clock::time_point now = Clock::now();
+        if (next == grpc::CompletionQueue::GOT_EVENT) {
+            if (tag == &datagram_alarm_) {
+                datagrams_came_ = false;  // before looking, as below
+                if (!stopping_) advance_with_datagrams(now);
+            } else if (tag != nullptr) {
+                hand_on(*static_cast<RpcTag*>(tag), ok, now);
+            } else if (!stopping_) {
+                awake_ = false;  // before looking: a frame that comes meanwhile wakes again
+                advance_all(now);
+            }
+        }
+        if (front_) front_->housekeep(now);
+        if (now >= housekeeping_ && !stopping_) {
+            housekeep(now);
+            housekeeping_ = now + (streams_.empty() ? Clock::duration(idle_shard_period)
+                                                    : Clock::duration(shard_housekeeping_period));
+        }
+    }
+    streams_.clear();
+    waiting_.clear();
+    if (front_) front_->forget_all();
+}
+
+void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
+    if (tag.of == RpcTag::Of::call)
+        front_->handle(tag, ok);
+    else
+        handle(static_cast<PlayTag&>(tag), ok, now);
+}
+
+void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
+    PlayStream& stream = *tag.stream;
+    if (stopping_)
+        return stream.settle(tag.event);  // nothing may be started on a queue that shuts down
+    switch (tag.event) {
+        case PlayTag::Event::accepted: {
+            const auto at =
+                std::find_if(waiting_.begin(), waiting_.end(),
+                             [&](const auto& waiting) { return waiting.get() == &stream; });
+            std::unique_ptr<PlayStream> owned = std::move(*at);
+            waiting_.erase(at);
+            if (!ok) return;  // the server is going down
+            ask_for_call();
+            owned->begin(
+                context_, connections_, [this] { wake_for_datagrams(); }, now);
+            if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
+                owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
+            streams_.push_back(std::move(owned));
+            housekeeping_ = std::min(housekeeping_, now + shard_housekeeping_period);
+            stream_count_.store(streams_.size(), std::memory_order_relaxed);
+            break;
+        }
+        case PlayTag::Event::read:
+            stream.on_read(ok, now);
+            break;
+        case PlayTag::Event::wrote:
+            stream.on_wrote(ok, now);
+            break;
+        case PlayTag::Event::finished:
+            stream.on_finished();
+            break;
+    }
+}
+
+void PlayShard::housekeep(Clock::time_point now) {
+    advance_all(now);
+    drop_finished();
+}
+
+// Each round begins with the next client: with many of them the last one waits longest, and that
+// should not always be the same one.
+void PlayShard::advance_all(Clock::time_point now) {
+    const std::size_t count = streams_.size();
+    if (count == 0) return;
+    first_ = (first_ + 1) % count;
+    for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(now);
+}
+
+void PlayShard::advance_with_datagrams(Clock::time_point now) {
+    for (const auto& stream : streams_)
+        if (stream->link().has_datagrams()) stream->advance(now);
+}
+
+void PlayShard::drop_finished() {
+    std::erase_if(streams_, [](const auto& stream) { return stream->over(); });
+    stream_count_.store(streams_.size(), std::memory_order_relaxed);
+}
+
+}  // namespace jostle::server

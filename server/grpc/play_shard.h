@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// One network thread: a completion queue and the play streams whose calls arrived on it; one of the
+// shards has all other calls as well (call_front.h), because gRPC lets whoever waits on a queue
+// read all connections, and has to wake another thread for what is not its own. All reading,
+// encoding and writing for these clients happens here, so nothing is locked and no write wakes
+// another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
+// housekeeping tick is due.
+#pragma once
+
+#include <grpcpp/alarm.h>
+#include <grpcpp/server_builder.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "server/grpc/call_front.h"
+#include "server/grpc/play_stream.h"
+#include "server/grpc_proxy/connection_table.h"
+
+namespace jostle::server {
+
+class PlayShard {
+public:
+    // The queue comes from the ServerBuilder that registered the service. All outlive the shard.
+    PlayShard(PlayContext& context, RawPlayService& service, const ConnectionTable& connections,
+              std::unique_ptr<grpc::ServerCompletionQueue> queue);
+    ~PlayShard();
+
+    // After the server was started. `front`: its calls arrive here, too; null: another shard's.
+    void start(CallFront* front);
+    grpc::ServerCompletionQueue& queue() { return *queue_; }
+    // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
+    // awake already.
+    void wake();
+    // Any thread: datagrams came for some of the streams.
+    void wake_for_datagrams();
+    // After the server was shut down: takes what is left off the queue and ends the thread.
+    void stop();
+
+    // Any thread; may be a moment old.
+    std::size_t streams() const { return stream_count_.load(std::memory_order_relaxed); }
+
+private:
+    void run();
+    void hand_on(RpcTag& tag, bool ok, Clock::time_point now);
+    void handle(PlayTag& tag, bool ok, Clock::time_point now);
+    void advance_all(Clock::time_point now);
+    void advance_with_datagrams(Clock::time_point now);
+    void housekeep(Clock::time_point now);
+    void drop_finished();
+    void ask_for_call();
+    std::size_t streams_max() const;
+    bool too_many_wait_from(const std::string& network) const;
+
+    PlayContext& context_;
+    RawPlayService& service_;
+    const ConnectionTable& connections_;
+    std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+    CallFront* front_ = nullptr;
+    std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
+    std::vector<std::unique_ptr<PlayStream>> streams_;
+    std::size_t first_ = 0;  // whose write starts first this time
+    Clock::time_point housekeeping_{};
+    std::atomic<std::size_t> stream_count_{0};
+    grpc::Alarm alarm_, datagram_alarm_;
+    std::atomic<bool> datagrams_came_{false};  // as awake_, of the other alarm
+    std::mutex wake_mutex_;                    // no alarm may be set on a queue that shuts down
+    std::atomic<bool> awake_{false};  // an alarm is set, or the thread has not yet looked since
+    std::atomic<bool> stopping_{false};
+    std::thread thread_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/play_stream.h"
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "jostle/grpc_status/grpc_status.h"
+#include "server/grpc/caller_identity.h"
+#include "server/grpc/message_bytes.h"
+#include "server/util/address.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto last_write_patience = std::chrono::seconds(1);
+
+}  // namespace
+
+PlayStream::PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue)
+    : stream_(&context_) {
+    service.RequestPlay(&context_, &stream_, &queue, &queue, &accepted_);
+}
+
+PlayStream::~PlayStream() {
+    if (connection_) connection_->calls--;
+}
+
+void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
+                       std::function<void()> wake, Clock::time_point now) {
+    connection_ = connections.of(context_.peer());
+    network_ = network_of(connection_->address);
+    connection_->calls_taken++;
+    connection_->calls++;
+    metrics_ = context.rpc_metrics;
+    link_ = std::make_unique<ClientLink>(context,
+                                         Peer{.name = "grpc:" + connection_->peer,
+                                              .address = connection_->address,
+                                              .call = "jostle.v1.PlayService/Play",
+                                              .who = identify(context_, *connection_, context.gate),
+                                              .wake = std::move(wake)},
+                                         now);
+    start_read();
+}
+
+void PlayStream::start_read() {
+    reading_ = true;
+    stream_.Read(&incoming_, &read_);
+}
+
+// Memory may run out while a message is read or made: this conversation ends and no other does.
+template <class Work>
+void PlayStream::guarded(Clock::time_point now, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        log_error("grpc:{}: {}", connection_->peer, error.what());
+        link_->on_fault(now);
+    }
+}
+
+void PlayStream::on_read(bool ok, Clock::time_point now) {
+    reading_ = false;
+    guarded(now, [&] {
+        if (!ok) {
+            // The client closed its half, or the connection is gone.
+            link_->on_peer_closed(now);
+            return;
+        }
+        connection_->consumed += incoming_.Length();
+        copy_bytes(incoming_bytes_, incoming_);
+        incoming_.Clear();
+        link_->receive(incoming_bytes_, now);
+        if (!link_->end()) start_read();
+    });
+    advance(now);
+}
+
+void PlayStream::on_wrote(bool ok, Clock::time_point now) {
+    writing_ = false;
+    // A write fails only when the connection is gone; the read that is in flight will fail as well.
+    if (!ok) link_->on_peer_closed(now);
+    advance(now);
+}
+
+void PlayStream::on_finished() {
+    finished_ = true;
+}
+
+void PlayStream::settle(PlayTag::Event event) {
+    if (event == PlayTag::Event::read) reading_ = false;
+    if (event == PlayTag::Event::wrote) writing_ = false;
+    if (event == PlayTag::Event::finished) finished_ = true;
+}
+
+void PlayStream::advance(Clock::time_point now) {
+    if (finishing_) return;
+    guarded(now, [&] { link_->take_datagrams(now); });
+    if (writing_) {
+        link_->wait_for_write(now);
+        // A client that no longer reads would keep its last write, and so its stream, for ever.
+        if (link_->end() && now >= link_->end_time() + last_write_patience) context_.TryCancel();
+        return;
+    }
+    std::optional<OutMessage> message;
+    guarded(now, [&] { message = link_->take_message(now); });
+    if (message) {
+        writing_ = true;
+        stream_.Write(to_byte_buffer(*message), &wrote_);
+        return;
+    }
+    if (const std::optional<Status>& end = link_->end()) {
+        finishing_ = true;
+        const grpc::Status status = to_grpc(*end);
+        if (metrics_) metrics_->handled(play_path, status.error_code(), 0);
+        stream_.Finish(status, &finished_tag_);
+    }
+}
+
+}  // namespace jostle::server

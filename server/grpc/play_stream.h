@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// One gRPC play stream as a ClientLink: at most one read and one write in flight, raw bytes both
+// ways. Lives on the thread of its PlayShard, which hands it the events of its completion queue;
+// never called from anywhere else.
+#pragma once
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/async_stream.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "jostle/v1/play.grpc.pb.h"
+#include "server/grpc/rpc_tag.h"
+#include "server/grpc_proxy/connection_table.h"
+#include "server/session/client_link.h"
+
+namespace jostle::server {
+
+using RawPlayService = v1::PlayService::WithRawMethod_Play<v1::PlayService::Service>;
+
+inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
+
+class PlayStream;
+
+// What a completion queue gives back.
+struct PlayTag : RpcTag {
+    enum class Event { accepted, read, wrote, finished };
+
+    PlayTag(PlayStream* of_stream, Event of_event)
+        : RpcTag(Of::play), stream(of_stream), event(of_event) {}
+
+    PlayStream* stream;
+    Event event;
+};
+
+class PlayStream {
+public:
+    // Asks gRPC for the next call; the accepted event tells that it came.
+    PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue);
+    ~PlayStream();
+    PlayStream(const PlayStream&) = delete;
+    PlayStream& operator=(const PlayStream&) = delete;
+
+    // A client is there: begins the conversation. `wake`: any thread; the link has datagrams.
+    void begin(PlayContext& context, const ConnectionTable& connections, std::function<void()> wake,
+               Clock::time_point now);
+    void on_read(bool ok, Clock::time_point now);
+    void on_wrote(bool ok, Clock::time_point now);
+    void on_finished();
+    // The queue shuts down: notes that an operation ended and starts none.
+    void settle(PlayTag::Event event);
+
+    // Starts the next write when none is in flight and there is something to say, or ends the
+    // stream.
+    void advance(Clock::time_point now);
+
+    bool begun() const { return link_ != nullptr; }
+    ClientLink& link() { return *link_; }  // only when begun
+    const std::string& network() const { return network_; }
+    // Nothing is in flight and nothing will be: may be destroyed.
+    bool over() const { return finished_ && !reading_ && !writing_; }
+
+private:
+    void start_read();
+    template <class Work>
+    void guarded(Clock::time_point now, const Work& work);
+
+    grpc::ServerContext context_;
+    grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_;
+    PlayTag accepted_{this, PlayTag::Event::accepted};
+    PlayTag read_{this, PlayTag::Event::read};
+    PlayTag wrote_{this, PlayTag::Event::wrote};
+    PlayTag finished_tag_{this, PlayTag::Event::finished};
+    std::unique_ptr<ClientLink> link_;
+    std::shared_ptr<Connection> connection_;
+    RpcMetrics* metrics_ = nullptr;
+    std::string network_;
+    grpc::ByteBuffer incoming_;
+    std::string incoming_bytes_;
+    bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/query_methods.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "jostle/v1/query.pb.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t question_bytes_max = 4 * 1024 * 1024;  // a hundred hulls of a thousand points
+
+template <class Request, class Response>
+CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
+                    Status (QueryControl::*ask)(const Request&, Response&, const StillWanted&)
+                        const) {
+    return world_method<Request, Response>(
+        std::string("/jostle.v1.QueryService/") + name, CallWork::query, question_bytes_max, worlds,
+        [&queries, ask](const CallContext& context, const Request& request, Response& response) {
+            return (queries.*ask)(request, response, [&] { return !context.is_too_late(); });
+        });
+}
+
+// Answers that are on their way, by the copy of the world that they tell of: who asks the same of
+// the same copy gets the same bytes, however many ask at once.
+class SharedAnswers {
+public:
+    template <class Make>
+    AnswerBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
+                             const Make& make) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(kept_, [](const Kept& kept) { return kept.answer.expired(); });
+        for (const Kept& kept : kept_)
+            if (AnswerBytes answer = kept.answer.lock();
+                answer && kept.frame.lock() == frame && kept.request == request)
+                return answer;
+        const AnswerBytes made = make();
+        kept_.push_back({frame, std::string(request), made});
+        return made;
+    }
+
+private:
+    struct Kept {
+        std::weak_ptr<const QueryFrame> frame;
+        std::string request;
+        std::weak_ptr<const std::string> answer;
+    };
+
+    std::mutex mutex_;
+    std::vector<Kept> kept_;
+};
+
+CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {
+    const auto shared = std::make_shared<SharedAnswers>();
+    const auto run = [&queries, &worlds, shared](const CallContext& context, std::string_view bytes,
+                                                 AnswerBytes& answer) -> Status {
+        v1::DebugRequest request;
+        if (Status s = parse(bytes, request); !s.ok()) return s;
+        if (Status s = admit(context, worlds, request.world()); !s.ok()) return s;
+        const Result<QueryFramePtr> frame = queries.debug_frame(request);
+        if (!frame.ok()) return frame.error();
+        answer = shared->find_or_make(*frame, bytes, [&] {
+            v1::DebugResponse response;
+            QueryControl::write_debug(request, **frame, response);
+            return std::make_shared<const std::string>(response.SerializeAsString());
+        });
+        return {};
+    };
+    constexpr std::size_t debug_bytes_max = 4096;
+    return {.path = "/jostle.v1.QueryService/Debug",
+            .work = CallWork::query,
+            .request_bytes_max = debug_bytes_max,
+            .asks_for_world = true,
+            .run = run};
+}
+
+}  // namespace
+
+std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDirectory& worlds) {
+    return {question(queries, worlds, "CastRays", &QueryControl::cast_rays),
+            question(queries, worlds, "CastShapes", &QueryControl::cast_shapes),
+            question(queries, worlds, "Overlap", &QueryControl::overlap),
+            question(queries, worlds, "ClosestPoints", &QueryControl::closest_points),
+            debug_method(queries, worlds)};
+}
+
+}  // namespace jostle::server

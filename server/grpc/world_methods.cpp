@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc/world_methods.h"
+
+#include "jostle/v1/world.pb.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t small_request = 4096;
+constexpr std::size_t scene_request = 4 * 1024 * 1024;
+
+Status create(WorldControl& control, const CallContext& context,
+              const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response) {
+    if (Status s = control.create(request, response, context.who, context.address);
+        !s.ok() || !context.is_too_late())
+        return s;
+    // The caller has given up on a world that it does not know of: it would run for nobody.
+    v1::DeleteWorldRequest removal;
+    removal.set_world(response.world().id());
+    v1::DeleteWorldResponse removed;
+    if (Status s = control.remove(removal, removed); !s.ok()) return s;
+    return Error{ErrorCode::deadline_exceeded, "building the world took longer than the deadline"};
+}
+
+}  // namespace
+
+std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds) {
+    const std::string service = "/jostle.v1.WorldService/";
+    return {
+        unary_method<v1::ListWorldsRequest, v1::ListWorldsResponse>(
+            service + "ListWorlds", CallWork::quick, small_request,
+            [&](const CallContext&, const auto& request, auto& response) {
+                return control.list(request, response);
+            }),
+        world_method<v1::GetWorldRequest, v1::GetWorldResponse>(
+            service + "GetWorld", CallWork::quick, small_request, worlds,
+            [&](const CallContext&, const auto& request, auto& response) {
+                return control.get(request, response);
+            }),
+        world_method<v1::JoinWorldRequest, v1::JoinWorldResponse>(
+            service + "JoinWorld", CallWork::quick, small_request, worlds,
+            [&](const CallContext& context, const auto& request, auto& response) {
+                return control.join(request, response, context.who, context.address);
+            }),
+        unary_method<v1::CreateWorldRequest, v1::CreateWorldResponse>(
+            service + "CreateWorld", CallWork::control, scene_request,
+            [&](const CallContext& context, const auto& request, auto& response) {
+                Status done = create(control, context, request, response);
+                const v1::WorldInfo& made = response.world();
+                context.gate.record(context.who,
+                                    context.ask({made.id(), made.name(), made.owner()}), done);
+                return done;
+            }),
+        world_method<v1::DeleteWorldRequest, v1::DeleteWorldResponse>(
+            service + "DeleteWorld", CallWork::control, small_request, worlds,
+            [&](const CallContext& context, const auto& request, auto& response) {
+                Status done = control.remove(request, response);
+                context.gate.record(context.who, context.ask({request.world(), {}, {}}), done);
+                return done;
+            }),
+    };
+}
+
+}  // namespace jostle::server

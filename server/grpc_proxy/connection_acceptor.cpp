@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc_proxy/connection_acceptor.h"
+
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "server/util/log.h"
+#include "server/util/socket_options.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr int look_period_ms = 50;
+constexpr int niceness = 5;
+constexpr auto handshake_max = std::chrono::seconds(5);
+constexpr int backlog = 1024;
+constexpr auto tell_period = std::chrono::seconds(5);
+// When no descriptor is left, trying again at once would only spin.
+constexpr auto accept_pause = std::chrono::milliseconds(100);
+
+std::uint16_t port_of(int descriptor) {
+    sockaddr_storage own{};
+    socklen_t size = sizeof own;
+    getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
+    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);  // ports lie alike
+}
+
+}  // namespace
+
+ConnectionAcceptor::~ConnectionAcceptor() {
+    stop();
+    if (wake_ >= 0) ::close(wake_);
+    if (epoll_ >= 0) ::close(epoll_);
+}
+
+Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
+    const auto failed = [&](const std::string& why) {
+        return Error{ErrorCode::unavailable,
+                     fmt::format("cannot listen on {}:{} for gRPC: {}; choose another with "
+                                 "--listen HOST:PORT",
+                                 host, port, why)};
+    };
+    addrinfo hints{};
+    hints.ai_socktype = SOCK_STREAM;
+    hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+    addrinfo* found = nullptr;
+    if (const int e = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
+        e != 0)
+        return failed(gai_strerror(e));
+    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+    listener_ = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (listener_ < 0) return failed(std::strerror(errno));
+    set_socket_option(listener_, SOL_SOCKET, SO_REUSEADDR, 1);
+    if (found->ai_family == AF_INET6) set_socket_option(listener_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
+    if (bind(listener_, found->ai_addr, found->ai_addrlen) != 0 ||
+        ::listen(listener_, backlog) != 0) {
+        const int error = errno;
+        ::close(std::exchange(listener_, -1));
+        return failed(std::strerror(error));
+    }
+    wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    epoll_ = epoll_create1(EPOLL_CLOEXEC);
+    if (wake_ < 0 || epoll_ < 0) return failed(std::strerror(errno));
+    watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
+    watch(listener_, EPOLLIN, EPOLL_CTL_ADD);
+    port_ = port_of(listener_);
+    return {};
+}
+
+void ConnectionAcceptor::start(HandOver hand_over) {
+    hand_over_ = std::move(hand_over);
+    thread_ = std::thread([this] { run(); });
+}
+
+void ConnectionAcceptor::stop() {
+    stopping_ = true;
+    if (wake_ >= 0) eventfd_write(wake_, 1);
+    if (thread_.joinable()) thread_.join();
+    if (listener_ >= 0) ::close(std::exchange(listener_, -1));
+}
+
+bool ConnectionAcceptor::is_listening(Clock::time_point now) const {
+    const auto since = [&](Clock::rep at) { return now - Clock::time_point(Clock::duration(at)); };
+    return since(looked_) < std::chrono::seconds(1) && since(starved_) > 2 * accept_pause;
+}
+
+void ConnectionAcceptor::watch(int descriptor, std::uint32_t events, int how) const {
+    epoll_event event{.events = events, .data = {.fd = descriptor}};
+    epoll_ctl(epoll_, how, descriptor, &event);
+}
+
+void ConnectionAcceptor::run() {
+    ClientSocket::block_broken_pipe_signal();
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+    std::array<epoll_event, 64> events;
+    while (!stopping_) {
+        const int count =
+            epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), look_period_ms);
+        const Clock::time_point now = Clock::now();
+        looked_ = now.time_since_epoch().count();
+        for (int i = 0; i < count; i++) {
+            const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
+            try {
+                if (descriptor == listener_)
+                    accept_all(now);
+                else if (descriptor != wake_)
+                    shake_hands(descriptor);
+            } catch (const std::exception& error) {
+                // Memory has run out: this one is not let in.
+                log_error("gRPC: a connection failed: {}", error.what());
+            }
+        }
+        // Without descriptors the listener would be ready for ever.
+        watch(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
+        drop_the_slow(now);
+        if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
+        tell_refusals(now);
+    }
+    for (auto& [descriptor, newcomer] : newcomers_) table_.forget(*newcomer.connection);
+    newcomers_.clear();
+}
+
+// At most so many at once: those who shake hands have their turns, too.
+void ConnectionAcceptor::accept_all(Clock::time_point now) {
+    for (int i = 0; i < backlog; i++) {
+        sockaddr_storage peer{};
+        socklen_t size = sizeof peer;
+        const int descriptor = accept4(listener_, reinterpret_cast<sockaddr*>(&peer), &size,
+                                       SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (descriptor >= 0) {
+            accept_one(descriptor, peer, now);
+            continue;
+        }
+        if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) {
+            log_warn("gRPC: cannot take a connection: {}", std::strerror(errno));
+            starved_ = now.time_since_epoch().count();
+            accept_again_ = now + accept_pause;
+        }
+        if (errno != EINTR && errno != ECONNABORTED) return;
+    }
+}
+
+void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer,
+                                    Clock::time_point now) {
+    if (const auto why = table_.refuses(peer, now)) {
+        count(*why);
+        ::close(descriptor);  // the cheapest answer there is
+        return;
+    }
+    set_socket_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
+    drop_when_silent(descriptor, silence_max_);
+    const auto tls = tls_.present();
+    auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
+    const std::shared_ptr<Connection> connection = table_.admit(peer);
+    if (!tls) return let_in(std::move(socket), connection);
+    newcomers_[descriptor] = {std::move(socket), connection, now + handshake_max};
+    watch(descriptor, EPOLLIN, EPOLL_CTL_ADD);
+}
+
+void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
+    refused_++;
+    if (!metrics_) return;
+    using enum ConnectionTable::Refusal;
+    metrics_
+        ->refused(why == full           ? ConnectionRefusal::limit
+                  : why == address_full ? ConnectionRefusal::address_limit
+                                        : ConnectionRefusal::penalty)
+        .Increment();
+}
+
+void ConnectionAcceptor::shake_hands(int descriptor) {
+    const auto at = newcomers_.find(descriptor);
+    if (at == newcomers_.end()) return;
+    const ClientSocket::State state = at->second.socket->handshake();
+    if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
+        return watch(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
+                     EPOLL_CTL_MOD);
+    watch(descriptor, 0, EPOLL_CTL_DEL);
+    Newcomer newcomer = std::move(at->second);
+    newcomers_.erase(at);
+    if (state != ClientSocket::State::open) return turn_away(newcomer, newcomer.socket->failure());
+    newcomer.connection->certificate = newcomer.socket->certificate();
+    let_in(std::move(newcomer.socket), newcomer.connection);
+}
+
+void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
+                                const std::shared_ptr<Connection>& connection) {
+    try {
+        hand_over_(std::move(socket), connection);
+    } catch (...) {
+        table_.forget(*connection);
+        throw;
+    }
+}
+
+void ConnectionAcceptor::turn_away(Newcomer& newcomer, const std::string& why) {
+    log_debug("{}: no TLS: {}", newcomer.connection->peer, why);
+    if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
+    table_.forget(*newcomer.connection);
+}
+
+void ConnectionAcceptor::drop_the_slow(Clock::time_point now) {
+    for (auto at = newcomers_.begin(); at != newcomers_.end();) {
+        if (now < at->second.deadline) {
+            ++at;
+            continue;
+        }
+        turn_away(at->second, "it took too long");
+        at = newcomers_.erase(at);
+    }
+}
+
+void ConnectionAcceptor::tell_refusals(Clock::time_point now) {
+    if (refused_ == refused_told_ || now - told_ < tell_period) return;
+    log_warn(
+        "gRPC: {} connections were refused: {} are open, the most allowed in all or from one "
+        "address, or others of their addresses were attacks",
+        refused_ - refused_told_, table_.size());
+    refused_told_ = refused_;
+    told_ = now;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc_proxy/connection_relay.h"
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <utility>
+
+#include "server/grpc_proxy/frame_guard.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto sweep_period = std::chrono::milliseconds(20);
+// A tick makes gRPC write to all its clients within a millisecond or two. To wake for each of them
+// would take a quarter more of the server's time; who waits so long gathers many.
+constexpr auto gathering = std::chrono::microseconds(250);
+constexpr int events_max = 256;
+// One record of TLS; and so much of one client is moved before it is the next one's turn.
+constexpr std::size_t up_bytes = 16 * 1024, down_bytes = 64 * 1024;
+// What a connection may send beside its messages, in the long run: headers, window updates, pings
+// and the frames around acks take a few kB/s of each call.
+constexpr double slack_bytes_per_second = 16 * 1024, slack_of_call = 4 * 1024;
+// Streams that gRPC itself turns away never reach us.
+constexpr double streams_forgiven_per_second = 50;
+// When much waits in all, who has this little still goes on.
+constexpr double small_unread = 64 * 1024, small_backlog = 8;
+
+void close_if_open(int& descriptor) {
+    if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
+}
+
+// An address in no file system, so that gRPC's name of its peer tells us which connection it is.
+bool name_socket(int descriptor, const std::string& name) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    if (name.size() + 1 > sizeof address.sun_path) return false;
+    std::memcpy(address.sun_path + 1, name.data(), name.size());
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+    return bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0;
+}
+
+}  // namespace
+
+// What epoll gives back.
+struct ConnectionRelay::End {
+    Stream* stream = nullptr;
+    std::uint32_t interest = 0;
+    bool is_client = false, is_watched = false;
+};
+
+struct ConnectionRelay::Stream {
+    Stream(std::unique_ptr<ClientSocket> socket, std::shared_ptr<Connection> whose,
+           Clock::time_point now)
+        : client(std::move(socket)), connection(std::move(whose)), guard(now), measured(now) {}
+
+    std::unique_ptr<ClientSocket> client;
+    std::shared_ptr<Connection> connection;
+    FrameGuard guard;
+    int grpc = -1;  // our end of the pair; -1: not yet
+    End client_end{this, 0, true, false}, grpc_end{this, 0, false, false};
+    // What one side has sent and the other has not taken yet.
+    std::vector<std::uint8_t> for_grpc, for_client;
+    Clock::time_point read_again{};          // before, the client has to wait
+    Clock::time_point deadline{};            // for what it does now; never when zero
+    double unread = 0, backlog = 0;          // bytes; streams
+    std::uint64_t received = 0, opened = 0;  // when it was last read
+    std::uint64_t consumed = 0, taken = 0;   // when it was last measured
+    Clock::time_point measured;
+    bool waits = false;         // for its turn to be opened towards gRPC
+    bool client_ended = false;  // sends no more
+    bool grpc_ended = false;    // sends no more
+    bool grpc_deaf = false;     // takes no more: what comes is dropped
+    bool grpc_hung_up = false;  // has closed its end; more may be left in the pair
+    bool read_wants_write = false, write_wants_read = false;  // TLS
+    bool is_dead = false;
+};
+
+ConnectionRelay::ConnectionRelay(ConnectionTable& table, RelayLimits limits,
+                                 const ListenerMetrics* metrics)
+    : table_(table),
+      limits_(limits),
+      metrics_(metrics),
+      up_(up_bytes),
+      down_(down_bytes),
+      openings_(limits.openings_per_second, Clock::now()) {}
+
+ConnectionRelay::~ConnectionRelay() {
+    stop({});
+    close_if_open(epoll_);
+    close_if_open(wake_);
+}
+
+Status ConnectionRelay::start(HandOver hand_over) {
+    hand_over_ = std::move(hand_over);
+    epoll_ = epoll_create1(EPOLL_CLOEXEC);
+    wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    epoll_event event{.events = EPOLLIN, .data = {.ptr = nullptr}};
+    if (epoll_ < 0 || wake_ < 0 || epoll_ctl(epoll_, EPOLL_CTL_ADD, wake_, &event) != 0)
+        return Error{ErrorCode::unavailable,
+                     fmt::format("cannot watch connections: {}", std::strerror(errno))};
+    looked_ = Clock::now().time_since_epoch().count();
+    thread_ = std::thread([this] { run(); });
+    return {};
+}
+
+void ConnectionRelay::add(std::unique_ptr<ClientSocket> client,
+                          std::shared_ptr<Connection> connection) {
+    auto stream = std::make_unique<Stream>(std::move(client), std::move(connection), Clock::now());
+    {
+        const std::lock_guard lock(mutex_);
+        new_.push_back(std::move(stream));
+    }
+    eventfd_write(wake_, 1);
+}
+
+void ConnectionRelay::stop(Clock::duration patience) {
+    if (!thread_.joinable()) return;
+    stop_at_ = (Clock::now() + patience).time_since_epoch().count();
+    eventfd_write(wake_, 1);
+    thread_.join();
+}
+
+bool ConnectionRelay::is_moving(Clock::time_point now) const {
+    return now - Clock::time_point(Clock::duration(looked_)) < std::chrono::seconds(1);
+}
+
+void ConnectionRelay::run() {
+    ClientSocket::block_broken_pipe_signal();
+    std::array<epoll_event, events_max> events;
+    Clock::time_point swept{};
+    for (;;) {
+        const int count =
+            epoll_wait(epoll_, events.data(), events_max, static_cast<int>(sweep_period.count()));
+        const Clock::time_point now = Clock::now();
+        looked_ = now.time_since_epoch().count();
+        for (int i = 0; i < count; i++) {
+            const epoll_event& event = events[static_cast<std::size_t>(i)];
+            if (!event.data.ptr) {
+                take_new(now);
+                continue;
+            }
+            End& end = *static_cast<End*>(event.data.ptr);
+            guarded(*end.stream, [&] { on_event(end, event.events, now); });
+        }
+        bury();
+        open_waiting(now);
+        if (now - swept >= sweep_period) {
+            sweep(now);
+            bury();
+            swept = now;
+        }
+        if (count > 0) std::this_thread::sleep_for(gathering);
+        const Clock::rep stop_at = stop_at_;
+        if (stop_at != 0 && (streams_.empty() || now.time_since_epoch().count() >= stop_at)) break;
+    }
+    take_new(Clock::now());
+    for (const auto& [stream, owned] : streams_) close(*stream);
+    bury();
+}
+
+void ConnectionRelay::take_new(Clock::time_point now) {
+    eventfd_t ignored = 0;
+    eventfd_read(wake_, &ignored);
+    std::vector<std::unique_ptr<Stream>> taken;
+    {
+        const std::lock_guard lock(mutex_);
+        taken.swap(new_);
+    }
+    for (auto& owned : taken) {
+        Stream& stream = *owned;
+        streams_.emplace(&stream, std::move(owned));
+        stream.deadline = now + limits_.introduction_max;
+        guarded(stream, [&] {
+            // The client may have spoken already, and TLS have read it.
+            read_client(stream, now);
+            if (!stream.is_dead) update_interest(stream, now);
+        });
+    }
+}
+
+// Memory may run out while bytes wait: this connection ends and no other does.
+template <class Work>
+void ConnectionRelay::guarded(Stream& stream, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        log_error("{} was closed: {}", stream.connection->peer, error.what());
+        close(stream);
+    }
+}
+
+void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point now) {
+    Stream& stream = *end.stream;
+    if (stream.is_dead) return;
+    if (end.is_client) {
+        on_client_event(stream, events, now);
+    } else {
+        if ((events & EPOLLOUT) != 0) flush_to_grpc(stream);
+        if ((events & (EPOLLHUP | EPOLLERR)) != 0) {
+            // epoll would say so again and again.
+            epoll_ctl(epoll_, EPOLL_CTL_DEL, stream.grpc, nullptr);
+            stream.grpc_hung_up = true;
+            stream.deadline = now + limits_.farewell_max;
+        }
+        read_grpc(stream, now);
+    }
+    while (stream.grpc_hung_up && can_read_grpc(stream)) read_grpc(stream, now);
+    if (!stream.is_dead) update_interest(stream, now);
+}
+
+void ConnectionRelay::on_client_event(Stream& stream, std::uint32_t events, Clock::time_point now) {
+    const bool hung_up = (events & EPOLLHUP) != 0;
+    if ((events & EPOLLERR) != 0) return close(stream);
+    if (stream.waits && (events & EPOLLRDHUP) != 0) return close(stream);
+    if (stream.grpc_ended && hung_up) return close(stream);  // both have said all
+    if (!stream.for_client.empty() && ((events & EPOLLOUT) != 0 || stream.write_wants_read)) {
+        stream.write_wants_read = false;
+        const std::vector<std::uint8_t> waiting = std::exchange(stream.for_client, {});
+        if (!write_client(stream, waiting)) return;
+    }
+    if ((events & EPOLLIN) != 0 || stream.read_wants_write) read_client(stream, now);
+    // Nobody wants to read now, and epoll would say it again and again.
+    if (!stream.is_dead && hung_up && !may_read(stream, now)) close(stream);
+}
+
+void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
+    if (stream.client_ended || !may_read(stream, now)) return;
+    stream.read_wants_write = false;
+    const auto [state, count] = stream.client->read(up_);
+    const std::uint64_t received = stream.client->received();
+    const double fresh = static_cast<double>(received - std::exchange(stream.received, received));
+    stream.unread += fresh;
+    unread_total_ += fresh;
+    if (state == ClientSocket::State::wants_write) stream.read_wants_write = true;
+    if (state == ClientSocket::State::closed) {
+        stream.client_ended = true;
+        if (stream.grpc < 0 || stream.grpc_ended) return close(stream);
+        if (stream.for_grpc.empty()) ::shutdown(stream.grpc, SHUT_WR);
+        return;
+    }
+    if (count == 0 || stream.grpc_deaf) return;
+    if (stream.unread > limits_.unread_bytes_max) measure(stream, now);
+    if (stream.unread > limits_.unread_bytes_max) return cut_unread(stream, now);
+    const std::span<const std::uint8_t> bytes(up_.data(), count);
+    if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
+        if (stream.guard.has_preface()) return cut(stream, allowed.error().message, now);
+        // A browser, or TLS where there is none: a mistake, and no attack.
+        log_debug("{}: {}", stream.connection->peer, allowed.error().message);
+        return close(stream);
+    }
+    const std::uint64_t opened = stream.guard.streams_opened();
+    const double streams = static_cast<double>(opened - std::exchange(stream.opened, opened));
+    stream.backlog += streams;
+    backlog_total_ += streams;
+    stream.read_again = now + stream.guard.pause(now);
+    to_grpc(stream, bytes);
+}
+
+void ConnectionRelay::to_grpc(Stream& stream, std::span<const std::uint8_t> bytes) {
+    if (stream.grpc >= 0) bytes = bytes.subspan(send_to_grpc(stream, bytes));
+    if (stream.grpc_deaf) return;
+    stream.for_grpc.insert(stream.for_grpc.end(), bytes.begin(), bytes.end());
+    if (stream.grpc >= 0 || !stream.guard.has_preface()) return;
+    stream.waits = true;
+    waiting_.push_back(&stream);
+}
+
+// A connection costs gRPC far more than it costs who makes it. Who has gone before it is his turn
+// costs it nothing.
+void ConnectionRelay::open_waiting(Clock::time_point now) {
+    while (!waiting_.empty()) {
+        Stream* const stream = waiting_.front();
+        const bool is_there = streams_.contains(stream) && stream->waits && !stream->is_dead;
+        if (is_there && !openings_.take(1, now)) return;
+        waiting_.pop_front();
+        if (!is_there) continue;
+        stream->waits = false;
+        guarded(*stream, [&] {
+            open_grpc(*stream);
+            if (stream->grpc >= 0) flush_to_grpc(*stream);
+            if (!stream->is_dead) update_interest(*stream, now);
+        });
+    }
+}
+
+// How much it took.
+std::size_t ConnectionRelay::send_to_grpc(Stream& stream, std::span<const std::uint8_t> bytes) {
+    const ssize_t sent = ::send(stream.grpc, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent >= 0) return static_cast<std::size_t>(sent);
+    // When gRPC has closed this connection, what it said before is still to be read.
+    if (errno != EAGAIN && errno != EINTR) stream.grpc_deaf = true;
+    return 0;
+}
+
+void ConnectionRelay::open_grpc(Stream& stream) {
+    int pair[2] = {-1, -1};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, pair) != 0 ||
+        !name_socket(pair[0], stream.connection->name)) {
+        log_warn("{} was closed: {}", stream.connection->peer, std::strerror(errno));
+        close_if_open(pair[0]);
+        close_if_open(pair[1]);
+        return close(stream);
+    }
+    stream.grpc = pair[0];
+    stream.deadline = {};
+    hand_over_(pair[1]);
+}
+
+void ConnectionRelay::flush_to_grpc(Stream& stream) {
+    std::vector<std::uint8_t>& waiting = stream.for_grpc;
+    const std::size_t sent = send_to_grpc(stream, waiting);
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(sent));
+    if (stream.grpc_deaf) waiting.clear();
+    if (!waiting.empty()) return;
+    waiting.shrink_to_fit();
+    if (stream.client_ended) ::shutdown(stream.grpc, SHUT_WR);
+}
+
+bool ConnectionRelay::can_read_grpc(const Stream& stream) {
+    return !stream.is_dead && stream.grpc >= 0 && !stream.grpc_ended && stream.for_client.empty();
+}
+
+void ConnectionRelay::read_grpc(Stream& stream, Clock::time_point now) {
+    if (!can_read_grpc(stream)) return;
+    const ssize_t count = ::recv(stream.grpc, down_.data(), down_.size(), 0);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (count <= 0) return on_grpc_ended(stream, now);
+    write_client(stream, {down_.data(), static_cast<std::size_t>(count)});
+}
+
+// False: the client is gone, and the stream with it.
+bool ConnectionRelay::write_client(Stream& stream, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const auto [state, count] = stream.client->write(bytes);
+        if (state == ClientSocket::State::closed) {
+            close(stream);
+            return false;
+        }
+        if (state != ClientSocket::State::open) {
+            stream.write_wants_read = state == ClientSocket::State::wants_read;
+            break;
+        }
+        bytes = bytes.subspan(count);
+    }
+    stream.for_client.assign(bytes.begin(), bytes.end());
+    if (bytes.empty()) {
+        stream.for_client.shrink_to_fit();
+        if (stream.grpc_ended) stream.client->finish();
+    }
+    return true;
+}
+
+// What is on its way to the client still gets there: a socket that is closed while its peer sends
+// takes back what was sent before.
+void ConnectionRelay::on_grpc_ended(Stream& stream, Clock::time_point now) {
+    stream.grpc_ended = stream.grpc_deaf = true;
+    stream.for_grpc.clear();
+    if (stream.client_ended) return close(stream);
+    stream.deadline = now + limits_.farewell_max;
+    if (stream.for_client.empty()) stream.client->finish();
+}
+
+bool ConnectionRelay::may_read(const Stream& stream, Clock::time_point now) const {
+    if (stream.grpc_deaf) return true;
+    if (stream.waits || (!stream.for_grpc.empty() && stream.grpc >= 0)) return false;
+    if (now < stream.read_again || stream.backlog > limits_.backlog_max) return false;
+    if (backlog_total_ > limits_.backlog_total_max && stream.backlog > small_backlog) return false;
+    return unread_total_ <= limits_.unread_total_max || stream.unread <= small_unread;
+}
+
+void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
+    const auto watch = [&](End& end, int descriptor, std::uint32_t interest) {
+        if (end.is_watched && interest == end.interest) return;
+        epoll_event event{.events = interest, .data = {.ptr = &end}};
+        const int what = end.is_watched ? EPOLL_CTL_MOD : EPOLL_CTL_ADD;
+        if (epoll_ctl(epoll_, what, descriptor, &event) != 0) return close(stream);
+        end.interest = interest;
+        end.is_watched = true;
+    };
+    const bool reads = !stream.client_ended && may_read(stream, now);
+    const bool writes = !stream.for_client.empty() && !stream.write_wants_read;
+    watch(stream.client_end, stream.client->descriptor(),
+          (reads || stream.write_wants_read ? EPOLLIN : 0u) | (stream.waits ? EPOLLRDHUP : 0u) |
+              (writes || stream.read_wants_write ? EPOLLOUT : 0u));
+    if (stream.is_dead || stream.grpc < 0) return;
+    if (stream.grpc_ended) return close_if_open(stream.grpc);
+    if (!stream.grpc_hung_up)
+        watch(
+            stream.grpc_end, stream.grpc,
+            (stream.for_client.empty() ? EPOLLIN : 0u) | (stream.for_grpc.empty() ? 0u : EPOLLOUT));
+}
+
+void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
+    const double seconds = std::chrono::duration<double>(now - stream.measured).count();
+    stream.measured = now;
+    const std::uint64_t consumed = stream.connection->consumed.load(std::memory_order_relaxed);
+    const std::uint64_t taken = stream.connection->calls_taken.load(std::memory_order_relaxed);
+    const auto calls =
+        static_cast<double>(stream.connection->calls.load(std::memory_order_relaxed));
+    stream.unread -= static_cast<double>(consumed - std::exchange(stream.consumed, consumed)) +
+                     seconds * (slack_bytes_per_second + slack_of_call * calls);
+    stream.unread = std::max(0.0, stream.unread);
+    stream.backlog -= static_cast<double>(taken - std::exchange(stream.taken, taken)) +
+                      seconds * streams_forgiven_per_second;
+    stream.backlog = std::max(0.0, stream.backlog);
+}
+
+void ConnectionRelay::sweep(Clock::time_point now) {
+    unread_total_ = backlog_total_ = 0;
+    Stream* largest = nullptr;
+    for (const auto& [stream, owned] : streams_) {
+        measure(*stream, now);
+        if (stream->unread > limits_.unread_bytes_max)
+            cut_unread(*stream, now);
+        else if (stream->deadline != Clock::time_point{} && now >= stream->deadline)
+            close(*stream);
+        if (stream->is_dead) continue;
+        unread_total_ += stream->unread;
+        backlog_total_ += stream->backlog;
+        if (!largest || stream->unread > largest->unread) largest = stream;
+    }
+    if (unread_total_ > limits_.unread_total_max && largest) {
+        unread_total_ -= largest->unread;
+        cut(*largest,
+            fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
+                        largest->unread),
+            now);
+    }
+    for (const auto& [stream, owned] : streams_)
+        if (!stream->is_dead) update_interest(*stream, now);
+}
+
+void ConnectionRelay::cut_unread(Stream& stream, Clock::time_point now) {
+    cut(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
+}
+
+void ConnectionRelay::cut(Stream& stream, const std::string& why, Clock::time_point now) {
+    log_warn("{} was cut: {}", stream.connection->peer, why);
+    table_.punish(*stream.connection, now);
+    cut_++;
+    if (metrics_) metrics_->refused(ConnectionRefusal::attack).Increment();
+    close(stream);
+}
+
+void ConnectionRelay::close(Stream& stream) {
+    if (std::exchange(stream.is_dead, true)) return;
+    dead_.push_back(&stream);
+}
+
+// After the events of one round: one of them may name a stream that another one has closed.
+void ConnectionRelay::bury() {
+    for (Stream* stream : dead_) {
+        table_.forget(*stream->connection);
+        close_if_open(stream->grpc);
+        streams_.erase(stream);
+    }
+    dead_.clear();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Stands between the clients of the gRPC port and gRPC: moves bytes both ways between a client's
+// socket and one end of a local pair, whose other end gRPC gets. So TLS, what a client may send
+// and how much of it may wait are ours to decide, and gRPC sees only connections that have begun
+// to speak HTTP/2.
+//
+// A client that does what none does is cut, and its address punished (frame_guard.h). One that is
+// only fast, or ahead of those who answer it, is read more slowly: TCP holds it back.
+//
+// Has a thread of its own. add() from any thread; start() and stop() once, from one.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "jostle/base/result.h"
+#include "server/grpc_proxy/client_socket.h"
+#include "server/grpc_proxy/connection_table.h"
+#include "server/metrics/metrics.h"
+#include "server/util/token_bucket.h"
+
+namespace jostle::server {
+
+struct RelayLimits {
+    double unread_bytes_max = 8.0 * 1024 * 1024;   // of one connection, of which no message came
+    double unread_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
+    // Streams that were begun and that gRPC has not given us yet.
+    double backlog_max = 100, backlog_total_max = 2000;
+    double openings_per_second = 500;  // of connections towards gRPC, and at once
+    Clock::duration introduction_max = std::chrono::seconds(5);  // until HTTP/2's preface is there
+    Clock::duration farewell_max = std::chrono::seconds(2);      // from gRPC's end to the client's
+};
+
+class ConnectionRelay {
+public:
+    // Takes the descriptor over. Called on the relay's thread.
+    using HandOver = std::function<void(int descriptor)>;
+
+    // Table and metrics outlive the relay; null metrics: nobody counts.
+    ConnectionRelay(ConnectionTable& table, RelayLimits limits,
+                    const ListenerMetrics* metrics = nullptr);
+    ~ConnectionRelay();
+
+    Status start(HandOver hand_over);
+    void add(std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection);
+    // Moves what gRPC has still to say to its clients, for so long at most, then closes all.
+    void stop(Clock::duration patience);
+
+    // Any thread.
+    std::uint64_t cut() const { return cut_.load(std::memory_order_relaxed); }
+    bool is_moving(Clock::time_point now) const;  // its thread has looked within a second
+
+private:
+    struct Stream;
+    struct End;
+
+    void run();
+    void take_new(Clock::time_point now);
+    template <class Work>
+    void guarded(Stream& stream, const Work& work);
+    void on_event(End& end, std::uint32_t events, Clock::time_point now);
+    void on_client_event(Stream& stream, std::uint32_t events, Clock::time_point now);
+    void read_client(Stream& stream, Clock::time_point now);
+    void to_grpc(Stream& stream, std::span<const std::uint8_t> bytes);
+    std::size_t send_to_grpc(Stream& stream, std::span<const std::uint8_t> bytes);
+    void open_waiting(Clock::time_point now);
+    void open_grpc(Stream& stream);
+    void flush_to_grpc(Stream& stream);
+    static bool can_read_grpc(const Stream& stream);
+    void read_grpc(Stream& stream, Clock::time_point now);
+    bool write_client(Stream& stream, std::span<const std::uint8_t> bytes);
+    void on_grpc_ended(Stream& stream, Clock::time_point now);
+    bool may_read(const Stream& stream, Clock::time_point now) const;
+    void update_interest(Stream& stream, Clock::time_point now);
+    void sweep(Clock::time_point now);
+    void measure(Stream& stream, Clock::time_point now) const;
+    void cut_unread(Stream& stream, Clock::time_point now);
+    void cut(Stream& stream, const std::string& why, Clock::time_point now);
+    void close(Stream& stream);
+    void bury();
+
+    ConnectionTable& table_;
+    const RelayLimits limits_;
+    const ListenerMetrics* const metrics_;
+    HandOver hand_over_;
+    int epoll_ = -1, wake_ = -1;
+    std::mutex mutex_;  // of new_
+    std::vector<std::unique_ptr<Stream>> new_;
+    std::map<Stream*, std::unique_ptr<Stream>> streams_;
+    std::vector<Stream*> dead_;
+    std::deque<Stream*> waiting_;          // to be opened; some may have gone
+    std::vector<std::uint8_t> up_, down_;  // scratch of one move
+    TokenBucket openings_;
+    double unread_total_ = 0, backlog_total_ = 0;
+    std::atomic<std::uint64_t> cut_{0};
+    std::atomic<Clock::rep> looked_{0};
+    std::atomic<Clock::rep> stop_at_{0};  // 0: goes on
+    std::thread thread_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/admin_routes.h"
+
+#include <charconv>
+
+#include "jostle/v1/admin.pb.h"
+#include "server/auth/access_table.h"
+#include "server/auth/allowed_hosts.h"
+#include "server/http/http_routes.h"
+#include "server/http/percent_decode.h"
+#include "server/metrics/metrics_text.h"
+#include "server/session/peer.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::string_view profile_path = "/debug/profile";
+constexpr std::string_view index =
+    "The operators' port of jostle-server:\n"
+    "  /metrics                              for Prometheus\n"
+    "  /healthz, /readyz                     200 or 503\n"
+    "  /debug/profile?world=NAME&seconds=N   a trace of the world's ticks, for ui.perfetto.dev\n";
+
+// "5" or "2.5"; nothing else.
+std::optional<double> number_of(const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+// What a browser or curl -OJ calls the file: the world's name may hold anything.
+std::string file_name_of(const std::string& world) {
+    std::string name;
+    for (const char c : world) {
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+        name += plain ? c : '_';
+    }
+    return name + ".trace.json";
+}
+
+}  // namespace
+
+HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
+    return path_of(request.target) == profile_path ? HttpWork::asks : HttpWork::at_once;
+}
+
+HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
+    if (request.method != "GET" && request.method != "HEAD") {
+        HttpResponse refused = plain_text(405, "This port takes GET.\n");
+        refused.headers.emplace_back("Allow", "GET, HEAD");
+        return refused;
+    }
+    const std::string_view path = path_of(request.target);
+    if (path == "/") return plain_text(200, std::string(index));
+    if (path == "/metrics") return metrics();
+    if (path == "/healthz" || path == "/readyz") return health(path);
+    if (path == profile_path) {
+        if (const auto refusal = refuse_page(request)) return plain_text(403, *refusal + "\n");
+        return profile(request);
+    }
+    return plain_text(404, "There is no such path; / lists those there are.\n");
+}
+
+// Prometheus and probes come by whatever name they like, and read what names nobody.
+std::optional<std::string> AdminRoutes::refuse_page(const HttpRequest& request) const {
+    if (!request.origin.empty()) return "No page of a browser may use the operators' port.";
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return "This server does not go by that name; the setting allowed_hosts holds its names.";
+    return std::nullopt;
+}
+
+// As an admin, by the access table.
+Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world) const {
+    const AccessRow* const row = find_route(request.method, path_of(request.target));
+    if (!row) return Error{ErrorCode::not_found, "There is no such path."};
+    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    if (!bearer.ok()) return bearer.error();
+    Gate& gate = control_.gate();
+    const Result<Identity> who = gate.identify(
+        {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
+    if (!who.ok()) return who.error();
+    const std::shared_ptr<WorldHost> host = control_.find(world);
+    return gate.admit(*who, {row->call, host ? asked_world(*host) : AskedWorld{}, request.address});
+}
+
+HttpResponse AdminRoutes::health(std::string_view path) const {
+    if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
+    if (path == "/healthz") return plain_text(200, "ok\n");
+    const auto why_not = settings_.why_not_ready();
+    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
+}
+
+HttpResponse AdminRoutes::metrics() const {
+    const std::lock_guard lock(metrics_mutex_);
+    if (settings_.refresh) settings_.refresh();
+    HttpResponse response = plain_text(200, metrics_text(metrics_));
+    response.content_type = metrics_content_type;
+    return response;
+}
+
+HttpResponse AdminRoutes::profile(const HttpRequest& request) const {
+    const auto world = query_field(request.target, "world");
+    const auto given = query_field(request.target, "seconds");
+    const auto seconds = given ? number_of(*given) : std::nullopt;
+    if (!world || !seconds)
+        return to_http(Error{ErrorCode::invalid_argument,
+                             "Say which world and how long: /debug/profile?world=NAME&seconds=5"});
+    if (Status s = let_in(request, *world); !s.ok()) return to_http(s.error());
+    v1::ProfileRequest message;
+    message.set_world(*world);
+    message.set_seconds(*seconds);
+    v1::ProfileResponse profile;
+    if (Status s = control_.profile(message, profile); !s.ok()) return to_http(s.error());
+    HttpResponse response = plain_text(200, profile.trace());
+    response.content_type = "application/json";
+    response.headers.emplace_back("Content-Disposition",
+                                  "attachment; filename=\"" + file_name_of(*world) + "\"");
+    return response;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/gateway.h"
+
+#include <algorithm>
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "server/http/http_session.h"
+#include "server/http/websocket_session.h"
+#include "server/tls/tls_contexts.h"
+#include "server/util/address.h"
+#include "server/util/log.h"
+#include "server/util/work_pool.h"
+
+namespace jostle::server {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+using asio::ip::tcp;
+
+namespace {
+
+// Timeouts and statistics need no better; frames wake the thread by themselves.
+constexpr auto housekeeping_period = std::chrono::milliseconds(50);
+constexpr auto idle_period = std::chrono::milliseconds(250);  // without WebSockets
+// When no file descriptor is left, trying again at once would only spin.
+constexpr auto accept_pause = std::chrono::milliseconds(100);
+
+// Who asks stands back behind who plays.
+constexpr int asking_niceness = 10, changing_niceness = 5;
+
+template <class Session>
+std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
+    std::erase_if(sessions, [](const auto& session) { return session.expired(); });
+    return sessions.size();
+}
+
+}  // namespace
+
+struct Gateway::Impl {
+    Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
+        : context(play_context),
+          settings(std::move(gateway_settings)),
+          services{handler,
+                   settings,
+                   asking,
+                   changing,
+                   body_bytes,
+                   [this](SocketStream stream, WebSocketSession::Request request) {
+                       begin_play(std::move(stream), request);
+                   }} {}
+
+    Status listen();
+    void accept();
+    void on_accept(beast::error_code error, tcp::socket socket);
+    bool make_room(const tcp::socket& socket);
+    void begin_play(SocketStream stream, const WebSocketSession::Request& request);
+    void schedule_housekeeping();
+    void advance_all();
+    void count_open();
+    void count_refused(ConnectionRefusal why);
+    void abort_all();
+    void run();
+
+    PlayContext& context;
+    const GatewaySettings settings;
+    asio::io_context io{1};
+    double body_bytes = 0;  // of requests that are being received or answered
+    WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
+        changing{1, settings.work_queue_max, changing_niceness};
+    tcp::acceptor acceptor{io};
+    asio::steady_timer housekeeping{io}, accept_again{io};
+    bool ending = false;  // the thread's own
+    TlsContexts tls{settings.certificates, {.require_certificates = settings.require_certificates}};
+    const HttpSession::Services services;
+    // The sessions keep themselves alive; these only know them.
+    std::vector<std::weak_ptr<HttpSession>> http_sessions;
+    std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
+    std::size_t first = 0;           // whose write starts first this time
+    std::atomic<bool> awake{false};  // a wake-up is on its way
+    std::uint16_t real_port = 0;
+    std::thread thread;
+};
+
+Status Gateway::Impl::listen() {
+    const auto failure = [&](std::string_view what, const beast::error_code& error) {
+        return Error{
+            ErrorCode::unavailable,
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with {} HOST:PORT", what,
+                        settings.host, settings.port, error.message(), settings.flag)};
+    };
+    beast::error_code error;
+    tcp::resolver resolver(io);
+    const auto found =
+        resolver.resolve(settings.host, std::to_string(settings.port),
+                         tcp::resolver::passive | tcp::resolver::numeric_service, error);
+    if (error) return failure("resolve", error);
+    const tcp::endpoint endpoint = found.begin()->endpoint();
+    acceptor.open(endpoint.protocol(), error);
+    // Only means that a port whose last connections linger may be used again; a port in use is
+    // still refused.
+    if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error) return failure("listen on", error);
+    real_port = acceptor.local_endpoint().port();
+    return {};
+}
+
+void Gateway::Impl::accept() {
+    acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
+        on_accept(error, std::move(socket));
+    });
+}
+
+void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
+    if (ending || error == asio::error::operation_aborted) return;
+    if (error) {
+        log_warn("http: cannot take a connection: {}", error.message());
+        accept_again.expires_after(accept_pause);
+        accept_again.async_wait([this](beast::error_code stopped) {
+            if (!stopped && !ending) accept();
+        });
+        return;
+    }
+    if (make_room(socket)) {
+        socket.set_option(tcp::no_delay(true), error);
+        const auto session =
+            std::make_shared<HttpSession>(SocketStream(std::move(socket), tls.present()), services);
+        http_sessions.push_back(session);
+        session->start();
+    }
+    accept();
+}
+
+// False: the socket is to be closed at once, which is the cheapest answer there is. Of HTTP
+// connections the one that has been silent for longest goes first; players are never sent away.
+bool Gateway::Impl::make_room(const tcp::socket& socket) {
+    const std::size_t players = drop_gone(play_sessions), others = drop_gone(http_sessions);
+    beast::error_code error;
+    const auto endpoint = socket.remote_endpoint(error);
+    if (error) return false;
+    const std::string network = network_of(endpoint.address().to_string());
+    const auto is_same = [&](const auto& session) {
+        return network_of(session->address()) == network;
+    };
+    std::size_t of_address = 0;
+    std::shared_ptr<HttpSession> oldest, oldest_of_address;
+    const auto is_older = [](const auto& a, const auto& b) {
+        return !b || *a->idle_since() < *b->idle_since();
+    };
+    for (const auto& known : play_sessions)
+        if (const auto session = known.lock()) of_address += is_same(session) ? 1 : 0;
+    for (const auto& known : http_sessions) {
+        const auto session = known.lock();
+        if (!session) continue;
+        const bool same = is_same(session);
+        of_address += same ? 1 : 0;
+        if (!session->idle_since()) continue;
+        if (is_older(session, oldest)) oldest = session;
+        if (same && is_older(session, oldest_of_address)) oldest_of_address = session;
+    }
+    if (of_address >= settings.per_address_max) {
+        count_refused(ConnectionRefusal::address_limit);
+        if (!oldest_of_address) return false;
+        oldest_of_address->abort();
+    } else if (players + others >= settings.connections_max) {
+        count_refused(ConnectionRefusal::limit);
+        if (!oldest) return false;
+        oldest->abort();
+    }
+    return true;
+}
+
+void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
+    const auto session =
+        std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
+    play_sessions.push_back(session);
+    if (play_sessions.size() == 1) schedule_housekeeping();  // sooner than an idle one
+    session->start(request);
+}
+
+void Gateway::Impl::schedule_housekeeping() {
+    if (ending) return;
+    housekeeping.expires_after(play_sessions.empty() ? idle_period : housekeeping_period);
+    housekeeping.async_wait([this](beast::error_code stopped) {
+        if (stopped) return;
+        advance_all();
+        count_open();
+        schedule_housekeeping();
+    });
+}
+
+// Each round begins with the next client, so that not always the same one is written to last.
+void Gateway::Impl::advance_all() {
+    const Clock::time_point now = Clock::now();
+    const std::size_t count = drop_gone(play_sessions);
+    if (count == 0) return;
+    first = (first + 1) % count;
+    for (std::size_t i = 0; i < count; ++i) {
+        // advance() starts operations only, so no session can end or begin while we walk.
+        if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
+    }
+}
+
+void Gateway::Impl::count_open() {
+    if (!settings.metrics) return;
+    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    settings.metrics->open.Set(static_cast<double>(open));
+}
+
+// Who came or who had to go for it.
+void Gateway::Impl::count_refused(ConnectionRefusal why) {
+    if (settings.metrics) settings.metrics->refused(why).Increment();
+}
+
+void Gateway::Impl::abort_all() {
+    // Cancelling does not reach a timer whose handler is queued already: those look at this before
+    // they start anew.
+    ending = true;
+    beast::error_code ignored;
+    acceptor.close(ignored);
+    housekeeping.cancel();
+    accept_again.cancel();
+    for (const auto& known : http_sessions) {
+        if (const auto session = known.lock()) session->abort();
+    }
+    for (const auto& known : play_sessions) {
+        if (const auto session = known.lock()) session->abort();
+    }
+}
+
+// Memory may run out while a request or a message is read: its session ends and no other does.
+void Gateway::Impl::run() {
+    for (;;) {
+        try {
+            io.run();
+            return;
+        } catch (const std::exception& error) {
+            log_error("http: a connection failed: {}", error.what());
+        }
+    }
+}
+
+Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
+    : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
+
+Gateway::~Gateway() {
+    stop();
+}
+
+Status Gateway::start() {
+    if (Status s = impl_->listen(); !s.ok()) return s;
+    impl_->accept();
+    impl_->schedule_housekeeping();
+    impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
+    return {};
+}
+
+std::uint16_t Gateway::port() const {
+    return impl_->real_port;
+}
+
+void Gateway::wake() {
+    if (impl_->awake.exchange(true)) return;
+    asio::post(impl_->io, [impl = impl_.get()] {
+        impl->awake = false;  // before looking: a frame that comes meanwhile wakes again
+        impl->advance_all();
+    });
+}
+
+// Sockets are closed on their own thread; the operations they had in flight end with an error and
+// let go of the sessions, so the io_context runs out of work and its thread ends.
+void Gateway::stop() {
+    if (!impl_->thread.joinable()) return;
+    impl_->asking.stop();
+    impl_->changing.stop();
+    asio::post(impl_->io, [impl = impl_.get()] { impl->abort_all(); });
+    impl_->thread.join();
+}
+
+}  // namespace jostle::server

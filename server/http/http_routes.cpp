@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/http_routes.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "jostle/v1/query.pb.h"
+#include "jostle/v1/world.pb.h"
+#include "server/auth/allowed_hosts.h"
+#include "server/http/http_status.h"
+#include "server/session/peer.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::string_view worlds_path = "/api/worlds";
+constexpr std::string_view query_path = "/api/query/";
+
+HttpResponse json(int status, std::string body) {
+    HttpResponse response;
+    response.status = status;
+    response.content_type = "application/json";
+    response.headers.emplace_back("Cache-Control", "no-store");
+    response.body = std::move(body);
+    return response;
+}
+
+HttpResponse json(int status, const google::protobuf::Message& message) {
+    google::protobuf::util::JsonPrintOptions options;
+    options.always_print_primitive_fields = true;  // a reader in a browser sees zeros, not holes
+    std::string body;
+    const auto written = google::protobuf::util::MessageToJsonString(message, &body, options);
+    if (!written.ok()) {
+        return to_http(Error{ErrorCode::internal, "The answer could not be written as JSON."});
+    }
+    return json(status, std::move(body));
+}
+
+HttpResponse method_not_allowed(std::string allowed) {
+    HttpResponse response = plain_text(405, "This path takes " + allowed + ".\n");
+    response.headers.emplace_back("Allow", std::move(allowed));
+    return response;
+}
+
+// "http://host:port" to "host:port".
+std::string_view host_of_origin(std::string_view origin) {
+    const std::size_t at = origin.find("://");
+    return at == std::string_view::npos ? std::string_view{} : origin.substr(at + 3);
+}
+
+// The body of a request that changes or asks something; an answer when it is none.
+std::optional<HttpResponse> read_json(google::protobuf::Message& message,
+                                      const HttpRequest& request) {
+    // Forms can send text from any page without asking the server first; JSON they cannot.
+    if (!request.content_type.starts_with("application/json")) {
+        return plain_text(415, "Send the body as JSON, with Content-Type: application/json.\n");
+    }
+    const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
+    if (read.ok()) return std::nullopt;
+    return to_http(Error{ErrorCode::invalid_argument,
+                         "The body is not a " + message.GetDescriptor()->full_name() +
+                             " as JSON: " + std::string(read.message())});
+}
+
+// Reads a question, has it let in, asks it, writes the answer.
+template <class Request, class Response>
+HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
+                 const std::function<Status(const std::string&)>& let_to_world,
+                 Status (QueryControl::*method)(const Request&, Response&, const StillWanted&)
+                     const) {
+    Request message;
+    if (const auto refused = read_json(message, request)) return *refused;
+    if (Status s = let_to_world(message.world()); !s.ok()) return to_http(s.error());
+    Response response;
+    const Status status = (queries.*method)(message, response, QueryControl::always);
+    return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+}  // namespace
+
+HttpResponse to_http(const Error& error) {
+    const HttpCode code = http_code_of(error.code);
+    const nlohmann::json body = {{"code", code.name}, {"message", error.message}};
+    HttpResponse response = json(
+        code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    // In whole seconds, rounded up.
+    const int seconds = error.retry_after_ms > 0 ? (error.retry_after_ms + 999) / 1000 : 5;
+    if (code.status == 503 || code.status == 429)
+        response.headers.emplace_back("Retry-After", std::to_string(seconds));
+    if (code.status == 401) response.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return response;
+}
+
+HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings)
+    : worlds_(worlds),
+      queries_(queries),
+      settings_(std::move(settings)),
+      files_(settings_.web_root) {}
+
+HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    if (path.starts_with(query_path)) return HttpWork::asks;
+    const bool reads = request.method == "GET" || request.method == "HEAD";
+    return reads || !path.starts_with("/api/") ? HttpWork::at_once : HttpWork::changes;
+}
+
+bool HttpRoutes::takes_players(const HttpRequest& request) const {
+    return path_of(request.target) == "/play";
+}
+
+bool HttpRoutes::takes_large_body(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
+}
+
+bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
+    if (request.origin.empty()) return true;
+    if (!request.host.empty() && host_of_origin(request.origin) == request.host) return true;
+    return std::ranges::find(settings_.allowed_origins, request.origin) !=
+           settings_.allowed_origins.end();
+}
+
+std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) const {
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return "This server does not go by that name; the setting allowed_hosts holds its names.";
+    if (!origin_is_allowed(request)) return "A page from another origin may not use this server.";
+    return std::nullopt;
+}
+
+HttpResponse HttpRoutes::answer_health(std::string_view path) const {
+    if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
+    if (path == "/healthz") return plain_text(200, "ok\n");
+    const auto why_not = settings_.why_not_ready();
+    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
+}
+
+HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    // Probes come by whatever name they like.
+    if (path == "/healthz" || path == "/readyz") return answer_health(path);
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return plain_text(403, *refuse_page(request) + "\n");
+    if (path == "/api" || path.starts_with("/api/")) return answer_api(request, path);
+    if (path == "/play") {
+        HttpResponse response = plain_text(426, "This path takes WebSocket clients.\n");
+        response.headers.emplace_back("Upgrade", "websocket");
+        return response;
+    }
+    return files_.serve(request);
+}
+
+Result<HttpRoutes::Asker> HttpRoutes::let_in(const HttpRequest& request,
+                                             std::string_view path) const {
+    const AccessRow* row = find_route(request.method, path);
+    if (row == nullptr)
+        return Error{ErrorCode::not_found,
+                     "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
+                     "are what there is."};
+    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    if (!bearer.ok()) return bearer.error();
+    Result<Identity> who = worlds_.gate().identify(
+        {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
+    if (!who.ok()) return who.error();
+    Asker asker{*std::move(who), row, request.address};
+    if (row->scope != Scope::server) return asker;
+    if (Status s = worlds_.gate().admit(asker.who, {row->call, {}, asker.address}); !s.ok())
+        return s.error();
+    return asker;
+}
+
+// What a request is about is known only when it was read.
+Status HttpRoutes::let_to_world(const Asker& asker, const std::string& world) const {
+    const std::shared_ptr<WorldHost> host = worlds_.find(world);
+    const AskedWorld asked = host ? asked_world(*host) : AskedWorld{};
+    return worlds_.gate().admit(asker.who, {asker.row->call, asked, asker.address});
+}
+
+HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view path) const {
+    const bool changes = request.method != "GET" && request.method != "HEAD";
+    if (changes && !origin_is_allowed(request))
+        return plain_text(403, "A page from another origin may not use this server.\n");
+    const bool is_query = path.starts_with(query_path);
+    const bool is_list = path == worlds_path;
+    std::string world;
+    if (path.starts_with("/api/worlds/")) {
+        const std::optional<std::string> relative = relative_path_of(path);
+        if (!relative) return to_http(Error{ErrorCode::invalid_argument, "The path is malformed."});
+        world = relative->substr(worlds_path.size());  // without the first '/'
+    }
+    const bool is_world = !world.empty() && world.find('/') == std::string::npos;
+    if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
+    if (is_world && changes && request.method != "DELETE") return method_not_allowed("GET, DELETE");
+    if (is_query && request.method != "POST") return method_not_allowed("POST");
+    const Result<Asker> asker = let_in(request, path);
+    if (!asker.ok()) return to_http(asker.error());
+    if (is_list) return changes ? create_world(request, *asker) : list_worlds();
+    if (is_query) return query(request, path.substr(query_path.size()), *asker);
+    if (Status s = let_to_world(*asker, world); !s.ok()) return to_http(s.error());
+    return changes ? delete_world(world, *asker) : get_world(world);
+}
+
+HttpResponse HttpRoutes::list_worlds() const {
+    v1::ListWorldsResponse response;
+    const Status status = worlds_.list({}, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+HttpResponse HttpRoutes::get_world(const std::string& world) const {
+    v1::GetWorldRequest request;
+    request.set_world(world);
+    v1::GetWorldResponse response;
+    const Status status = worlds_.get(request, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+HttpResponse HttpRoutes::create_world(const HttpRequest& request, const Asker& asker) const {
+    v1::CreateWorldRequest message;
+    if (const auto refused = read_json(message, request)) return *refused;
+    v1::CreateWorldResponse response;
+    const Status status = worlds_.create(message, response, asker.who, asker.address);
+    const v1::WorldInfo& made = response.world();
+    worlds_.gate().record(asker.who,
+                          {asker.row->call, {made.id(), made.name(), made.owner()}, asker.address},
+                          status);
+    return status.ok() ? json(201, response) : to_http(status.error());
+}
+
+HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
+                               const Asker& asker) const {
+    const auto let = [&](const std::string& world) { return let_to_world(asker, world); };
+    if (method == "CastRays") return ask(request, queries_, let, &QueryControl::cast_rays);
+    if (method == "CastShapes") return ask(request, queries_, let, &QueryControl::cast_shapes);
+    if (method == "Overlap") return ask(request, queries_, let, &QueryControl::overlap);
+    if (method == "ClosestPoints")
+        return ask(request, queries_, let, &QueryControl::closest_points);
+    if (method == "Debug") return ask(request, queries_, let, &QueryControl::debug);
+    return to_http(Error{ErrorCode::not_found,
+                         "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
+                         "Debug are what there is."});
+}
+
+HttpResponse HttpRoutes::delete_world(const std::string& world, const Asker& asker) const {
+    v1::DeleteWorldRequest request;
+    request.set_world(world);
+    v1::DeleteWorldResponse response;
+    const Status status = worlds_.remove(request, response);
+    worlds_.gate().record(asker.who, {asker.row->call, {world, {}, {}}, asker.address}, status);
+    return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// One HTTP connection: reads a request at a time, has its handler answer it, writes the answer;
+// hands the socket over when the request asks for a WebSocket at /play. The head is looked at
+// before the body is let in: bodies have room as a whole. Lives on the gateway's thread; kept alive
+// by its operation in flight.
+#pragma once
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "server/http/gateway_settings.h"
+#include "server/http/http_handler.h"
+#include "server/http/peer_bytes.h"
+#include "server/http/socket_stream.h"
+#include "server/util/clock.h"
+#include "server/util/work_pool.h"
+
+namespace jostle::server {
+
+class HttpSession : public std::enable_shared_from_this<HttpSession> {
+public:
+    using Body = boost::beast::http::string_body;
+    using Upgrade = std::function<void(SocketStream, BeastRequest)>;
+
+    struct Services {
+        const HttpHandler& routes;
+        const GatewaySettings& settings;
+        WorkPool& asking;    // for requests that take long: those that ask worlds ...
+        WorkPool& changing;  // ... and those that change them
+        double& body_bytes;  // of all sessions
+        Upgrade upgrade;     // takes the socket of a WebSocket client
+    };
+
+    HttpSession(SocketStream stream, const Services& services);
+    ~HttpSession();
+    void start();
+    void abort();
+    // Since when it has waited for a request; nothing while it receives or answers one.
+    std::optional<Clock::time_point> idle_since() const { return idle_since_; }
+    const std::string& address() const { return address_; }
+
+private:
+    using Response = boost::beast::http::response<Body>;
+
+    void read(std::chrono::seconds patience);
+    void on_head(boost::beast::error_code error);
+    void read_body();
+    void on_body(boost::beast::error_code error);
+    bool failed(boost::beast::error_code error);
+    bool reserve_body(std::size_t bytes);
+    void give_back_body();
+    void answer_request();
+    HttpRequest request_of_peer() const;
+    void refuse(int status, std::string text);
+    void answer_on(WorkPool& pool, HttpRequest request);
+    void write(const HttpResponse& answer);
+    void on_wrote(boost::beast::error_code error);
+
+    SocketStream stream_;
+    const Services& services_;
+    boost::beast::flat_buffer buffer_;
+    std::optional<BeastRequestParser> parser_;
+    Response response_;
+    bool head_only_ = false, closing_ = false;
+    double reserved_ = 0;  // bytes of this request's body
+    std::optional<Clock::time_point> idle_since_;
+    std::string address_, certificate_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// How a peer's bytes become requests and messages: Beast's readers within the bounds of
+// GatewaySettings. The sessions read from sockets with it, fuzzing reads from memory.
+#pragma once
+
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <cstddef>
+#include <cstdint>
+
+#include "server/http/gateway_settings.h"
+#include "server/http/http_message.h"
+
+namespace jostle::server {
+
+using BeastRequest = boost::beast::http::request<boost::beast::http::string_body>;
+using BeastRequestParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
+
+inline void set_bounds(BeastRequestParser& parser, const GatewaySettings& settings) {
+    parser.header_limit(static_cast<std::uint32_t>(settings.header_bytes_max));
+    parser.body_limit(settings.body_bytes_max);
+}
+
+template <class Stream>
+void set_bounds(boost::beast::websocket::stream<Stream>& socket, std::size_t message_bytes_max) {
+    socket.read_message_max(message_bytes_max);
+    socket.binary(true);
+}
+
+inline HttpRequest plain_request(const BeastRequest& request) {
+    using boost::beast::http::field;
+    const auto header = [&](field name) { return std::string(request[name]); };
+    return {.method = std::string(request.method_string()),
+            .target = std::string(request.target()),
+            .host = header(field::host),
+            .origin = header(field::origin),
+            .content_type = header(field::content_type),
+            .if_none_match = header(field::if_none_match),
+            .authorization = header(field::authorization),
+            .body = request.body()};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/websocket_session.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "server/http/peer_bytes.h"
+#include "server/util/socket_options.h"
+#include "server/util/text.h"
+
+namespace jostle::server {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using boost::asio::const_buffer;
+
+namespace {
+
+constexpr auto handshake_timeout = std::chrono::seconds(5);  // also for the closing handshake
+constexpr auto last_write_patience = std::chrono::seconds(1);
+
+websocket::close_code close_code_of(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::unavailable:
+            return websocket::close_code::service_restart;
+        case ErrorCode::resource_exhausted:
+            return websocket::close_code::try_again_later;
+        case ErrorCode::internal:
+            return websocket::close_code::internal_error;
+        case ErrorCode::aborted:
+            return websocket::close_code::going_away;
+        default:
+            return websocket::close_code::policy_error;
+    }
+}
+
+// A close frame has room for 123 bytes of reason.
+websocket::close_reason reason_of(const Status& end) {
+    if (end.ok()) return websocket::close_code::normal;
+    const std::string_view reason = clip_utf8(end.error().message, 120);
+    return {close_code_of(end.error().code), boost::string_view(reason.data(), reason.size())};
+}
+
+std::string peer_name(beast::tcp_stream& stream) {
+    beast::error_code error;
+    const auto endpoint = stream.socket().remote_endpoint(error);
+    return error ? "gone"
+                 : fmt::format("ws:{}:{}", endpoint.address().to_string(), endpoint.port());
+}
+
+}  // namespace
+
+WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
+                                   std::size_t message_bytes_max)
+    : context_(context) {
+    socket_.emplace(std::move(stream));
+    boost::beast::tcp_stream& tcp = socket_->next_layer().tcp();
+    peer_ = peer_name(tcp);
+    beast::error_code error;
+    const auto endpoint = tcp.socket().remote_endpoint(error);
+    if (!error) address_ = endpoint.address().to_string();
+    tcp.expires_never();  // from here on the WebSocket layer and the link keep time
+    drop_when_silent(tcp.socket().native_handle(),
+                     from_seconds(context_.config.stream.silence_seconds));
+    websocket::stream_base::timeout timeout{};
+    timeout.handshake_timeout = handshake_timeout;
+    timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
+    timeout.keep_alive_pings = false;
+    socket_->set_option(timeout);
+    set_bounds(*socket_, message_bytes_max);
+    socket_->auto_fragment(
+        false);  // a snapshot is one frame, and its pieces are sent from where they lie
+}
+
+void WebSocketSession::start(const Request& upgrade) {
+    socket_->async_accept(upgrade, [self = shared_from_this()](beast::error_code error) {
+        self->on_accepted(error);
+    });
+}
+
+void WebSocketSession::on_accepted(beast::error_code error) {
+    if (error || !socket_) return;  // the socket closes with the last reference to this session
+    link_.emplace(
+        context_,
+        Peer{.name = peer_,
+             .address = address_,
+             .call = "GET /play",
+             .who = context_.gate.identify(
+                 {.certificate = socket_->next_layer().certificate(), .address = address_})},
+        Clock::now());
+    read();
+}
+
+void WebSocketSession::read() {
+    socket_->async_read(incoming_,
+                        [self = shared_from_this()](beast::error_code error, std::size_t) {
+                            self->on_read(error);
+                        });
+}
+
+void WebSocketSession::on_read(beast::error_code error) {
+    if (!socket_) return;
+    const Clock::time_point now = Clock::now();
+    if (error == websocket::error::message_too_big) {
+        link_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
+    } else if (error) {
+        link_->on_peer_closed(now);
+    } else if (socket_->got_text()) {
+        link_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
+    } else {
+        const const_buffer bytes = incoming_.cdata();
+        link_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
+        incoming_.consume(bytes.size());
+        // Reading goes on after the link ended, because that is how the peer's close frame arrives.
+        read();
+    }
+    advance(now);
+}
+
+void WebSocketSession::on_wrote(beast::error_code error) {
+    if (!socket_) return;
+    const Clock::time_point now = Clock::now();
+    writing_ = false;
+    if (error) link_->on_peer_closed(now);
+    advance(now);
+}
+
+void WebSocketSession::advance(Clock::time_point now) {
+    if (!link_ || !socket_) return;
+    if (closing_since_) {
+        if (now >= *closing_since_ + handshake_timeout) abort();
+        return;
+    }
+    if (writing_) {
+        link_->wait_for_write(now);
+        // A client that no longer reads would keep its last write, and so its socket, for ever.
+        if (link_->end() && now >= link_->end_time() + last_write_patience) abort();
+        return;
+    }
+    if (std::optional<OutMessage> message = link_->take_message(now)) {
+        outgoing_ = std::move(*message);
+        writing_ = true;
+        write();
+        return;
+    }
+    if (const std::optional<Status>& end = link_->end()) close(*end, now);
+}
+
+void WebSocketSession::write() {
+    const auto wrote = [self = shared_from_this()](beast::error_code error, std::size_t) {
+        self->on_wrote(error);
+    };
+    std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
+    if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
+    if (outgoing_.cells.empty()) return socket_->async_write(pieces, wrote);
+    std::vector<const_buffer> all(pieces.begin(), pieces.end());
+    for (const SharedBytes& cell : outgoing_.cells) all.push_back(boost::asio::buffer(*cell));
+    socket_->async_write(all, wrote);
+}
+
+void WebSocketSession::close(const Status& end, Clock::time_point now) {
+    closing_since_ = now;
+    socket_->async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
+}
+
+void WebSocketSession::abort() {
+    socket_.reset();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/admission.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "jostle/physics/hull.h"
+
+namespace jostle::server {
+
+using physics::Vec3;
+
+namespace {
+
+constexpr double coordinate_max = 1e4;             // m
+constexpr double size_min = 0.05, size_max = 2;    // m
+constexpr double mass_min = 1e-3, mass_max = 1e6;  // kg: about what sizes and densities allow
+constexpr double spawn_speed_max = 50;             // m/s and rad/s
+constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
+constexpr double aim_length_max = 2000;            // m
+constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
+
+// Written so that NaN fails.
+bool within(double x, double low, double high) {
+    return low <= x && x <= high;
+}
+bool within(Vec3 v, double limit) {
+    return within(v.x, -limit, limit) && within(v.y, -limit, limit) && within(v.z, -limit, limit);
+}
+
+Status check_point(const char* what, Vec3 p) {
+    if (within(p, coordinate_max)) return {};
+    return invalid_argument(fmt::format("{} ({:g}, {:g}, {:g}) is not within {:g} m of the origin",
+                                        what, p.x, p.y, p.z, coordinate_max));
+}
+
+Status check_length(const char* what, Vec3 v, double limit) {
+    const double size = length(v);
+    if (within(size, 0, limit)) return {};
+    return invalid_argument(
+        fmt::format("{} is {:g} long; at most {:g} is allowed", what, size, limit));
+}
+
+Status check_number(const char* what, double x, double low, double high) {
+    if (within(x, low, high)) return {};
+    return invalid_argument(
+        fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));
+}
+
+Status check_size(const char* what, double size) {
+    return check_number(what, size, size_min, size_max);
+}
+
+Status check_aim(const Aim& aim) {
+    if (Status s = check_point("aim.origin", aim.origin); !s.ok()) return s;
+    if (Status s = check_length("aim.motion", aim.motion, aim_length_max); !s.ok()) return s;
+    if (aim.motion == Vec3{}) return invalid_argument("aim.motion is zero; it must have a length");
+    return aim.seen ? check_number("aim.seen.fraction", aim.seen->fraction, 0, 1) : Status();
+}
+
+struct Check {
+    Status operator()(const SpawnCommand& c) const {
+        if (Status s = check_shape(c.shape.geometry); !s.ok()) return s;
+        if (Status s = check_point("position", c.pose.position); !s.ok()) return s;
+        if (Status s = check_material(c.shape); !s.ok()) return s;
+        if (Status s = check_length("linear_velocity", c.linear_velocity, spawn_speed_max); !s.ok())
+            return s;
+        return check_length("angular_velocity", c.angular_velocity, spawn_speed_max);
+    }
+    Status operator()(const ImpulseCommand& c) const {
+        if (Status s = check_length("impulse", c.impulse, impulse_max); !s.ok()) return s;
+        if (c.aim) return check_aim(*c.aim);
+        return c.point ? check_point("point", *c.point) : Status();
+    }
+    Status operator()(const GrabCommand& c) const {
+        return c.aim ? check_aim(*c.aim) : check_point("point", c.point);
+    }
+    Status operator()(const DragCommand& c) const { return check_point("target", c.target); }
+    Status operator()(const ReleaseCommand&) const { return {}; }
+    Status operator()(const DeleteCommand&) const { return {}; }
+    Status operator()(const ExplodeCommand& c) const {
+        if (Status s = c.aim ? check_aim(*c.aim) : check_point("center", c.center); !s.ok())
+            return s;
+        if (Status s = check_number("radius", c.radius, 0.1, explosion_radius_max); !s.ok())
+            return s;
+        return check_number("speed", c.speed, 0, explosion_speed_max);
+    }
+    Status operator()(const PossessCommand&) const { return {}; }
+    Status operator()(const ControlCommand& c) const {
+        for (const double axis : c.controls.axes)
+            if (Status s = check_number("axes", axis, -1, 1); !s.ok()) return s;
+        return {};
+    }
+    Status operator()(const LeaveCommand&) const { return {}; }
+    Status operator()(const LoseCommand&) const { return {}; }
+
+private:
+    static Status check_shape(const physics::Geometry& geometry) {
+        if (const auto* sphere = std::get_if<physics::Sphere>(&geometry))
+            return check_size("sphere.radius", sphere->radius);
+        if (const auto* capsule = std::get_if<physics::Capsule>(&geometry)) {
+            if (Status s = check_size("capsule.radius", capsule->radius); !s.ok()) return s;
+            return check_size("capsule.half_length", capsule->half_length);
+        }
+        if (const auto* box = std::get_if<physics::Box>(&geometry)) {
+            const Vec3 h = box->half_extents;
+            if (Status s = check_size("box.half_extents.x", h.x); !s.ok()) return s;
+            if (Status s = check_size("box.half_extents.y", h.y); !s.ok()) return s;
+            return check_size("box.half_extents.z", h.z);
+        }
+        if (const auto* cylinder = std::get_if<physics::Cylinder>(&geometry)) {
+            if (Status s = check_size("cylinder.radius", cylinder->radius); !s.ok()) return s;
+            return check_size("cylinder.half_length", cylinder->half_length);
+        }
+        if (const auto* cone = std::get_if<physics::Cone>(&geometry)) {
+            if (Status s = check_size("cone.radius", cone->radius); !s.ok()) return s;
+            return check_size("cone.half_length", cone->half_length);
+        }
+        if (const auto* hull = std::get_if<physics::Hull>(&geometry))
+            return check_hull(*hull->data);
+        return invalid_argument(fmt::format("a {} cannot be spawned; {}",
+                                            kind_name(physics::kind_of(geometry)),
+                                            spawned_shapes_allowed));
+    }
+    // Its smallest size is the ball that fits inside: no slivers. Its largest is from the body's
+    // origin, which it may not be far away from.
+    static Status check_hull(const physics::ConvexHull& hull) {
+        if (hull.vertices.size() > static_cast<std::size_t>(spawned_hull_points_max))
+            return invalid_argument(fmt::format("the hull has {} points; {}", hull.vertices.size(),
+                                                spawned_shapes_allowed));
+        for (const Vec3& p : hull.vertices)
+            if (!within(p, size_max))
+                return invalid_argument(
+                    fmt::format("hull.points: ({:g}, {:g}, {:g}) is not within {:g} m of the "
+                                "origin along each axis",
+                                p.x, p.y, p.z, size_max));
+        return check_size("hull: the radius of the ball that fits inside", hull.inner_radius);
+    }
+    // What else a shape says about itself.
+    static Status check_material(const physics::ShapeDef& shape) {
+        const physics::Material& m = shape.material;
+        if (Status s = check_number("density", shape.density, 1, 20000); !s.ok()) return s;
+        if (shape.mass != 0)
+            if (Status s = check_number("mass", shape.mass, mass_min, mass_max); !s.ok()) return s;
+        if (Status s = check_number("friction", m.friction, 0, 10); !s.ok()) return s;
+        if (Status s = check_number("restitution", m.restitution, 0, 1); !s.ok()) return s;
+        if (Status s = check_number("rolling_friction", m.rolling_friction, 0, size_max); !s.ok())
+            return s;
+        if (Status s = check_number("torsional_friction", m.torsional_friction, 0, size_max);
+            !s.ok())
+            return s;
+        if (Status s = check_length("surface_velocity", m.surface_velocity, spawn_speed_max);
+            !s.ok())
+            return s;
+        return check_length("shape.position", shape.pose.position, size_max);
+    }
+};
+
+}  // namespace
+
+Status check_numbers(const Action& action) {
+    return std::visit(Check{}, action);
+}
+
+Admission::Admission(const ClientLimits& limits, bool spectator, Clock::time_point now)
+    : limits_(limits),
+      spectator_(spectator),
+      messages_(limits.messages_per_second, now),
+      bytes_(limits.bytes_per_second, now),
+      inputs_(limits.inputs_per_second, now) {}
+
+bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
+    // Both are asked, so that a refused message counts against neither alone.
+    const bool count = messages_.take(1, now);
+    return bytes_.take(static_cast<double>(bytes), now) && count;
+}
+
+Status Admission::admit_input(const Action& action, Clock::time_point now) {
+    if (spectator_) return Error{ErrorCode::permission_denied, "you are a spectator"};
+    if (!inputs_.take(1, now))
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("more than {:g} inputs a second", limits_.inputs_per_second)};
+    return check_numbers(action);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/client_records.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// Over which the rate is taken: of one that was sent nothing for longer it falls to what it is.
+constexpr double window_s = 1;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+}  // namespace
+
+void ClientRecord::count_sent(std::size_t bytes, Clock::time_point now) {
+    const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
+    const double seconds = seconds_between(began, now);
+    if (seconds >= window_s) {
+        const auto sent = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
+        last_rate_.store(sent / seconds, std::memory_order_relaxed);
+        window_bytes_.store(0, std::memory_order_relaxed);
+        window_began_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
+    }
+    window_bytes_.fetch_add(bytes, std::memory_order_relaxed);
+}
+
+void ClientRecord::set_flow(std::uint32_t skipped, double round_trip_s) {
+    skipped_.store(skipped, std::memory_order_relaxed);
+    round_trip_s_.store(round_trip_s, std::memory_order_relaxed);
+}
+
+std::optional<std::string> ClientRecord::kicked() const {
+    if (!is_kicked_.load(std::memory_order_acquire)) return std::nullopt;
+    const std::lock_guard lock(kick_mutex_);
+    return kick_reason_;
+}
+
+void ClientRecord::kick(std::string reason) {
+    const std::lock_guard lock(kick_mutex_);
+    kick_reason_ = std::move(reason);
+    is_kicked_.store(true, std::memory_order_release);
+}
+
+// The parts may be of two moments when the link writes meanwhile: good enough to look at.
+ClientSight ClientRecord::look(Clock::time_point now) const {
+    const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
+    const double seconds = seconds_between(began, now);
+    const auto bytes = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
+    double rate = last_rate_.load(std::memory_order_relaxed);
+    if (seconds >= window_s || rate == 0) rate = seconds > 0 ? bytes / seconds : 0;
+    return {.who = who_,
+            .seconds = seconds_between(who_.since, now),
+            .kbit_per_second = rate * 8 / 1000,
+            .skipped = skipped_.load(std::memory_order_relaxed),
+            .round_trip_ms = 1000 * round_trip_s_.load(std::memory_order_relaxed)};
+}
+
+std::shared_ptr<ClientRecord> ClientRecords::add(ClientIdentity who) {
+    const ClientId client = who.id;
+    auto record = std::make_shared<ClientRecord>(std::move(who));
+    const std::lock_guard lock(mutex_);
+    records_[client] = record;
+    return record;
+}
+
+void ClientRecords::remove(ClientId client) {
+    const std::lock_guard lock(mutex_);
+    records_.erase(client);
+}
+
+std::vector<ClientSight> ClientRecords::look(Clock::time_point now) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<ClientSight> sights;
+    sights.reserve(records_.size());
+    for (const auto& [client, record] : records_) sights.push_back(record->look(now));
+    return sights;
+}
+
+Status ClientRecords::kick(ClientId client, std::string reason) {
+    const std::lock_guard lock(mutex_);
+    const auto at = records_.find(client);
+    if (at == records_.end())
+        return Error{ErrorCode::not_found,
+                     "there is no client " + std::to_string(client) + "; it may have left"};
+    at->second->kick(std::move(reason));
+    return {};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/session_directory.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+void take_one(std::map<std::string, int>& counts, const std::string& key) {
+    const auto at = counts.find(key);
+    if (--at->second == 0) counts.erase(at);
+}
+
+}  // namespace
+
+void SessionDirectory::use_ids(ClientId first, std::function<void(ClientId next)> on_id) {
+    const std::lock_guard lock(mutex_);
+    next_ = first;
+    on_id_ = std::move(on_id);
+}
+
+void SessionDirectory::enter_again(ClientId client, const std::string& world_id,
+                                   const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    if (!sessions_.try_emplace(client, Session{world_id, network}).second) return;
+    of_world_[world_id]++;
+    of_network_[network]++;
+}
+
+Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    if (static_cast<int>(sessions_.size()) >= clients_max_)
+        return Error{ErrorCode::resource_exhausted,
+                     "the server is full: " + std::to_string(clients_max_) + " clients"};
+    const auto same = of_network_.find(network);
+    if (same != of_network_.end() && same->second >= per_network_max_)
+        return Error{ErrorCode::resource_exhausted, "your address has " +
+                                                        std::to_string(per_network_max_) +
+                                                        " clients here, the most allowed"};
+    const ClientId client = next_++;
+    sessions_[client] = {world_id, network};
+    of_world_[world_id]++;
+    of_network_[network]++;
+    if (on_id_) on_id_(next_);
+    return client;
+}
+
+void SessionDirectory::leave(ClientId client) {
+    const std::lock_guard lock(mutex_);
+    const auto at = sessions_.find(client);
+    if (at == sessions_.end()) return;
+    take_one(of_world_, at->second.world);
+    take_one(of_network_, at->second.network);
+    sessions_.erase(at);
+}
+
+bool SessionDirectory::has(ClientId client) const {
+    const std::lock_guard lock(mutex_);
+    return sessions_.contains(client);
+}
+
+int SessionDirectory::clients() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(sessions_.size());
+}
+
+int SessionDirectory::clients_in(const std::string& world_id) const {
+    const std::lock_guard lock(mutex_);
+    const auto at = of_world_.find(world_id);
+    return at == of_world_.end() ? 0 : at->second;
+}
+
+}  // namespace jostle::server

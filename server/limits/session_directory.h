@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Who is connected: client ids, and how many clients each world has. Any thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "jostle/base/result.h"
+#include "server/world/command.h"
+
+namespace jostle::server {
+
+class SessionDirectory {
+public:
+    explicit SessionDirectory(int clients_max, int per_network_max = 1 << 30)
+        : clients_max_(clients_max), per_network_max_(per_network_max) {}
+
+    // Before anybody enters: ids from `first` on were never given. `on_id` is called under a lock
+    // with the one that comes next, after each that is given.
+    void use_ids(ClientId first, std::function<void(ClientId next)> on_id);
+    // A client of before, with its id.
+    void enter_again(ClientId client, const std::string& world_id, const std::string& network);
+    // A new client id; an error when the server is full, or full of clients of that network
+    // (base/address.h).
+    Result<ClientId> enter(const std::string& world_id, const std::string& network);
+    void leave(ClientId client);
+
+    bool has(ClientId client) const;
+    int clients() const;
+    int clients_in(const std::string& world_id) const;
+
+private:
+    struct Session {
+        std::string world, network;
+    };
+
+    const int clients_max_, per_network_max_;
+    mutable std::mutex mutex_;
+    std::map<ClientId, Session> sessions_;
+    std::map<std::string, int> of_world_, of_network_;
+    ClientId next_ = 1;
+    std::function<void(ClientId next)> on_id_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/client_message.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/play.pb.h"
+#include "server/limits/admission.h"
+#include "server/messages/vector_message.h"
+
+namespace jostle::server {
+
+using google::protobuf::internal::WireFormatLite;
+using google::protobuf::io::CodedOutputStream;
+namespace {
+
+// All zero means no rotation, and readers normalise; what has no direction is refused.
+Result<physics::Quat> to_rotation(const v1::Quat& q) {
+    const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
+    const double size = norm_squared(quat);
+    if (size == 0) return physics::Quat{};
+    if (!(size > 1e-12 && size < 1e12))
+        return invalid_argument("rotation is not a quaternion near unit length");
+    return normalized(quat);
+}
+
+// What may never be spawned is refused before it costs the work of building it.
+Status check_kind(const v1::Shape& shape) {
+    switch (shape.kind_case()) {
+        case v1::Shape::kPlane:
+        case v1::Shape::kMesh:
+        case v1::Shape::kSolid:
+        case v1::Shape::kHeightField:
+        case v1::Shape::kCompound: {
+            const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());
+            return invalid_argument(
+                fmt::format("spawn.shape is a {}; {}", kind->name(), spawned_shapes_allowed));
+        }
+        case v1::Shape::kHull:
+            if (shape.hull().points_size() > spawned_hull_points_max)
+                return invalid_argument(fmt::format("spawn.shape.hull.points has {} entries; {}",
+                                                    shape.hull().points_size(),
+                                                    spawned_shapes_allowed));
+            return {};
+        default:
+            return {};
+    }
+}
+
+Result<Action> action_of(const v1::SpawnInput& spawn) {
+    if (const Status kind = check_kind(spawn.shape()); !kind.ok()) return kind.error();
+    Result<physics::ShapeDef> shape = scenes::shape_from_message(spawn.shape(), "spawn.shape");
+    if (!shape.ok()) return shape.error();
+    const Result<physics::Quat> rotation = to_rotation(spawn.rotation());
+    if (!rotation.ok()) return rotation.error();
+    SpawnCommand command;
+    command.shape_bytes = spawn.shape().SerializeAsString();
+    command.shape = *shape;
+    command.pose = {to_vector(spawn.position()), *rotation};
+    command.linear_velocity = to_vector(spawn.linear_velocity());
+    command.angular_velocity = to_vector(spawn.angular_velocity());
+    if (spawn.has_color()) command.color = spawn.color() & 0xffffff;
+    return Action{command};
+}
+
+std::optional<Aim> to_aim(bool there, const v1::Aim& from) {
+    if (!there) return std::nullopt;
+    Aim aim{.origin = to_vector(from.origin()),
+            .motion = to_vector(from.motion()),
+            .ignore = from.ignore()};
+    if (from.has_seen()) aim.seen = {from.seen().tick(), from.seen().fraction()};
+    return aim;
+}
+
+Result<Action> action_of(const v1::ImpulseInput& impulse) {
+    ImpulseCommand command{.entity = impulse.entity(),
+                           .impulse = to_vector(impulse.impulse()),
+                           .point = std::nullopt,
+                           .aim = to_aim(impulse.has_aim(), impulse.aim())};
+    if (impulse.has_point()) command.point = to_vector(impulse.point());
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::ControlInput& control) {
+    ControlCommand command;
+    auto& axes = command.controls.axes;
+    if (control.axes_size() > static_cast<int>(axes.size()))
+        return invalid_argument(fmt::format("control.axes has {} entries; at most {} are allowed",
+                                            control.axes_size(), axes.size()));
+    for (int k = 0; k < control.axes_size(); k++)
+        axes[static_cast<std::size_t>(k)] = control.axes(k) / 1000.0;
+    command.controls.buttons = control.buttons();
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::Input& input) {
+    switch (input.kind_case()) {
+        case v1::Input::kSpawn:
+            return action_of(input.spawn());
+        case v1::Input::kImpulse:
+            return action_of(input.impulse());
+        case v1::Input::kGrab:
+            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point()),
+                                      to_aim(input.grab().has_aim(), input.grab().aim())}};
+        case v1::Input::kDrag:
+            return Action{DragCommand{to_vector(input.drag().target())}};
+        case v1::Input::kRelease:
+            return Action{ReleaseCommand{}};
+        case v1::Input::kDelete:
+            return Action{DeleteCommand{input.delete_().entity()}};
+        case v1::Input::kExplode:
+            return Action{ExplodeCommand{to_vector(input.explode().center()),
+                                         input.explode().radius(), input.explode().speed(),
+                                         to_aim(input.explode().has_aim(), input.explode().aim())}};
+        case v1::Input::kPossess:
+            return Action{PossessCommand{input.possess().entity()}};
+        case v1::Input::kControl:
+            return action_of(input.control());
+        case v1::Input::KIND_NOT_SET:
+            break;
+    }
+    return invalid_argument("the input is empty, or of a kind that this server does not know");
+}
+
+Ack decode(const v1::Ack& ack) {
+    return {ack.frame(), ack.need_keyframe(), std::min(ack.held_ms(), ack_held_ms_max),
+            ack.before()};
+}
+
+Result<Interest> decode(const v1::Interest& interest) {
+    const physics::Vec3 focus = to_vector(interest.focus());
+    const auto within = [](double value) { return std::abs(value) <= 1e9; };
+    if (!within(focus.x) || !within(focus.z))
+        return invalid_argument("interest.focus is not a place within 1e9 m");
+    if (!(interest.radius() == 0 || interest.radius() >= 1))
+        return invalid_argument("interest.radius is not 0, for all of the world, or 1 m or more");
+    Interest decoded{.x_m = focus.x, .z_m = focus.z};
+    if (interest.radius() != 0) decoded.radius_m = interest.radius();
+    return decoded;
+}
+
+Result<ClientMessage> decode(const v1::Hello& hello) {
+    std::optional<Interest> sees;
+    if (hello.has_interest()) {
+        const Result<Interest> interest = decode(hello.interest());
+        if (!interest.ok()) return invalid_argument("hello." + interest.error().message);
+        sees = *interest;
+    }
+    if (hello.max_kbps() != 0 && hello.max_kbps() < hello_kbps_min)
+        return invalid_argument(
+            fmt::format("hello.max_kbps is {}; it is 0, for no bound, or {} or more",
+                        hello.max_kbps(), hello_kbps_min));
+    if (hello.name().size() > client_name_bytes_max) {
+        return invalid_argument(fmt::format("hello.name has {} bytes; at most {} are allowed",
+                                            hello.name().size(), client_name_bytes_max));
+    }
+    if (hello.channels_size() > hello_channels_max) {
+        return invalid_argument(fmt::format("hello.channels names {} kinds; at most {} are allowed",
+                                            hello.channels_size(), hello_channels_max));
+    }
+    if (hello.resume().token().size() > resume_token_bytes_max) {
+        return invalid_argument(
+            fmt::format("hello.resume.token has {} bytes; at most {} are allowed",
+                        hello.resume().token().size(), resume_token_bytes_max));
+    }
+    std::optional<Hello::Resume> resume;
+    if (hello.has_resume()) resume = {hello.resume().token(), hello.resume().frame()};
+    return ClientMessage{Hello{.protocol = hello.protocol(),
+                               .world = hello.world(),
+                               .ticket = hello.ticket(),
+                               .name = hello.name(),
+                               .snapshot_hz = hello.snapshot_hz(),
+                               .spectator = hello.spectator(),
+                               .events = hello.events(),
+                               .token = hello.token(),
+                               .channels = {hello.channels().begin(), hello.channels().end()},
+                               .codec = hello.codec(),
+                               .max_kbps = hello.max_kbps(),
+                               .interest = sees,
+                               .datagrams = hello.datagrams(),
+                               .resumable = hello.resumable(),
+                               .resume = std::move(resume)}};
+}
+
+Result<ClientMessage> decode(const v1::InputBatch& batch) {
+    const std::uint64_t first = batch.first_sequence();
+    if (first == 0 && batch.inputs_size() > 0) {
+        return invalid_argument("input.first_sequence is 0; inputs are numbered from 1");
+    }
+    if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
+        return invalid_argument(
+            "input.first_sequence leaves no numbers for the inputs; join again");
+    }
+    InputBatch decoded;
+    decoded.first_sequence = batch.first_sequence();
+    decoded.client_time_us = batch.client_time_us();
+    if (batch.has_ack()) decoded.ack = decode(batch.ack());
+    decoded.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
+    for (const v1::Input& input : batch.inputs()) {
+        decoded.inputs.push_back(action_of(input));
+        decoded.ticks.push_back(input.tick());
+    }
+    return ClientMessage{std::move(decoded)};
+}
+
+}  // namespace
+
+bool looks_like_inputs(std::string_view bytes) {
+    constexpr auto tag = static_cast<char>(v1::ClientMessage::kInputFieldNumber << 3 | 2);
+    return !bytes.empty() && bytes.front() == tag;
+}
+
+Result<ClientMessage> decode_client_message(std::string_view bytes) {
+    v1::ClientMessage message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+        return invalid_argument(
+            fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
+    }
+    switch (message.message_case()) {
+        case v1::ClientMessage::kHello:
+            return decode(message.hello());
+        case v1::ClientMessage::kInput:
+            return decode(message.input());
+        case v1::ClientMessage::kAck:
+            return ClientMessage{decode(message.ack())};
+        case v1::ClientMessage::kPing:
+            return ClientMessage{Ping{message.ping().client_time_us()}};
+        case v1::ClientMessage::kLeave:
+            return ClientMessage{Leave{}};
+        case v1::ClientMessage::kInterest: {
+            const Result<Interest> interest = decode(message.interest());
+            if (!interest.ok()) return interest.error();
+            return ClientMessage{*interest};
+        }
+        case v1::ClientMessage::MESSAGE_NOT_SET:
+            break;
+    }
+    return invalid_argument(
+        "the ClientMessage is empty, or of a kind that this server does not know");
+}
+
+}  // namespace jostle::server

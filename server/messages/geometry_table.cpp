@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/geometry_table.h"
+
+#include <utility>
+
+#include "jostle/scenes/outline_size.h"
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/play.pb.h"
+#include "server/messages/server_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+// FNV-1a (Fowler, Noll, Vo), 64 bits. Who makes two shapes of one hash gets two ids (below).
+std::uint64_t hash_of(const std::string& bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325ull;
+    for (const char c : bytes) {
+        hash ^= static_cast<unsigned char>(c);
+        hash *= 0x100000001b3ull;
+    }
+    return hash;
+}
+
+std::vector<SharedBytes> parts_of(std::uint64_t id, const std::string& bytes) {
+    const std::size_t parts = (bytes.size() + part_bytes_max - 1) / part_bytes_max;
+    std::vector<SharedBytes> messages;
+    for (std::size_t part = 0; part < parts; part++)
+        messages.push_back(std::make_shared<const std::string>(encode_geometry_part(
+            {.id = id,
+             .part = static_cast<std::uint32_t>(part),
+             .parts = static_cast<std::uint32_t>(parts),
+             .data = std::string_view(bytes).substr(part * part_bytes_max, part_bytes_max)})));
+    return messages;
+}
+
+}  // namespace
+
+std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::Geometry& geometry) {
+    if (scenes::outline_bytes(geometry) <= scenes::inline_outline_bytes_max) return nullptr;
+    const void* address = scenes::shared_data(geometry);
+    if (const auto seen = by_address_.find(address); seen != by_address_.end())
+        return seen->second.geometry;
+    v1::Shape shape;
+    scenes::write_outline(shape, geometry, {});
+    std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());
+    by_address_.emplace(address, Seen{geometry, made});
+    return made;
+}
+
+// Two contents of one hash take ids side by side: a stranger's shape never stands for another's.
+std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(std::string bytes) {
+    std::uint64_t id = hash_of(bytes);
+    for (auto known = by_id_.find(id); known != by_id_.end(); known = by_id_.find(++id))
+        if (known->second.bytes == bytes) return known->second.geometry;
+    auto made = std::make_shared<const LargeGeometry>(LargeGeometry{id, parts_of(id, bytes)});
+    by_id_.emplace(id, Content{std::move(bytes), made});
+    return made;
+}
+
+}  // namespace jostle::server

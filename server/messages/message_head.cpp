@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/message_head.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/wire_format_lite.h>
+
+#include <array>
+#include <cstdint>
+
+namespace jostle::server {
+
+using google::protobuf::internal::WireFormatLite;
+using google::protobuf::io::CodedOutputStream;
+
+std::string encode_head(int field_number, std::string_view own, std::size_t shared_bytes) {
+    const std::uint32_t tag =
+        WireFormatLite::MakeTag(field_number, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
+    std::array<std::uint8_t, 10> bytes{};  // a tag and a length of five bytes at most each
+    std::uint8_t* end = CodedOutputStream::WriteTagToArray(tag, bytes.data());
+    end = CodedOutputStream::WriteVarint32ToArray(
+        static_cast<std::uint32_t>(own.size() + shared_bytes), end);
+    std::string head(reinterpret_cast<const char*>(bytes.data()),
+                     static_cast<std::size_t>(end - bytes.data()));
+    head += own;
+    return head;
+}
+
+}  // namespace jostle::server

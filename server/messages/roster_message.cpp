@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/roster_message.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jostle/scenes/locks_message.h"
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::server {
+
+namespace {
+
+struct Difference {
+    EntityList added;
+    std::vector<EntityId> removed;
+};
+
+Difference difference_of(const EntityList& from, const EntityList& to) {
+    Difference difference;
+    std::size_t i = 0, j = 0;
+    while (i < from.size() || j < to.size()) {
+        if (j == to.size() || (i < from.size() && from[i]->id < to[j]->id)) {
+            difference.removed.push_back(from[i++]->id);
+        } else if (i == from.size() || to[j]->id < from[i]->id) {
+            difference.added.push_back(to[j++]);
+        } else {
+            ++i, ++j;
+        }
+    }
+    return difference;
+}
+
+v1::BodyType to_message(physics::BodyType type) {
+    switch (type) {
+        case physics::BodyType::static_body:
+            return v1::BODY_TYPE_STATIC;
+        case physics::BodyType::kinematic:
+            return v1::BODY_TYPE_KINEMATIC;
+        case physics::BodyType::dynamic:
+            return v1::BODY_TYPE_DYNAMIC;
+    }
+    return v1::BODY_TYPE_UNSPECIFIED;
+}
+
+// Then its mass says all of where its mass is.
+bool has_one_density(const EntityDescription& entity) {
+    return entity.shapes.size() == 1 ||
+           std::ranges::all_of(entity.shapes, [&](const physics::ShapeState& shape) {
+               return shape.mass == 0 && shape.density == entity.shapes.front().density;
+           });
+}
+
+// Fills one roster after the other.
+class RosterWriter {
+public:
+    explicit RosterWriter(GeometryTable& table) : table_(table) {}
+
+    void remove(EntityId id) {
+        roster().add_removed(id);
+        count(id_bytes);
+    }
+    void add(const EntityDescription& entity) {
+        v1::Entity& to = *roster().add_added();
+        to.set_id(entity.id);
+        to.set_type(to_message(entity.type));
+        const bool even = has_one_density(entity);
+        for (const physics::ShapeState& shape : entity.shapes)
+            write(*to.add_shapes(), shape, !even);
+        to.set_owner(entity.owner);
+        if (entity.color) to.set_color(*entity.color);
+        to.set_name(entity.name);
+        to.set_mass(entity.mass);
+        to.set_drivable(entity.drivable);
+        to.set_jointed(entity.jointed);
+        to.set_linear_damping(entity.linear_damping);
+        to.set_angular_damping(entity.angular_damping);
+        if (entity.gravity_scale != 1) to.set_gravity_scale(entity.gravity_scale);
+        if (entity.locks != 0) *to.mutable_locks() = scenes::locks_message(entity.locks);
+        count(to.ByteSizeLong() + frame_bytes);
+    }
+    RosterMessages take() {
+        flush();
+        return std::move(out_);
+    }
+
+private:
+    static constexpr std::size_t id_bytes = 5;
+    static constexpr std::size_t frame_bytes = 4;  // tag and length of an entity
+
+    v1::Roster& roster() { return *message_.mutable_roster(); }
+
+    // What a viewer draws, where it is and how big, and what decides its touch.
+    void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
+        const auto large = table_.find_or_add(shape.geometry);
+        scenes::write_outline(to, large ? physics::Geometry{} : shape.geometry, shape.pose);
+        scenes::write_touch(to, physics::def_of(shape));
+        if (with_mass && shape.mass > 0)
+            to.set_mass(shape.mass);
+        else if (with_mass)
+            to.set_density(shape.density);
+        if (!large) return;
+        to.set_geometry(large->id);
+        if (std::ranges::find(out_.geometry, large) == out_.geometry.end())
+            out_.geometry.push_back(large);
+    }
+    void count(std::size_t bytes) {
+        bytes_ += bytes;
+        if (bytes_ >= part_bytes_max) flush();
+    }
+    void flush() {
+        if (bytes_ == 0) return;
+        out_.rosters.push_back(std::make_shared<const std::string>(message_.SerializeAsString()));
+        message_.Clear();
+        bytes_ = 0;
+    }
+
+    GeometryTable& table_;
+    v1::ServerMessage message_;
+    std::size_t bytes_ = 0;
+    RosterMessages out_;
+};
+
+}  // namespace
+
+RosterMessages roster_messages(const EntityList& from, const EntityList& to,
+                               GeometryTable& geometry) {
+    Difference difference = difference_of(from, to);
+    RosterWriter writer(geometry);
+    for (const EntityId id : difference.removed) writer.remove(id);
+    for (const auto& entity : difference.added) writer.add(*entity);
+    RosterMessages messages = writer.take();
+    messages.removed = std::move(difference.removed);
+    return messages;
+}
+
+std::string encode_removed(std::span<const EntityId> entities) {
+    v1::ServerMessage message;
+    message.mutable_roster()->mutable_removed()->Add(entities.begin(), entities.end());
+    return message.SerializeAsString();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/server_message.h"
+
+#include "jostle/snapshot/word_changes.h"
+#include "jostle/v1/play.pb.h"
+#include "server/messages/message_head.h"
+#include "server/messages/vector_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+v1::InputCode input_code_of(const Status& status) {
+    if (status.ok()) return v1::INPUT_CODE_APPLIED;
+    switch (status.error().code) {
+        case ErrorCode::not_found:
+            return v1::INPUT_CODE_NOT_FOUND;
+        case ErrorCode::permission_denied:
+            return v1::INPUT_CODE_NOT_ALLOWED;
+        case ErrorCode::resource_exhausted:
+            return v1::INPUT_CODE_LIMIT;
+        case ErrorCode::unavailable:
+            return v1::INPUT_CODE_UNAVAILABLE;
+        default:
+            return v1::INPUT_CODE_INVALID;
+    }
+}
+
+v1::NoticeCode to_message(NoticeKind kind) {
+    switch (kind) {
+        case NoticeKind::draining:
+            return v1::NOTICE_CODE_DRAINING;
+        case NoticeKind::world_closed:
+            return v1::NOTICE_CODE_WORLD_CLOSED;
+        case NoticeKind::refused:
+            return v1::NOTICE_CODE_REFUSED;
+        case NoticeKind::rate_limit:
+            return v1::NOTICE_CODE_RATE_LIMIT;
+        case NoticeKind::world_restarted:
+            return v1::NOTICE_CODE_WORLD_RESTARTED;
+    }
+    return v1::NOTICE_CODE_UNSPECIFIED;
+}
+
+v1::ChannelForm to_message(physics::ChannelForm form) {
+    switch (form) {
+        case physics::ChannelForm::params:
+            return v1::CHANNEL_FORM_PARAMS;
+        case physics::ChannelForm::points:
+            return v1::CHANNEL_FORM_POINTS;
+        case physics::ChannelForm::field:
+            return v1::CHANNEL_FORM_FIELD;
+        case physics::ChannelForm::seed:
+            return v1::CHANNEL_FORM_SEED;
+    }
+    return v1::CHANNEL_FORM_UNSPECIFIED;
+}
+
+}  // namespace
+
+std::string encode_welcome(const Welcome& from) {
+    v1::ServerMessage message;
+    v1::Welcome& welcome = *message.mutable_welcome();
+    welcome.set_client_id(from.client);
+    welcome.set_world_id(from.world_id);
+    welcome.set_world_name(from.world_name);
+    welcome.set_tick(from.tick);
+    welcome.set_tick_hz(from.tick_hz);
+    welcome.set_snapshot_hz(from.snapshot_hz);
+    welcome.set_ack_ms(from.ack_ms);
+    v1::QuantSpec& quant = *welcome.mutable_quant();
+    quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
+    quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
+    welcome.set_server_time_us(from.server_time_us);
+    welcome.set_epoch_us(from.epoch_us);
+    welcome.set_cells(from.cells);
+    write_vector(*welcome.mutable_gravity(), from.gravity);
+    welcome.set_substeps(static_cast<std::uint32_t>(from.substeps));
+    for (const physics::ChannelKind& kind : from.channels) {
+        v1::ChannelKind& to = *welcome.add_channels();
+        to.set_name(kind.name);
+        to.set_form(to_message(kind.form));
+        to.set_divisor(static_cast<std::uint32_t>(kind.divisor));
+    }
+    welcome.set_resume_token(from.resume_token);
+    welcome.set_resumed(from.resumed);
+    welcome.set_continues(from.continues);
+    welcome.set_last_sequence(from.last_sequence);
+    welcome.set_resume_seconds(from.resume_seconds);
+    welcome.set_codec(static_cast<std::uint32_t>(from.codec));
+    if (from.datagrams) {
+        v1::DatagramTicket& datagrams = *welcome.mutable_datagrams();
+        datagrams.set_port(from.datagrams->port);
+        datagrams.set_id(from.datagrams->ticket.id);
+        datagrams.set_key(from.datagrams->ticket.key.data(), from.datagrams->ticket.key.size());
+    }
+    return message.SerializeAsString();
+}
+
+std::string encode_geometry_part(const GeometryPiece& piece) {
+    v1::ServerMessage message;
+    v1::GeometryPart& part = *message.mutable_geometry();
+    part.set_id(piece.id);
+    part.set_part(piece.part);
+    part.set_parts(piece.parts);
+    part.set_data(piece.data.data(), piece.data.size());
+    return message.SerializeAsString();
+}
+
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
+    v1::ServerMessage message;
+    message.mutable_pong()->set_client_time_us(client_time_us);
+    message.mutable_pong()->set_server_time_us(server_time_us);
+    return message.SerializeAsString();
+}
+
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
+    v1::Snapshot fields;
+    v1::WorldStats& stats = *fields.mutable_stats();
+    stats.set_tick(frame.tick);
+    stats.set_bodies(static_cast<std::uint32_t>(frame.entities.size()));
+    stats.set_awake(static_cast<std::uint32_t>(frame.awake));
+    stats.set_contacts(static_cast<std::uint32_t>(frame.contacts));
+    stats.set_clients(clients);
+    stats.set_step_ms_mean(frame.tick_ms_mean);
+    stats.set_step_ms_max(frame.tick_ms_max);
+    stats.set_paused(frame.paused.value_or(""));
+    stats.set_late_ticks(frame.late_ticks);
+    return fields.SerializeAsString();
+}
+
+std::string encode_notice(NoticeKind kind, const std::string& text) {
+    v1::ServerMessage message;
+    message.mutable_notice()->set_code(to_message(kind));
+    message.mutable_notice()->set_message(text);
+    return message.SerializeAsString();
+}
+
+std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
+    v1::Snapshot snapshot;
+    snapshot.set_frame(encoded.frame);
+    snapshot.set_bases(wire::encode_base_frames(encoded.frame, encoded.bases));
+    snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
+    snapshot.set_crc(encoded.crc);
+    snapshot.set_late_us(encoded.late_us);
+    snapshot.set_still(encoded.still);
+    if (const auto& told = encoded.channels; !told.bytes.empty()) {
+        snapshot.set_channels(told.bytes.data(), told.bytes.size());
+        snapshot.set_channels_crc(told.crc);
+    }
+    return snapshot.SerializeAsString();
+}
+
+std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool whole) {
+    if (whole) before = {};
+    wire::WordChanges changes = wire::changes_between(before, driven.words);
+    v1::Snapshot fields;
+    v1::Driven& to = *fields.mutable_driven();
+    to.set_entity(driven.entity);
+    to.set_module(driven.module);
+    to.set_tick(tick);
+    to.set_words(static_cast<std::uint32_t>(driven.words.size()));
+    to.set_whole(whole);
+    to.set_changed(std::move(changes.changed));
+    to.set_values(std::move(changes.values));
+    return fields.SerializeAsString();
+}
+
+std::string encode_cell_field(const EncodedCell& from) {
+    v1::Snapshot fields;
+    v1::CellPart& cell = *fields.add_cells();
+    cell.set_cell(from.id);
+    cell.set_number(from.number);
+    cell.set_bases(wire::encode_base_frames(from.number, from.bases));
+    cell.set_packed(from.packed.data(), from.packed.size());
+    cell.set_crc(from.crc);
+    return fields.SerializeAsString();
+}
+
+std::string encode_cells_left_field(std::span<const CellId> cells) {
+    v1::Snapshot fields;
+    fields.mutable_cells_left()->Add(cells.begin(), cells.end());
+    return fields.SerializeAsString();
+}
+
+namespace {
+
+void write_results(v1::Private& to, std::span<const InputResult> results) {
+    for (const InputResult& from : results) {
+        v1::InputResult& result = *to.add_results();
+        result.set_sequence(from.sequence);
+        result.set_code(input_code_of(from.status));
+        result.set_tick(from.tick);
+        result.set_entity(from.entity);
+        result.set_moment_clamped(from.moment_clamped);
+        if (!from.status.ok()) result.set_message(from.status.error().message);
+    }
+}
+
+}  // namespace
+
+std::string encode_snapshot_head(const Private& from, std::string_view more,
+                                 std::size_t shared_bytes) {
+    v1::Snapshot fields;
+    if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
+        from.input_received != 0 || !from.results.empty()) {
+        v1::Private& own = *fields.mutable_own();
+        own.set_input_sequence(from.input_sequence);
+        own.set_echo_client_time_us(from.echo_client_time_us);
+        own.set_snapshots_skipped(from.snapshots_skipped);
+        own.set_input_margin_us(from.input_margin_us);
+        own.set_input_received(from.input_received);
+        write_results(own, from.results);
+    }
+    std::string own = fields.SerializeAsString();
+    own += more;
+    return encode_head(v1::ServerMessage::kSnapshotFieldNumber, own, shared_bytes);
+}
+
+}  // namespace jostle::server

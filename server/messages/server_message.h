@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// What the server sends (event_message has the events): each function returns the bytes of one
+// ServerMessage of play.proto, or one of the two pieces of a Snapshot. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "jostle/datagram/packet.h"
+#include "server/replication/cell_feed.h"
+#include "server/replication/snapshot_cache.h"
+#include "server/world/command.h"
+#include "server/world/frame.h"
+
+namespace jostle::server {
+
+struct Welcome {
+    ClientId client = 0;
+    std::string world_id, world_name;
+    std::uint32_t tick = 0;
+    double tick_hz = 0;
+    std::uint32_t snapshot_hz = 0;
+    std::uint32_t ack_ms = 0;
+    wire::QuantSpec quant;
+    std::uint64_t server_time_us = 0, epoch_us = 0;
+    physics::Vec3 gravity;
+    int substeps = 0;
+    std::vector<physics::ChannelKind> channels;
+    wire::Codec codec = wire::Codec::bits;
+    bool cells = false;
+    struct Datagrams {
+        std::uint16_t port = 0;
+        datagram::Ticket ticket;
+    };
+    std::optional<Datagrams> datagrams = {};
+    std::string resume_token = {};  // empty: its place is not kept
+    bool resumed = false, continues = false;
+    std::uint32_t last_sequence = 0;
+    double resume_seconds = 0;
+};
+enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
+
+std::string encode_welcome(const Welcome& welcome);
+// One piece of a large shape.
+struct GeometryPiece {
+    std::uint64_t id = 0;
+    std::uint32_t part = 0, parts = 0;
+    std::string_view data;
+};
+std::string encode_geometry_part(const GeometryPiece& piece);
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
+std::string encode_notice(NoticeKind kind, const std::string& message);
+
+// --- snapshots: a shared piece and a client's own, one after the other, are one ServerMessage ---
+
+// What is zero, or empty, is as it was told last.
+struct Private {
+    std::uint32_t input_sequence = 0;
+    std::uint32_t echo_client_time_us = 0;
+    std::uint32_t snapshots_skipped = 0;
+    std::span<const InputResult> results;
+    std::int32_t input_margin_us = 0;
+    std::uint32_t input_received = 0;
+};
+// Fields of jostle.v1.Snapshot that some get with it.
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
+
+// What the client drives, against the words that it was told last; `whole`: against none.
+std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool whole);
+
+// The fields of jostle.v1.Snapshot that all clients share.
+std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
+// A field of jostle.v1.Snapshot that all clients share who see the cell.
+std::string encode_cell_field(const EncodedCell& cell);
+std::string encode_cells_left_field(std::span<const CellId> cells);
+// What stands before them: the field and length of the snapshot in its ServerMessage, then the
+// client's own field and `more` fields.
+std::string encode_snapshot_head(const Private& own, std::string_view more,
+                                 std::size_t shared_bytes);
+
+}  // namespace jostle::server

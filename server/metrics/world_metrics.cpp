@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "server/metrics/world_metrics.h"
+
+#include <algorithm>
+
+namespace jostle::server {
+
+namespace {
+
+// Seconds. A world of a few bodies takes 30 us, and 16.7 ms is a whole period at 60 Hz: a share of
+// ticks above it means that the world is late.
+const prometheus::Histogram::BucketBoundaries tick_buckets = {
+    0.00005, 0.0001, 0.00025, 0.0005, 0.001, 0.002, 0.004, 0.008, 0.0167, 0.0334, 0.1, 0.5, 2};
+
+}  // namespace
+
+WorldMetrics::WorldMetrics(Metrics& metrics, const std::string& world)
+    : metrics_(metrics), world_(world), series_(hold()) {}
+
+// Adding a series that is there gives the one that is there.
+WorldMetrics::Series WorldMetrics::hold() {
+    const std::lock_guard lock(metrics_.world_holders.mutex);
+    metrics_.world_holders.count[world_]++;
+    const prometheus::Labels labels{{"world", world_}};
+    return {.tick_seconds = &metrics_.tick_seconds.Add(labels, tick_buckets),
+            .late_ticks = &metrics_.late_ticks.Add(labels),
+            .bodies = &metrics_.bodies.Add(labels),
+            .awake_bodies = &metrics_.awake_bodies.Add(labels),
+            .queue_depth = &metrics_.queue_depth.Add(labels),
+            .paused = &metrics_.paused.Add(labels),
+            .clients = &metrics_.clients.Add(labels)};
+}
+
+WorldMetrics::~WorldMetrics() {
+    const std::lock_guard lock(metrics_.world_holders.mutex);
+    const auto at = metrics_.world_holders.count.find(world_);
+    if (--at->second > 0) return;
+    metrics_.world_holders.count.erase(at);
+    metrics_.tick_seconds.Remove(series_.tick_seconds);
+    metrics_.late_ticks.Remove(series_.late_ticks);
+    metrics_.bodies.Remove(series_.bodies);
+    metrics_.awake_bodies.Remove(series_.awake_bodies);
+    metrics_.queue_depth.Remove(series_.queue_depth);
+    metrics_.paused.Remove(series_.paused);
+    metrics_.clients.Remove(series_.clients);
+}
+
+void WorldMetrics::count_tick(const TickCount& tick) {
+    series_.tick_seconds->Observe(tick.seconds);
+    const std::size_t stages = std::min(tick.stage_ms.size(), metrics_.stages.size());
+    for (std::size_t i = 0; i < stages; i++)
+        if (tick.stage_ms[i] > 0) metrics_.stages[i]->Increment(tick.stage_ms[i] / 1000);
+    series_.bodies->Set(static_cast<double>(tick.bodies));
+    series_.awake_bodies->Set(static_cast<double>(tick.awake));
+    series_.queue_depth->Set(static_cast<double>(tick.queued));
+    series_.paused->Set(tick.stage_ms.empty() ? 1 : 0);
+    if (tick.late_ticks != late_counted_) {
+        series_.late_ticks->Increment(tick.late_ticks - late_counted_);
+        late_counted_ = tick.late_ticks;
+    }
+}
+
+}  // namespace jostle::server

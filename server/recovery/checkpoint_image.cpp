@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/checkpoint_image.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "jostle/physics/snapshot.h"
+#include "server/storage/compressed.h"
+#include "server/util/bytes.h"
+
+namespace jostle::server {
+namespace {
+
+constexpr std::uint64_t checkpoint_version = 1;
+// Of one world, unpacked: fifty thousand bodies take a fifth of it.
+constexpr std::size_t checkpoint_bytes_max = std::size_t{1} << 30;
+
+Error not_a_checkpoint(const std::string& why) {
+    return {ErrorCode::corrupt_data, "what is kept of a world " + why};
+}
+
+}  // namespace
+
+Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment) {
+    const Result<physics::RestorePoint::Saved> saved = moment.bodies.save();
+    if (!saved.ok()) return saved.error();
+    ByteWriter head;
+    head.number(checkpoint_version);
+    head.text(encode_host_image(moment.image));
+    head.number(saved->bytes.size());
+    const std::string first = head.take();
+    const std::string_view pieces[] = {
+        first, {reinterpret_cast<const char*>(saved->bytes.data()), saved->bytes.size()}};
+    return CheckpointImage{saved->hash, compress(pieces)};
+}
+
+Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {
+    const Result<std::string> whole = decompress(bytes, checkpoint_bytes_max);
+    if (!whole.ok()) return whole.error();
+    ByteReader from(*whole);
+    if (const std::uint64_t version = from.number(); version != checkpoint_version)
+        return not_a_checkpoint("is of version " + std::to_string(version) +
+                                "; this server reads " + std::to_string(checkpoint_version));
+    const std::string_view image_bytes = from.text(), saved = from.text();
+    if (!from.ok()) return not_a_checkpoint("ends too early");
+    if (!from.at_end()) return not_a_checkpoint("goes on after its end");
+    Result<HostImage> image = decode_host_image(image_bytes);
+    if (!image.ok()) return image.error();
+    Result<physics::World> world = physics::load(std::as_bytes(std::span(saved)));
+    if (!world.ok()) return world.error();
+    if (physics::state_hash(*world) != hash) return not_a_checkpoint("has another hash");
+    return SavedMoment{*std::move(world), *std::move(image)};
+}
+
+}  // namespace jostle::server

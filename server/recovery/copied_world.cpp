@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/copied_world.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::server {
+
+Result<std::unique_ptr<CopiedWorld>> CopiedWorld::of(WorldStore& store, const std::string& id,
+                                                     std::size_t checkpoints_max,
+                                                     std::uint32_t last_tick) {
+    constexpr std::size_t bytes_at_once = 8 << 20;
+    auto copy = std::make_unique<CopiedWorld>();
+    const Result<std::vector<StoredWorld>> all = store.worlds();
+    if (!all.ok()) return all.error();
+    const auto at = std::ranges::find(*all, id, &StoredWorld::id);
+    if (at == all->end()) return Error{ErrorCode::not_found, "no world " + id + " is kept"};
+    copy->world_ = *at;
+    const Result<std::vector<std::uint32_t>> ticks = store.checkpoint_ticks(id);
+    if (!ticks.ok()) return ticks.error();
+    for (const std::uint32_t tick : *ticks) {
+        if (tick > last_tick || copy->checkpoints_.size() >= checkpoints_max) continue;
+        Result<Checkpoint> kept = store.checkpoint(id, tick);
+        if (kept.ok()) copy->checkpoints_.push_back(*std::move(kept));
+    }
+    if (copy->checkpoints_.empty())
+        return Error{ErrorCode::not_found, "no whole checkpoint of world " + id + " is kept"};
+    const std::uint64_t first = copy->checkpoints_.back().sequence;
+    std::uint64_t after = first == 0 ? 0 : first - 1;
+    for (;;) {
+        Result<std::vector<JournalEntry>> some = store.entries(id, after, bytes_at_once);
+        if (!some.ok()) {
+            copy->damage_ = some.error();
+            break;
+        }
+        if (some->empty()) break;
+        after = some->back().sequence;
+        const bool enough = some->back().last_tick >= last_tick;
+        std::ranges::move(*some, std::back_inserter(copy->entries_));
+        if (enough) break;
+    }
+    return copy;
+}
+
+Status CopiedWorld::write(std::span<const StoreChange>) {
+    return Error{ErrorCode::unavailable, "this is a copy of what was kept"};
+}
+
+Result<std::vector<std::uint32_t>> CopiedWorld::checkpoint_ticks(const std::string&) {
+    std::vector<std::uint32_t> ticks;
+    for (const Checkpoint& checkpoint : checkpoints_) ticks.push_back(checkpoint.tick);
+    return ticks;
+}
+
+Result<Checkpoint> CopiedWorld::checkpoint(const std::string&, std::uint32_t tick) {
+    const auto at = std::ranges::find(checkpoints_, tick, &Checkpoint::tick);
+    if (at == checkpoints_.end())
+        return Error{ErrorCode::not_found, "no checkpoint of tick " + std::to_string(tick)};
+    return *at;
+}
+
+Result<std::vector<JournalEntry>> CopiedWorld::entries(const std::string&, std::uint64_t after,
+                                                       std::size_t) {
+    const auto begin = std::ranges::upper_bound(entries_, after, {}, &JournalEntry::sequence);
+    if (begin == entries_.end() && !damage_.ok()) return damage_.error();
+    return std::vector<JournalEntry>(begin, entries_.end());
+}
+
+Result<std::optional<std::string>> CopiedWorld::note(const std::string&) {
+    return std::optional<std::string>();
+}
+
+}  // namespace jostle::server

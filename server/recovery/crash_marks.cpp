@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/crash_marks.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+namespace jostle::server {
+
+struct CrashMarks::File {
+    static constexpr char written_mark[8] = {'J', 's', 't', 'M', 'r', 'k', '0', '1'};
+    char mark[8];
+    CrashMark::Slot slots[worlds_max];
+};
+
+namespace {
+
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+static_assert(sizeof(CrashMark::Slot) == 52);
+
+std::atomic<CrashMarks*> counted{nullptr};
+
+void on_fatal_signal(int number) {
+    if (CrashMarks* const marks = counted.load()) marks->on_crash();
+    std::signal(number, SIG_DFL);
+    raise(number);
+}
+
+}  // namespace
+
+void CrashMark::forget() const {
+    if (slot_) slot_->tick = slot_->crashes = 0;
+}
+
+Result<std::unique_ptr<CrashMarks>> CrashMarks::open(const std::string& path) {
+    const auto failed = [&] {
+        return Error{ErrorCode::unavailable, path + ": " + std::strerror(errno)};
+    };
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (file < 0) return failed();
+    struct stat is {};
+    const bool fits = fstat(file, &is) == 0 && static_cast<std::size_t>(is.st_size) == sizeof(File);
+    void* at = MAP_FAILED;
+    if (fits || (ftruncate(file, 0) == 0 && ftruncate(file, sizeof(File)) == 0))
+        at = mmap(nullptr, sizeof(File), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    const Error error = failed();
+    ::close(file);
+    if (at == MAP_FAILED) return error;
+    File* const mapped = static_cast<File*>(at);
+    if (std::memcmp(mapped->mark, File::written_mark, sizeof mapped->mark) != 0) {
+        std::memset(at, 0, sizeof(File));
+        std::memcpy(mapped->mark, File::written_mark, sizeof mapped->mark);
+    }
+    // What ran when the process was killed did not crash.
+    for (CrashMark::Slot& slot : mapped->slots) {
+        slot.runs.store(0);
+        slot.world[sizeof slot.world - 1] = '\0';
+    }
+    return std::unique_ptr<CrashMarks>(new CrashMarks(mapped));
+}
+
+CrashMarks::~CrashMarks() {
+    CrashMarks* self = this;
+    counted.compare_exchange_strong(self, nullptr);
+    munmap(file_, sizeof(File));
+}
+
+CrashMark CrashMarks::of(const std::string& world) {
+    if (world.empty() || world.size() >= sizeof(CrashMark::Slot::world)) return {};
+    CrashMark::Slot* unused = nullptr;
+    for (CrashMark::Slot& slot : file_->slots) {
+        if (world == slot.world) return CrashMark(&slot);
+        if (!unused && slot.world[0] == '\0') unused = &slot;
+    }
+    if (!unused) return {};
+    std::memcpy(unused->world, world.c_str(), world.size() + 1);
+    unused->tick = unused->crashes = 0;
+    return CrashMark(unused);
+}
+
+void CrashMarks::drop(const std::string& world) {
+    for (CrashMark::Slot& slot : file_->slots)
+        if (world == slot.world) slot.world[0] = '\0';
+}
+
+void CrashMarks::on_crash() {
+    for (CrashMark::Slot& slot : file_->slots) {
+        const std::uint32_t tick = slot.runs.load(std::memory_order_relaxed);
+        if (tick == 0) continue;
+        slot.crashes = slot.tick == tick ? slot.crashes + 1 : 1;
+        slot.tick = tick;
+        slot.runs.store(0);
+    }
+}
+
+void CrashMarks::count_fatal_signals(CrashMarks* marks) {
+    counted.store(marks);
+    struct sigaction action {};
+    action.sa_handler = marks ? on_fatal_signal : SIG_DFL;
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+        sigaction(number, &action, nullptr);
+}
+
+}  // namespace jostle::server

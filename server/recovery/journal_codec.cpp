@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/journal_codec.h"
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "jostle/scenes/shape_message.h"
+#include "server/util/bytes.h"
+
+namespace jostle::server {
+namespace {
+
+using physics::Vec3;
+
+// docs/format_changes.md. Version 2 has no rewinds.
+constexpr std::uint64_t journal_version = 3, oldest_version = 2;
+constexpr std::uint64_t only_counted = 255;  // in place of a kind
+
+// One function for each kind of action says what it consists of; it is written with one of these
+// and read with the other.
+struct JournalWriter {
+    ByteWriter to;
+
+    void operator()(std::uint32_t value) { to.number(value); }
+    void operator()(bool value) { to.number(value ? 1 : 0); }
+    void operator()(double value) { to.real(value); }
+    void operator()(const std::string& value) { to.text(value); }
+    template <class Value>
+    void operator()(const std::optional<Value>& value) {
+        (*this)(value.has_value());
+        if (value) (*this)(*value);
+    }
+    void operator()(const Vec3& v) {
+        for (int k = 0; k < 3; k++) to.real(v[k]);
+    }
+    void operator()(const physics::Quat& q) {
+        for (const double value : {q.x, q.y, q.z, q.w}) to.real(value);
+    }
+    void shape(const SpawnCommand& spawn) {
+        to.text(spawn.shape_bytes.empty() ? scenes::shape_bytes(spawn.shape) : spawn.shape_bytes);
+    }
+};
+struct JournalReader {
+    ByteReader from;
+    Status status;
+
+    void operator()(std::uint32_t& value) { value = from.small(); }
+    void operator()(bool& value) { value = from.number() != 0; }
+    void operator()(double& value) { value = from.real(); }
+    void operator()(std::string& value) { value = from.text(); }
+    template <class Value>
+    void operator()(std::optional<Value>& value) {
+        bool there = false;
+        (*this)(there);
+        if (there) (*this)(value.emplace());
+    }
+    void operator()(Vec3& v) { v.x = from.real(), v.y = from.real(), v.z = from.real(); }
+    void operator()(physics::Quat& q) {
+        q.x = from.real(), q.y = from.real(), q.z = from.real(), q.w = from.real();
+    }
+    void shape(SpawnCommand& spawn) {
+        spawn.shape_bytes = from.text();
+        if (!from.ok() || !status.ok()) return;
+        Result<physics::ShapeDef> shape = scenes::shape_from_bytes(spawn.shape_bytes, "shape");
+        if (shape.ok())
+            spawn.shape = *std::move(shape);
+        else
+            status = shape.error();
+    }
+};
+
+template <class Visitor, class Command>
+void visit_action(Visitor& v, Command& c) {
+    using Kind = std::remove_const_t<Command>;
+    if constexpr (std::is_same_v<Kind, SpawnCommand>) {
+        v.shape(c);
+        v(c.pose.position), v(c.pose.rotation);
+        v(c.linear_velocity), v(c.angular_velocity);
+        v(c.color);
+    } else if constexpr (std::is_same_v<Kind, ImpulseCommand>) {
+        v(c.entity), v(c.impulse), v(c.point);
+    } else if constexpr (std::is_same_v<Kind, GrabCommand>) {
+        v(c.entity), v(c.point);
+    } else if constexpr (std::is_same_v<Kind, DragCommand>) {
+        v(c.target);
+    } else if constexpr (std::is_same_v<Kind, DeleteCommand> ||
+                         std::is_same_v<Kind, PossessCommand>) {
+        v(c.entity);
+    } else if constexpr (std::is_same_v<Kind, ExplodeCommand>) {
+        v(c.center), v(c.radius), v(c.speed);
+    } else if constexpr (std::is_same_v<Kind, ControlCommand>) {
+        for (auto& axis : c.controls.axes) v(axis);
+        v(c.controls.buttons);
+    } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
+        v(c.keep_bodies);
+    } else {
+        static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, LoseCommand>);
+    }
+}
+
+// Numbers of kinds are places in Action: a new kind goes to its end.
+template <std::size_t kind = 0>
+bool make_action(std::uint64_t wanted, Action& action) {
+    if constexpr (kind < std::variant_size_v<Action>) {
+        if (wanted != kind) return make_action<kind + 1>(wanted, action);
+        action.emplace<kind>();
+        return true;
+    } else {
+        return false;
+    }
+}
+
+Error not_a_journal(const std::string& why) {
+    return {ErrorCode::corrupt_data, "what is kept of the commands of a world " + why};
+}
+
+Status read_command(JournalReader& reader, JournaledCommand& command) {
+    command.client = reader.from.small();
+    command.sequence = reader.from.small();
+    const std::uint64_t kind = reader.from.number();
+    if (reader.from.ok() && kind != only_counted) {
+        if (!make_action(kind, command.action.emplace()))
+            return not_a_journal("has a command of kind " + std::to_string(kind));
+        std::visit([&](auto& action) { visit_action(reader, action); }, *command.action);
+    }
+    if (!reader.status.ok()) return not_a_journal("has a " + reader.status.error().message);
+    if (!reader.from.ok()) return not_a_journal("ends too early");
+    return {};
+}
+
+void write_ticks(JournalWriter& writer, const std::vector<JournaledTick>& ticks) {
+    writer.to.number(ticks.size());
+    for (const JournaledTick& tick : ticks) {
+        writer.to.number(tick.tick);
+        writer.to.number(tick.commands.size());
+        for (const JournaledCommand& command : tick.commands) {
+            writer.to.number(command.client);
+            writer.to.number(command.sequence);
+            writer.to.number(command.action ? command.action->index() : only_counted);
+            if (command.action)
+                std::visit([&](const auto& action) { visit_action(writer, action); },
+                           *command.action);
+        }
+    }
+}
+
+Status read_ticks(JournalReader& reader, std::vector<JournaledTick>& ticks) {
+    for (std::size_t left = reader.from.count(); left > 0; left--) {
+        JournaledTick& tick = ticks.emplace_back();
+        tick.tick = reader.from.small();
+        const std::uint32_t last = ticks.size() > 1 ? ticks[ticks.size() - 2].tick : 0;
+        if (reader.from.ok() && tick.tick <= last)
+            return not_a_journal("has tick " + std::to_string(tick.tick) + " out of order");
+        for (std::size_t more = reader.from.count(); more > 0; more--)
+            if (Status s = read_command(reader, tick.commands.emplace_back()); !s.ok()) return s;
+    }
+    return {};
+}
+
+Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
+    std::uint32_t before = 0;
+    for (std::size_t left = reader.from.count(); left > 0; left--) {
+        const std::uint32_t first = reader.from.small(), last = reader.from.small();
+        if (!reader.from.ok()) return not_a_journal("ends too early");
+        if (first <= before || last < first)
+            return not_a_journal("has ticks " + std::to_string(first) + " to " +
+                                 std::to_string(last) + " out of order");
+        stood.push_back({first, before = last});
+    }
+    return {};
+}
+
+Status read_rewind(JournalReader& reader, JournalBatch& batch) {
+    bool there = false;
+    reader(there);
+    if (!there) return {};
+    Rewind& rewind = batch.rewind.emplace();
+    reader(rewind.tick), reader(rewind.to);
+    if (!reader.from.ok()) return not_a_journal("ends too early");
+    if (rewind.to >= rewind.tick)
+        return not_a_journal("goes back from tick " + std::to_string(rewind.tick) + " to " +
+                             std::to_string(rewind.to));
+    if (!batch.ticks.empty() || !batch.stood.empty())
+        return not_a_journal("goes back in the midst of other ticks");
+    return {};
+}
+
+}  // namespace
+
+std::string encode_journal(const JournalBatch& batch) {
+    JournalWriter writer;
+    writer.to.number(journal_version);
+    write_ticks(writer, batch.ticks);
+    writer.to.number(batch.stood.size());
+    for (const TickRange& range : batch.stood)
+        writer.to.number(range.first), writer.to.number(range.last);
+    writer(batch.rewind.has_value());
+    if (batch.rewind) writer(batch.rewind->tick), writer(batch.rewind->to);
+    return writer.to.take();
+}
+
+Result<JournalBatch> decode_journal(std::string_view bytes) {
+    JournalReader reader{ByteReader(bytes), {}};
+    const std::uint64_t version = reader.from.number();
+    if (version < oldest_version || version > journal_version)
+        return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
+                             std::to_string(oldest_version) + " to " +
+                             std::to_string(journal_version));
+    JournalBatch batch;
+    if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
+    if (Status s = read_stood(reader, batch.stood); !s.ok()) return s.error();
+    if (version >= 3)
+        if (Status s = read_rewind(reader, batch); !s.ok()) return s.error();
+    if (!reader.from.ok()) return not_a_journal("ends too early");
+    if (!reader.from.at_end()) return not_a_journal("goes on after its end");
+    return batch;
+}
+
+}  // namespace jostle::server

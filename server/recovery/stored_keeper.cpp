@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/stored_keeper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "server/recovery/checkpoint_image.h"
+#include "server/storage/compressed.h"
+#include "server/storage/journal_chain.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+namespace {
+
+// How far a world that nobody touches may be ahead of its journal.
+constexpr double silence_seconds = 1;
+// What is as cheap to do again as to load is not written anew.
+constexpr double worth_ms = 50;
+constexpr std::size_t kept_checkpoints = 2;
+
+}  // namespace
+
+// --- CheckpointWriter ---
+
+CheckpointWriter::CheckpointWriter() : thread_([this] { run(); }) {}
+
+CheckpointWriter::~CheckpointWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void CheckpointWriter::push(Job job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    changed_.notify_all();
+}
+
+bool CheckpointWriter::wait(Clock::duration patience) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return jobs_.empty() && !busy_; });
+}
+
+void CheckpointWriter::run() {
+    for (;;) {
+        Job job;
+        {
+            std::unique_lock lock(mutex_);
+            busy_ = false;
+            changed_.notify_all();
+            changed_.wait(lock, [&] { return !jobs_.empty() || ends_; });
+            if (jobs_.empty()) return;
+            job = std::move(jobs_.front());
+            jobs_.pop_front();
+            busy_ = true;
+        }
+        job();
+    }
+}
+
+// --- StoredKeeper ---
+
+StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& place,
+                           StoreWriter& writer, CheckpointWriter& checkpoints, CrashMark mark,
+                           KeeperSettings settings)
+    : world_(std::move(world)),
+      hz_(hz),
+      writer_(writer),
+      checkpoints_(checkpoints),
+      mark_(mark),
+      settings_(std::move(settings)),
+      place_(place) {
+    // When those of another process were taken is not known: they stay as if it were now.
+    for (const std::uint32_t tick : place.checkpoints) taken_.push_back({tick, Clock::now()});
+}
+
+std::optional<std::string> StoredKeeper::trouble() const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (broken_) return broken_;
+    }
+    return writer_.failing();
+}
+
+std::uint32_t StoredKeeper::oldest_tick() const {
+    const std::lock_guard lock(mutex_);
+    return taken_.empty() ? 0 : taken_.front().tick;
+}
+
+void StoredKeeper::keep(KeptTick tick) {
+    mark_.begin(tick.tick);
+    if (first_ == 0) {
+        first_ = tick.tick;
+        telling_ = std::make_shared<Telling>();
+    }
+    last_ = tick.tick;
+    if (!tick.steps) {
+        if (!batch_.stood.empty() && batch_.stood.back().last + 1 == tick.tick)
+            batch_.stood.back().last = tick.tick;
+        else
+            batch_.stood.push_back({tick.tick, tick.tick});
+    }
+    const bool urgent = !tick.commands.empty();
+    if (urgent) {
+        batch_.ticks.push_back({tick.tick, std::move(tick.commands)});
+        changed_ = true;
+    }
+    if (urgent || last_ - first_ + 1 >= silence_seconds * hz_) flush();
+}
+
+void StoredKeeper::on_shown(double step_ms, std::vector<WaitingResult> results) {
+    mark_.end();
+    replay_ms_ += step_ms;
+    if (results.empty()) return;
+    bool safe = false;
+    {
+        const std::lock_guard lock(telling_->mutex);
+        safe = telling_->is_safe;
+        if (!safe) std::ranges::move(results, std::back_inserter(telling_->results));
+    }
+    if (safe) tell(results);
+    // Of inputs that did nothing: they need not wait for what nobody did.
+    flush();
+}
+
+void StoredKeeper::tell(std::vector<WaitingResult>& results) const {
+    if (results.empty()) return;
+    for (WaitingResult& result : results) result.reply->put(std::move(result.result));
+    if (settings_.on_told) settings_.on_told();
+}
+
+// What cannot be handed over now goes with the next tick: while the store is in trouble no inputs
+// are applied, so that it is little.
+void StoredKeeper::flush() {
+    if (first_ == 0) return;
+    JournalEntry entry{.sequence = place_.sequence + 1,
+                       .epoch = place_.epoch,
+                       .first_tick = first_,
+                       .last_tick = last_,
+                       .data = compress(encode_journal(batch_))};
+    const Chain chain = entry.chain = next_chain(place_.chain, entry.data);
+    const bool pushed =
+        writer_.push(AppendEntry{world_, std::move(entry)},
+                     [telling = telling_, self = shared_from_this()](const Status& written) {
+                         if (!written.ok()) return self->on_unwritten(written.error());
+                         std::vector<WaitingResult> results;
+                         {
+                             const std::lock_guard lock(telling->mutex);
+                             telling->is_safe = true;
+                             results.swap(telling->results);
+                         }
+                         self->tell(results);
+                     });
+    if (!pushed) return;
+    place_.sequence++;
+    place_.chain = chain;
+    batch_ = {};
+    first_ = 0;
+}
+
+void StoredKeeper::on_unwritten(const Error& error) {
+    if (error.code == ErrorCode::aborted) return;
+    const std::string why =
+        "the journal of world " + world_ + " is at odds with the store: " + error.message;
+    log_error("{}", why);
+    const std::lock_guard lock(mutex_);
+    broken_ = why;
+}
+
+bool StoredKeeper::wants_moment() const {
+    if (checkpoint_waits_ || trouble()) return false;
+    if (interrupted_) return true;
+    if (!changed_ && replay_ms_ < worth_ms) return false;
+    return replay_ms_ > 1000 * settings_.replay_seconds ||
+           Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_seconds);
+}
+
+void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) {
+    flush();
+    if (first_ != 0) return;  // the journal does not go as far as the moment
+    const Taken taken{tick, Clock::now()};
+    const std::uint64_t sequence = place_.sequence;
+    replay_ms_ = 0;
+    changed_ = interrupted_ = false;
+    taken_at_ = taken.at;
+    checkpoint_waits_ = true;
+    checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
+        std::optional<WorldMoment> moment = taker->take();
+        Result<CheckpointImage> image =
+            moment ? encode_checkpoint(*moment)
+                   : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
+        if (moment) {
+            const std::lock_guard lock(self->mutex_);
+            self->spare_point_ = std::move(moment->bodies);
+        }
+        if (!image.ok()) {
+            log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
+                      image.error().message);
+            self->checkpoint_waits_ = false;
+            return;
+        }
+        const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
+                                                             {.tick = taken.tick,
+                                                              .hash = image->hash,
+                                                              .sequence = sequence,
+                                                              .exact = std::move(image->bytes),
+                                                              .portable = {}}},
+                                               [self, taken](const Status& written) {
+                                                   self->checkpoint_waits_ = false;
+                                                   if (written.ok()) self->forget_old(taken);
+                                               });
+        if (!pushed) self->checkpoint_waits_ = false;
+    });
+}
+
+physics::RestorePoint StoredKeeper::spare_point() {
+    const std::lock_guard lock(mutex_);
+    return std::move(spare_point_);
+}
+
+void StoredKeeper::end(std::optional<WorldMoment> moment) {
+    flush();
+    if (!moment || trouble()) return;
+    auto kept = std::make_shared<WorldMoment>(*std::move(moment));
+    keep(kept->tick, std::make_shared<MomentTaker>([kept] { return std::move(*kept); }));
+}
+
+// On the writer's thread.
+void StoredKeeper::forget_old(Taken newest) {
+    std::uint32_t oldest = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        taken_.push_back(newest);
+        const auto since = newest.at - from_seconds(3600 * settings_.history_hours);
+        while (taken_.size() > kept_checkpoints && taken_[1].at < since) taken_.pop_front();
+        if (settings_.history_hours == 0)
+            while (taken_.size() > kept_checkpoints) taken_.pop_front();
+        oldest = taken_.front().tick;
+    }
+    writer_.push(Trim{world_, oldest}, nullptr);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeps one world in a store: what is done to it tick by tick, and now and then all of it, so that
+// to do it again from the last checkpoint never takes long.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "server/recovery/crash_marks.h"
+#include "server/recovery/journal_codec.h"
+#include "server/storage/store_writer.h"
+#include "server/util/clock.h"
+#include "server/world/world_keeper.h"
+
+namespace jostle::server {
+
+struct KeeperSettings {
+    double checkpoint_seconds = 60;  // between two, at most, of a world that moves
+    double replay_seconds = 2;       // that the steps since the last one took, at most
+    double history_hours = 0;        // 0: the last two checkpoints, and what came after them
+    // After results were told, on the writer's thread: must only wake somebody.
+    std::function<void()> on_told;
+};
+
+// Where a world's journal stands.
+struct JournalPlace {
+    std::uint64_t epoch = 0;     // of this process
+    std::uint64_t sequence = 0;  // of the last entry
+    Chain chain{};
+    std::vector<std::uint32_t> checkpoints = {};  // ticks of those in the store, rising
+};
+
+// Turns moments into checkpoints, one after the other, on a thread of its own.
+class CheckpointWriter {
+public:
+    using Job = std::function<void()>;
+
+    CheckpointWriter();
+    // Does what is still to be done.
+    ~CheckpointWriter();
+    void push(Job job);
+    // Waits until all that was pushed has been done. False: not within that time.
+    bool wait(Clock::duration patience);
+
+private:
+    void run();
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Job> jobs_;
+    bool ends_ = false, busy_ = false;
+    std::thread thread_;
+};
+
+class StoredKeeper : public WorldKeeper, public std::enable_shared_from_this<StoredKeeper> {
+public:
+    StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
+                 CheckpointWriter& checkpoints, CrashMark mark, KeeperSettings settings);
+
+    std::optional<std::string> trouble() const override;
+    std::uint32_t oldest_tick() const override;
+    void keep(KeptTick tick) override;
+    void on_shown(double step_ms, std::vector<WaitingResult> results) override;
+    void on_interrupted() override { interrupted_ = true; }
+    bool wants_moment() const override;
+    void keep(std::uint32_t tick, std::shared_ptr<MomentTaker> moment) override;
+    void end(std::optional<WorldMoment> moment) override;
+    physics::RestorePoint spare_point() override;
+
+private:
+    struct Taken {  // a checkpoint that is in the store
+        std::uint32_t tick;
+        Clock::time_point at;
+    };
+
+    // Results are told when what they are results of is both shown and safe.
+    struct Telling {
+        std::mutex mutex;
+        bool is_safe = false;
+        std::vector<WaitingResult> results;
+    };
+
+    void flush();
+    void tell(std::vector<WaitingResult>& results) const;
+    void on_unwritten(const Error& error);
+    void forget_old(Taken newest);
+
+    const std::string world_;
+    const double hz_;
+    StoreWriter& writer_;
+    CheckpointWriter& checkpoints_;
+    const CrashMark mark_;
+    const KeeperSettings settings_;
+
+    // The world's thread's.
+    JournalPlace place_;
+    JournalBatch batch_;
+    std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
+    // Of the newest entry; of the batch that is not handed over, if there is one.
+    std::shared_ptr<Telling> telling_ = std::make_shared<Telling>();
+    double replay_ms_ = 0;  // since the last checkpoint
+    bool changed_ = false;  // likewise: something was done
+    Clock::time_point taken_at_ = Clock::now();
+    bool interrupted_ = false;
+
+    std::atomic<bool> checkpoint_waits_{false};
+    mutable std::mutex mutex_;
+    std::optional<std::string> broken_;  // what is stored contradicts us
+    std::deque<Taken> taken_;
+    physics::RestorePoint spare_point_;
+};
+
+}  // namespace jostle::server

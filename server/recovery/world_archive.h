@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// All that outlives a server's process: it opens the store, brings its worlds back, and keeps those
+// that run. Outlives the worlds.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/config/config.h"
+#include "server/recovery/crash_marks.h"
+#include "server/recovery/recover_world.h"
+#include "server/recovery/stored_keeper.h"
+#include "server/recovery/world_record.h"
+#include "server/storage/store_writer.h"
+#include "server/world/world_host.h"
+
+namespace jostle::server {
+
+// One that played when the process ended.
+struct AbsentClient {
+    ClientId client = 0;
+    std::uint32_t last_sequence = 0;  // of its inputs that were applied
+};
+
+struct KeptWorld {
+    WorldStart start;
+    std::vector<AbsentClient> absent;
+};
+
+class WorldArchive : public WorldKeepers {
+public:
+    // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
+    // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
+    // store cannot be opened (SqliteStore::open), or not be written to now.
+    static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
+                                                      const HostLimits& limits, int threads,
+                                                      std::function<void()> on_told,
+                                                      const char* file_system = nullptr);
+    ~WorldArchive() override;
+
+    // Once: the worlds that go on, in the order of their creation. One that cannot be had back is
+    // told of in the log, and what is there of it stays in the store.
+    std::vector<KeptWorld> take_worlds() { return std::exchange(kept_, {}); }
+    // 32 bytes that only this store's servers know.
+    const std::string& secret() const { return secret_; }
+    // Ids of clients from here on were never given before.
+    ClientId first_client() const { return first_client_; }
+    // Any thread; never waits: an id was given, and the next will be that.
+    void on_client(ClientId next);
+
+    // Any thread: why nothing can be kept now; nothing: all is well.
+    std::optional<std::string> trouble() const { return writer_->failing(); }
+    std::size_t bytes_waiting() const { return writer_->bytes_waiting(); }
+    // Waits until all is kept that was handed over. False: not within that time.
+    bool flush(Clock::duration patience);
+
+    Status open(WorldStart& start) override;
+    void drop(const std::string& id) override;
+    Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
+    Result<WorldStart> again(const std::string& id) override;
+    Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld then) override;
+    // Any thread: what is kept of a world, up to that tick.
+    Result<std::unique_ptr<WorldStore>> copy_of(const std::string& id, std::uint32_t last_tick);
+
+private:
+    WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
+                 std::function<void()> on_told);
+    Status read_notes(WorldStore& store);
+    Status take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
+    Result<KeptWorld> take_up(WorldStore& store, const StoredWorld& stored);
+    // As it was, but for what crashes it.
+    Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
+                                   const WorldRecord& record);
+    // One of this process that runs no more.
+    struct Last {
+        StoredWorld stored;
+        WorldRecord record;
+        RecoveredWorld found;
+        std::vector<std::uint32_t> checkpoints;  // rising
+    };
+    Result<Last> last_of(const std::string& id);
+    WorldStart start_of(Last last);
+    void set_aside(const StoredWorld& stored, const JournaledTick& tick);
+    std::shared_ptr<WorldKeeper> keeper_of(const WorldStart& start, const JournalPlace& place);
+
+    const HostLimits limits_;
+    const int threads_;
+    const KeeperSettings keeper_settings_;
+    std::unique_ptr<CrashMarks> marks_;
+    std::unique_ptr<StoreWriter> writer_;
+    std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
+    std::vector<KeptWorld> kept_;
+    std::string secret_;
+    ClientId first_client_ = 1;
+    std::atomic<ClientId> reserved_{1};
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/world_record.h"
+
+#include <utility>
+
+#include "jostle/physics/arithmetic.h"
+#include "jostle/scenes/scene_file.h"
+#include "server/util/bytes.h"
+
+namespace jostle::server {
+namespace {
+
+constexpr std::uint64_t record_version = 1;
+
+Error not_a_record(const std::string& why) {
+    return {ErrorCode::corrupt_data, "what is kept of what a world is made of " + why};
+}
+
+}  // namespace
+
+std::string encode_world_record(const WorldRecord& record) {
+    ByteWriter to;
+    to.number(record_version);
+    to.text(record.owner);
+    to.text(scenes::write_scene_json(*record.scene));
+    const SceneBudget& scene = record.limits.scene;
+    to.real(scene.bodies_max);
+    to.real(scene.joints_max);
+    to.real(scene.joints_per_pair_max);
+    to.real(scene.outline_bytes_max);
+    to.real(scene.body_outline_bytes_max);
+    to.real(scene.work_per_second_max);
+    to.real(scene.first_step_seconds_max);
+    to.real(record.limits.bodies_owned_max);
+    to.real(record.limits.past_ms_max);
+    to.real(record.work_per_second);
+    return to.take();
+}
+
+Result<WorldRecord> decode_world_record(std::string_view bytes) {
+    ByteReader from(bytes);
+    if (const std::uint64_t version = from.number(); version != record_version)
+        return not_a_record("is of version " + std::to_string(version) + "; this server reads " +
+                            std::to_string(record_version));
+    WorldRecord record;
+    record.owner = from.text();
+    Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());
+    bool fits = true;
+    const auto count = [&] {
+        const double value = from.real();
+        fits = fits && value >= 0 && value <= 2e9;
+        return fits ? static_cast<int>(value) : 0;
+    };
+    SceneBudget& budget = record.limits.scene;
+    budget.bodies_max = count();
+    budget.joints_max = count();
+    budget.joints_per_pair_max = count();
+    budget.outline_bytes_max = from.real();
+    budget.body_outline_bytes_max = count();
+    budget.work_per_second_max = from.real();
+    budget.first_step_seconds_max = from.real();
+    record.limits.bodies_owned_max = count();
+    record.limits.past_ms_max = from.real();
+    record.work_per_second = from.real();
+    if (!from.ok()) return not_a_record("ends too early");
+    if (!from.at_end()) return not_a_record("goes on after its end");
+    if (!fits || !(record.limits.past_ms_max >= 0))
+        return not_a_record("has a limit that is out of range");
+    if (!scene.ok()) return not_a_record("has no scene: " + scene.error().message);
+    record.scene = std::make_shared<const scenes::SceneDescription>(*std::move(scene));
+    return record;
+}
+
+std::string engine_of_this_build() {
+    return std::string(physics::arithmetic_name(physics::arithmetic())) + " " + JOSTLE_VERSION;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "server/services/admin_control.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "jostle/scenes/scene_file.h"
+#include "jostle/v1/admin.pb.h"
+#include "server/util/log.h"
+#include "server/world/tick_trace.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t reason_bytes_max = 100;
+constexpr std::uint32_t steps_max = 1000;
+constexpr std::size_t export_bytes_max = 64u << 20;
+// Beyond the time that steps take at the world's rate.
+constexpr double step_patience_s = 2;
+
+// An operator names the world that is meant: the first one is not a good guess.
+Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
+    if (name.empty()) return invalid_argument("name the world; ListWorlds lists them");
+    std::shared_ptr<WorldHost> world = context.worlds.find(name);
+    if (!world)
+        return Error{ErrorCode::not_found,
+                     fmt::format("there is no world \"{}\"; ListWorlds lists them", name)};
+    return world;
+}
+
+Status check_reason(const std::string& reason) {
+    if (reason.size() <= reason_bytes_max) return {};
+    return invalid_argument(fmt::format("the reason has {} bytes; at most {} are shown to clients",
+                                        reason.size(), reason_bytes_max));
+}
+
+// One of the few that may wait for a world.
+class Waiting {
+public:
+    explicit Waiting(std::atomic<int>& count)
+        : count_(count), admitted_(count.fetch_add(1) < AdminControl::waiting_max) {}
+    ~Waiting() { count_--; }
+    Waiting(const Waiting&) = delete;
+    Waiting& operator=(const Waiting&) = delete;
+
+    Status admitted() const {
+        if (admitted_) return {};
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("{} such calls wait already; try again when they are done",
+                                 AdminControl::waiting_max)};
+    }
+
+private:
+    std::atomic<int>& count_;
+    const bool admitted_;
+};
+
+void write(v1::ClientInfo& out, const ClientSight& sight) {
+    out.set_id(sight.who.id);
+    out.set_name(sight.who.name);
+    out.set_subject(sight.who.subject);
+    out.set_world(sight.who.world_id);
+    out.set_world_name(sight.who.world_name);
+    out.set_address(sight.who.address);
+    out.set_spectator(sight.who.spectator);
+    out.set_seconds(sight.seconds);
+    out.set_kbit_per_second(sight.kbit_per_second);
+    out.set_snapshots_skipped(sight.skipped);
+    out.set_round_trip_ms(sight.round_trip_ms);
+}
+
+}  // namespace
+
+void AdminControl::stop() {
+    for (const auto& world : context_.worlds.list()) world->close_doors();
+}
+
+Status AdminControl::list_clients(const v1::ListClientsRequest& request,
+                                  v1::ListClientsResponse& response) {
+    std::string world_id;
+    if (!request.world().empty()) {
+        const auto world = find_world(context_, request.world());
+        if (!world.ok()) return world.error();
+        world_id = (*world)->id();
+    }
+    for (const ClientSight& sight : context_.records.look(Clock::now()))
+        if (world_id.empty() || sight.who.world_id == world_id)
+            write(*response.add_clients(), sight);
+    return {};
+}
+
+Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&) {
+    if (Status s = check_reason(request.reason()); !s.ok()) return s;
+    const std::string reason = request.reason().empty() ? "no reason given" : request.reason();
+    if (Status s = context_.records.kick(request.client(), reason); !s.ok()) return s;
+    log_info("client {} is removed by an operator", request.client());
+    return {};
+}
+
+Status AdminControl::set_paused(const v1::SetPausedRequest& request,
+                                v1::SetPausedResponse& response) {
+    if (Status s = check_reason(request.reason()); !s.ok()) return s;
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    if (request.paused())
+        (*world)->pause(request.reason().empty() ? "by an operator" : request.reason());
+    else
+        (*world)->resume();
+    log_info("world {} is {} by an operator", (*world)->id(),
+             request.paused() ? "paused" : "resumed");
+    response.set_tick((*world)->frame()->tick);
+    return {};
+}
+
+Status AdminControl::step_world(const v1::StepWorldRequest& request,
+                                v1::StepWorldResponse& response) {
+    if (request.steps() < 1 || request.steps() > steps_max)
+        return invalid_argument(
+            fmt::format("steps is {}; it must be from 1 to {}", request.steps(), steps_max));
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    if (!(*world)->paused())
+        return Error{ErrorCode::failed_precondition,
+                     fmt::format("world {} is not paused and steps by itself; pause it first",
+                                 (*world)->id())};
+    const Waiting waiting(waiting_);
+    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const auto steps = static_cast<int>(request.steps());
+    const Result<int> taken =
+        (*world)->steps().take(steps, from_seconds(steps / (*world)->hz() + step_patience_s));
+    if (!taken.ok()) return taken.error();
+    response.set_tick((*world)->frame()->tick);
+    response.set_taken(static_cast<std::uint32_t>(*taken));
+    return {};
+}
+
+Status AdminControl::export_world(const v1::ExportWorldRequest& request,
+                                  v1::ExportWorldResponse& response) {
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const Waiting waiting(waiting_);
+    if (Status s = waiting.admitted(); !s.ok()) return s;
+    ExportedScene exported;
+    if (request.tick() != 0) {
+        Result<ExportedScene> then = context_.worlds.scene_at(**world, request.tick());
+        if (!then.ok()) return then.error();
+        exported = *std::move(then);
+        response.set_tick(request.tick());
+        return answer_export(std::move(exported), response);
+    }
+    const Status visited = (*world)->visits().make([&](HostedWorld& hosted) {
+        exported = hosted.exported(*(*world)->description());
+        response.set_tick((*world)->frame()->tick);
+    });
+    return visited.ok() ? answer_export(std::move(exported), response) : visited;
+}
+
+Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
+                                  v1::RewindWorldResponse& response) {
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const Waiting waiting(waiting_);
+    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const auto again = context_.worlds.rewind(*world, request.tick());
+    if (!again.ok()) return again.error();
+    log_info("world {} was taken back to tick {} by an operator", (*again)->id(), request.tick());
+    response.set_tick((*again)->first_tick());
+    return {};
+}
+
+Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldResponse& response) {
+    *response.mutable_scene() = scenes::to_message(exported.scene);
+    for (std::string& sentence : exported.left_out) *response.add_left_out() = std::move(sentence);
+    if (const std::size_t bytes = response.ByteSizeLong(); bytes > export_bytes_max)
+        return Error{
+            ErrorCode::resource_exhausted,
+            fmt::format("the scene has {} bytes; at most {} can be sent", bytes, export_bytes_max)};
+    return {};
+}
+
+Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
+    response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
+    response.set_seconds(context_.config.drain_seconds);
+    if (!context_.drain_asked.exchange(true)) log_info("an operator asks the server to go down");
+    return {};
+}
+
+Status AdminControl::profile(const v1::ProfileRequest& request, v1::ProfileResponse& response) {
+    if (!(1 <= request.seconds() && request.seconds() <= profile_seconds_max))
+        return invalid_argument(fmt::format("seconds is {:g}; it must be from 1 to {:g}",
+                                            request.seconds(), profile_seconds_max));
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const Waiting waiting(waiting_);
+    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const auto ticks = (*world)->watch().record(from_seconds(request.seconds()));
+    if (!ticks.ok()) return ticks.error();
+    response.set_ticks(static_cast<std::uint32_t>(ticks->size()));
+    response.set_trace(tick_trace((*world)->name(), *ticks));
+    return {};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// AdminService without a transport: what rpc/admin_service and the operators' port both answer
+// with. Who may call it is the transport's to know. Any thread; step_world(), export_world(),
+// rewind_world() and profile() wait for a world and hold the thread up to half a minute, so only a
+// few are let in at a time.
+#pragma once
+
+#include <atomic>
+
+#include "jostle/base/result.h"
+#include "server/session/play_context.h"
+
+namespace jostle::v1 {
+class DrainRequest;
+class DrainResponse;
+class ExportWorldRequest;
+class ExportWorldResponse;
+class KickRequest;
+class KickResponse;
+class ListClientsRequest;
+class ListClientsResponse;
+class ProfileRequest;
+class ProfileResponse;
+class RewindWorldRequest;
+class RewindWorldResponse;
+class SetPausedRequest;
+class SetPausedResponse;
+class StepWorldRequest;
+class StepWorldResponse;
+}  // namespace jostle::v1
+
+namespace jostle::server {
+
+class AdminControl {
+public:
+    static constexpr int waiting_max = 2;  // calls that wait for a world
+    static constexpr double profile_seconds_max = 30;
+
+    explicit AdminControl(PlayContext& context) : context_(context) {}
+
+    Gate& gate() const { return context_.gate; }
+    // What a request is about, for the gate; null: there is no such world.
+    std::shared_ptr<WorldHost> find(const std::string& world) const {
+        return context_.worlds.find(world);
+    }
+
+    // The server goes down: who waits for a world is answered at once.
+    void stop();
+
+    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response);
+    Status kick(const v1::KickRequest& request, v1::KickResponse& response);
+    Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
+    Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
+    Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
+    Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
+    Status drain(const v1::DrainRequest& request, v1::DrainResponse& response);
+    Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
+
+private:
+    static Status answer_export(ExportedScene exported, v1::ExportWorldResponse& response);
+    PlayContext& context_;
+    std::atomic<int> waiting_{0};
+};
+
+}  // namespace jostle::server

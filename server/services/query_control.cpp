@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include "server/services/query_control.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "jostle/physics/limits.h"
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/query.pb.h"
+#include "server/messages/vector_message.h"
+#include "server/services/query_subject.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // of one request
+// Quickhull on a stranger's behalf: more points than this make no better probe.
+constexpr int hull_points_max = 1000;
+// Of one answer: what stays below the 4 MiB that clients take by default.
+constexpr std::size_t hits_max = 50000;
+constexpr double coordinate_max = physics::limits::max_coordinate;  // m
+
+Error no_longer_wanted() {
+    return {ErrorCode::deadline_exceeded, "the deadline passed while the answer was made"};
+}
+
+// What the solver says of a question: that it was asked wrongly. All else is our mistake.
+Error from_solver(const Error& error) {
+    return error.code == ErrorCode::invalid_argument ? error
+                                                     : Error{ErrorCode::internal, error.message};
+}
+
+// --- what a request says ---
+
+Status check_count(const char* field, int count, int most) {
+    if (count <= most) return {};
+    return invalid_argument(
+        fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
+}
+
+Status check_number(const std::string& field, double x, double low, double high) {
+    if (low <= x && x <= high) return {};
+    return invalid_argument(
+        fmt::format("{} is {:g}; it must be from {:g} to {:g}", field, x, low, high));
+}
+
+Status check_vector(const std::string& field, const v1::Vec3& v) {
+    if (Status s = check_number(field + ".x", v.x(), -coordinate_max, coordinate_max); !s.ok())
+        return s;
+    if (Status s = check_number(field + ".y", v.y(), -coordinate_max, coordinate_max); !s.ok())
+        return s;
+    return check_number(field + ".z", v.z(), -coordinate_max, coordinate_max);
+}
+
+// Asks for a convex shape, and sees that it is one before it costs the work of building it.
+Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string& field) {
+    const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(message.kind_case());
+    switch (message.kind_case()) {
+        case v1::Shape::kHull:
+            if (const int points = message.hull().points_size(); points > hull_points_max)
+                return invalid_argument(
+                    fmt::format("{}.hull.points has {} entries; at most {} are allowed", field,
+                                points, hull_points_max));
+            break;
+        case v1::Shape::kPlane:
+        case v1::Shape::kMesh:
+        case v1::Shape::kSolid:
+        case v1::Shape::kHeightField:
+        case v1::Shape::kCompound:
+        case v1::Shape::kGeometry:
+        case v1::Shape::KIND_NOT_SET:
+            return invalid_argument(
+                fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",
+                            field, kind != nullptr ? "a " + kind->name() : "empty"));
+        default:
+            break;
+    }
+    Result<physics::ShapeDef> read = scenes::shape_from_message(message, field);
+    if (!read.ok()) return from_solver(read.error());
+    return read;
+}
+
+// An entity that is gone is not seen anyway.
+physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFrame& frame) {
+    physics::QueryFilter filter;
+    if (message.has_categories()) filter.categories = message.categories();
+    filter.triggers = message.triggers();
+    if (message.ignore() != 0) filter.ignore = frame.body_of(message.ignore());
+    return filter;
+}
+
+// --- what an answer says ---
+
+template <class PhysicsHit>
+void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
+    const ShapePlace place = frame.place_of(from.shape);
+    to.set_entity(place.entity);
+    to.set_shape(place.number);
+    to.set_fraction(from.fraction);
+    write_vector(*to.mutable_point(), from.point);
+    write_vector(*to.mutable_normal(), from.normal);
+}
+
+template <class PhysicsHit>
+Status write_hits(v1::Hits& to, const Result<std::vector<PhysicsHit>>& hits,
+                  const QueryFrame& frame, std::size_t& total) {
+    if (!hits.ok()) return from_solver(hits.error());
+    total += hits->size();
+    if (total > hits_max)
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("the answer would have more than {} hits; ask for less at a time",
+                                 hits_max)};
+    for (const PhysicsHit& hit : *hits) write_hit(*to.add_hits(), hit, frame);
+    return {};
+}
+
+template <class PhysicsHit>
+Status write_hits(v1::Hits& to, const Result<std::optional<PhysicsHit>>& hit,
+                  const QueryFrame& frame) {
+    if (!hit.ok()) return from_solver(hit.error());
+    if (*hit) write_hit(*to.add_hits(), **hit, frame);
+    return {};
+}
+
+void write_box(v1::DebugBox& to, const physics::Aabb& from) {
+    write_vector(*to.mutable_low(), from.low);
+    write_vector(*to.mutable_high(), from.high);
+}
+
+// --- asking ---
+
+template <class Request>
+Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
+                         const PastView::MayMeet& may_meet = anything) {
+    return query_subject(worlds, request.world(), request.has_seen() ? &request.seen() : nullptr,
+                         may_meet);
+}
+
+template <class Response>
+void write_moment(Response& to, const QuerySubject& asked) {
+    to.set_tick(asked.tick);
+    to.set_moment_clamped(asked.clamped);
+}
+
+// What rays may meet of the past.
+PastView::MayMeet along_rays(const v1::CastRaysRequest& request) {
+    if (request.rays_size() == 1)
+        return along(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
+    std::optional<physics::Aabb> box;
+    for (const v1::Ray& ray : request.rays()) {
+        const physics::Vec3 from = to_vector(ray.origin()), to = from + to_vector(ray.motion());
+        const physics::Aabb of_ray{min(from, to), max(from, to)};
+        box = box ? unite(*box, of_ray) : of_ray;
+    }
+    return within(box.value_or(physics::Aabb{}));
+}
+
+Status check_ray(const v1::Ray& ray, int number) {
+    const std::string field = fmt::format("rays[{}]", number);
+    if (Status s = check_vector(field + ".origin", ray.origin()); !s.ok()) return s;
+    if (Status s = check_vector(field + ".motion", ray.motion()); !s.ok()) return s;
+    if (to_vector(ray.motion()) == physics::Vec3{})
+        return invalid_argument(field + ".motion is zero; it must have a length");
+    return {};
+}
+
+Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
+                const QuerySubject& asked, v1::Hits& hits, std::size_t& total) {
+    const QueryFrame& frame = *asked.frame;
+    if (mode == v1::HIT_MODE_ALL)
+        return write_hits(hits, asked.queries.cast_ray_all(ray, filter), frame, total);
+    if (Status s = write_hits(hits, asked.queries.cast_ray(ray, filter), frame); !s.ok()) return s;
+    if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
+        // Of ANY only the entity counts. The solver's own test for any hit names no shape, so the
+        // closest is as good as another; what is saved is the answer's bytes.
+        const std::uint32_t entity = hits.hits(0).entity();
+        hits.mutable_hits(0)->Clear();
+        hits.mutable_hits(0)->set_entity(entity);
+    }
+    return {};
+}
+
+CopyParts parts_of(const v1::DebugRequest& request) {
+    return (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
+           (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
+           (request.broad_phase() ? copy_broad_phase : 0);
+}
+
+}  // namespace
+
+Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
+                               const StillWanted& wanted) const {
+    if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
+    if (!v1::HitMode_IsValid(request.mode()))
+        return invalid_argument(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
+                                            static_cast<int>(request.mode()),
+                                            static_cast<int>(v1::HitMode_MAX)));
+    for (int i = 0; i < request.rays_size(); i++)
+        if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
+    const Result<QuerySubject> asked = ask(context_.worlds, request, along_rays(request));
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    std::size_t total = 0;
+    for (const v1::Ray& ray : request.rays()) {
+        if (!wanted()) return no_longer_wanted();
+        const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
+        if (Status s = cast_one(cast, request.mode(), filter, *asked, *response.add_rays(), total);
+            !s.ok())
+            return s;
+    }
+    return {};
+}
+
+Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
+                                 v1::CastShapesResponse& response,
+                                 const StillWanted& wanted) const {
+    if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
+    if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
+        return invalid_argument(
+            fmt::format("mode is {}; shapes are cast with HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
+                        static_cast<int>(request.mode())));
+    std::vector<physics::ShapeCast> casts;
+    for (int i = 0; i < request.shapes_size(); i++) {
+        if (!wanted()) return no_longer_wanted();
+        const std::string field = fmt::format("shapes[{}]", i);
+        const v1::MovingShape& moving = request.shapes(i);
+        const Result<physics::ShapeDef> shape = read_shape(moving.shape(), field + ".shape");
+        if (!shape.ok()) return shape.error();
+        if (Status s = check_vector(field + ".motion", moving.motion()); !s.ok()) return s;
+        casts.push_back({shape->geometry, shape->pose, to_vector(moving.motion())});
+    }
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    std::size_t total = 0;
+    for (const physics::ShapeCast& cast : casts) {
+        if (!wanted()) return no_longer_wanted();
+        v1::Hits& hits = *response.add_shapes();
+        Status s =
+            request.mode() == v1::HIT_MODE_ALL
+                ? write_hits(hits, asked->queries.cast_shape_all(cast, filter), *frame, total)
+                : write_hits(hits, asked->queries.cast_shape(cast, filter), *frame);
+        if (!s.ok()) return s;
+    }
+    return {};
+}
+
+Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
+                             const StillWanted&) const {
+    physics::ShapeDef shape;
+    switch (request.what_case()) {
+        case v1::OverlapRequest::kShape: {
+            Result<physics::ShapeDef> read = read_shape(request.shape(), "shape");
+            if (!read.ok()) return read.error();
+            shape = std::move(*read);
+            break;
+        }
+        case v1::OverlapRequest::kPoint:
+            if (Status s = check_vector("point", request.point()); !s.ok()) return s;
+            break;
+        case v1::OverlapRequest::WHAT_NOT_SET:
+            return invalid_argument("give shape or point");
+    }
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    const auto found = request.has_shape()
+                           ? asked->queries.overlap_shape(shape.geometry, shape.pose, filter)
+                           : asked->queries.shapes_at(to_vector(request.point()), filter);
+    if (!found.ok()) return from_solver(found.error());
+    std::vector<EntityId> entities;
+    for (const physics::ShapeId id : *found) entities.push_back(frame->place_of(id).entity);
+    std::ranges::sort(entities);
+    const auto repeated = std::ranges::unique(entities);
+    entities.erase(repeated.begin(), repeated.end());
+    response.mutable_entities()->Add(entities.begin(), entities.end());
+    return {};
+}
+
+Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
+                                    v1::ClosestPointsResponse& response, const StillWanted&) const {
+    if (Status s = check_count("points", request.points_size(), points_max); !s.ok()) return s;
+    if (Status s = check_number("max_distance", request.max_distance(), 0, coordinate_max); !s.ok())
+        return s;
+    std::vector<physics::Vec3> points;
+    for (int i = 0; i < request.points_size(); i++) {
+        if (Status s = check_vector(fmt::format("points[{}]", i), request.points(i)); !s.ok())
+            return s;
+        points.push_back(to_vector(request.points(i)));
+    }
+    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = asked->frame;
+    write_moment(response, *asked);
+    const auto found = asked->queries.closest_points(points, request.max_distance(),
+                                                     read_filter(request.filter(), *frame));
+    if (!found.ok()) return from_solver(found.error());
+    for (const std::optional<physics::ClosestPoint>& closest : *found) {
+        v1::ClosestPoint& to = *response.add_points();
+        if (!closest) continue;
+        to.set_entity(frame->place_of(closest->shape).entity);
+        to.set_distance(closest->distance);
+        write_vector(*to.mutable_point(), closest->point);
+        write_vector(*to.mutable_normal(), closest->normal);
+    }
+    return {};
+}
+
+Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response,
+                           const StillWanted&) const {
+    const Result<QueryFramePtr> frame = debug_frame(request);
+    if (!frame.ok()) return frame.error();
+    write_debug(request, **frame, response);
+    return {};
+}
+
+Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request) const {
+    const CopyParts parts = parts_of(request);
+    if (parts == 0)
+        return invalid_argument(
+            "ask for at least one of contacts, islands, bounds, joints, broad_phase");
+    return query_frame_of(context_.worlds, request.world(), parts);
+}
+
+void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
+                               v1::DebugResponse& response) {
+    response.set_tick(frame.tick);
+    response.set_cut((frame.cut & parts_of(request)) != 0);
+    // The copy may hold more than this request asked for: others ask as well.
+    if (request.contacts())
+        for (const DebugContact& from : frame.contacts) {
+            v1::DebugContact& to = *response.add_contacts();
+            write_vector(*to.mutable_point(), from.point);
+            write_vector(*to.mutable_normal(), from.normal);
+            to.set_gap(from.gap);
+            to.set_impulse(from.impulse);
+            to.set_touching(from.touching);
+        }
+    if (request.islands())
+        for (const DebugIsland& from : frame.islands) {
+            v1::DebugIsland& to = *response.add_islands();
+            to.mutable_entities()->Add(from.entities.begin(), from.entities.end());
+            to.set_asleep(from.asleep);
+        }
+    if (request.bounds())
+        for (const physics::Aabb& box : frame.bounds) write_box(*response.add_bounds(), box);
+    if (request.joints())
+        for (const DebugJoint& from : frame.joints) {
+            v1::DebugJoint& to = *response.add_joints();
+            to.set_entity_a(from.entity_a);
+            to.set_entity_b(from.entity_b);
+            write_vector(*to.mutable_anchor_a(), from.anchor_a);
+            write_vector(*to.mutable_anchor_b(), from.anchor_b);
+            to.set_kind(from.kind);
+        }
+    if (request.broad_phase())
+        for (const physics::Aabb& cell : frame.cells) write_box(*response.add_broad_phase(), cell);
+}
+
+}  // namespace jostle::server

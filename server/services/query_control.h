@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// QueryService without a transport: what rpc/query_service and the gateway's /api/query both answer
+// with. Any thread; each call may wait a quarter of a second for a copy of the world and never
+// makes the world wait.
+#pragma once
+
+#include <string>
+
+#include <functional>
+
+#include "jostle/base/result.h"
+#include "server/session/play_context.h"
+#include "server/world/query_frame.h"
+
+namespace jostle::v1 {
+class CastRaysRequest;
+class CastRaysResponse;
+class CastShapesRequest;
+class CastShapesResponse;
+class ClosestPointsRequest;
+class ClosestPointsResponse;
+class DebugRequest;
+class DebugResponse;
+class OverlapRequest;
+class OverlapResponse;
+}  // namespace jostle::v1
+
+namespace jostle::server {
+
+using StillWanted = std::function<bool()>;
+
+class QueryControl {
+public:
+    static bool always() { return true; }
+
+    explicit QueryControl(PlayContext& context) : context_(context) {}
+
+    // Work of many parts asks between them whether the answer is still wanted.
+    Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
+                     const StillWanted& wanted = always) const;
+    Status cast_shapes(const v1::CastShapesRequest& request, v1::CastShapesResponse& response,
+                       const StillWanted& wanted = always) const;
+    Status overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
+                   const StillWanted& wanted = always) const;
+    Status closest_points(const v1::ClosestPointsRequest& request,
+                          v1::ClosestPointsResponse& response,
+                          const StillWanted& wanted = always) const;
+    Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
+                 const StillWanted& wanted = always) const;
+    // Its two halves, for who keeps answers: the same request about the same copy gets the same.
+    Result<QueryFramePtr> debug_frame(const v1::DebugRequest& request) const;
+    static void write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
+                            v1::DebugResponse& response);
+
+private:
+    PlayContext& context_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "server/services/query_subject.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <memory>
+#include <utility>
+
+#include "jostle/v1/common.pb.h"
+
+namespace jostle::server {
+
+namespace {
+
+Result<std::shared_ptr<WorldHost>> find_host(const WorldDirectory& worlds,
+                                             const std::string& name) {
+    std::shared_ptr<WorldHost> world = worlds.find(name);
+    if (world) return world;
+    return Error{ErrorCode::not_found, name.empty()
+                                           ? "the server has no world"
+                                           : fmt::format("there is no world \"{}\"", name)};
+}
+
+Result<QueryFramePtr> frame_of(WorldHost& world, CopyParts parts) {
+    if (QueryFramePtr frame = world.query_frame(parts)) return frame;
+    if (world.stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
+    return Error{ErrorCode::unavailable,
+                 fmt::format("the world took more than {} ms for a step; ask again",
+                             QueryBroker::patience.count())};
+}
+
+Status check_moment(const v1::SeenMoment& seen) {
+    if (seen.fraction() >= 0 && seen.fraction() <= 1) return {};
+    return invalid_argument(
+        fmt::format("seen.fraction is {:g}; it must be from 0 to 1", seen.fraction()));
+}
+
+}  // namespace
+
+Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& name,
+                                     CopyParts parts) {
+    const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
+    if (!world.ok()) return world.error();
+    return frame_of(**world, parts);
+}
+
+Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
+                                   const v1::SeenMoment* seen, const PastView::MayMeet& may_meet) {
+    if (seen)
+        if (Status s = check_moment(*seen); !s.ok()) return s.error();
+    const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
+    if (!world.ok()) return world.error();
+    const Result<QueryFramePtr> frame = frame_of(**world, copy_shapes);
+    if (!frame.ok()) return frame.error();
+    QuerySubject now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
+    if (!seen) return now;
+    const PastView past(*(*world)->past().at({seen->tick(), seen->fraction()}));
+    const Result<physics::Queries> then =
+        now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, may_meet));
+    if (!then.ok()) return Error{ErrorCode::internal, then.error().message};
+    return QuerySubject{now.frame, *then, past.tick(), past.clamped()};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What a question is asked of: a copy of the world, or its shapes where they were at the moment
+// that the client saw. Any thread; may wait a quarter of a second for the copy.
+#pragma once
+
+#include <string>
+
+#include "jostle/base/result.h"
+#include "server/world/past_view.h"
+#include "server/world/query_frame.h"
+#include "server/world/world_directory.h"
+
+namespace jostle::v1 {
+class SeenMoment;
+}
+
+namespace jostle::server {
+
+struct QuerySubject {
+    QueryFramePtr frame;  // has the shapes
+    physics::Queries queries;
+    std::uint32_t tick = 0;
+    bool clamped = false;  // an older moment was asked for
+};
+
+// unavailable: the world is closed, or its step takes long. not_found: there is no such world.
+Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& world,
+                                     CopyParts parts);
+
+// `seen` null: now. Of the past only what may be met.
+Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& world,
+                                   const v1::SeenMoment* seen, const PastView::MayMeet& may_meet);
+
+// For questions about all of a world.
+inline bool anything(physics::Vec3, double) {
+    return true;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/client_link.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "server/messages/server_message.h"
+#include "server/util/address.h"
+#include "server/util/log.h"
+#include "server/util/text.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+// Answers that were not taken: beyond this the client does not read what it asks for.
+constexpr std::size_t replies_max = 256;
+constexpr std::size_t results_max = 4096;
+// A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
+// helps nobody.
+constexpr auto keyframe_period = 250ms;
+// A client that has been told and still sends this many times its rate is cut off.
+constexpr int flood_factor = 5;
+constexpr auto rate_notice_period = 1s;
+
+// Every n-th tick, so that no more than `wanted` snapshots a second are sent.
+int divider_of(double tick_hz, std::uint32_t wanted) {
+    if (wanted == 0 || wanted >= tick_hz) return 1;
+    return static_cast<int>(std::ceil(tick_hz / wanted));
+}
+
+// The best that both know.
+wire::Codec codec_for(const Hello& hello, const StreamSettings& stream) {
+    const auto ours = static_cast<std::uint32_t>(stream.codec);
+    return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, ours));
+}
+
+// A bit for each kind of the world that the client names, "*" being all of modules.
+std::uint64_t kinds_named(const std::vector<physics::ChannelKind>& kinds,
+                          const std::vector<std::string>& names) {
+    std::uint64_t named = 0;
+    for (std::size_t k = 0; k < kinds.size(); k++)
+        for (const std::string& name : names)
+            if (name == kinds[k].name || (name == "*" && kinds[k].name != motion_kind))
+                named |= std::uint64_t{1} << k;
+    return named;
+}
+
+std::uint64_t motion_bit(const std::vector<physics::ChannelKind>& kinds) {
+    return kinds_named(kinds, {motion_kind});
+}
+
+}  // namespace
+
+ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
+    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), looked_(now) {}
+
+ClientLink::~ClientLink() {
+    leave_world();
+}
+
+// --- what the client sends ---
+
+void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
+    if (delay_)
+        delay_->hear(bytes, now);
+    else
+        take_in(bytes, now);
+}
+
+void ClientLink::take_in_delayed(Clock::time_point now, bool at_once) {
+    if (!delay_) return;
+    while (const auto bytes = delay_->take_heard(now, at_once)) take_in(*bytes, now);
+}
+
+void ClientLink::take_in(std::string_view bytes, Clock::time_point now) {
+    if (end_) return;
+    last_received_ = now;
+    const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
+    if (bytes.size() > bytes_max) {
+        return refuse(Error{ErrorCode::resource_exhausted,
+                            fmt::format("a message of {} bytes; at most {} are allowed",
+                                        bytes.size(), bytes_max)},
+                      now);
+    }
+    if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
+    const Result<ClientMessage> message = decode_client_message(bytes);
+    if (!message.ok()) return refuse(message.error(), now);
+    if (!feed_ && !std::holds_alternative<Hello>(*message)) {
+        return refuse(Error{ErrorCode::failed_precondition, "the first message must be a Hello"},
+                      now);
+    }
+    std::visit([&](const auto& decoded) { on_message(decoded, now); }, *message);
+}
+
+// Not even parsed: a flood should cost its sender more than us.
+void ClientLink::drop_message(Clock::time_point now) {
+    dropped_++;
+    if (now - dropping_since_ < rate_notice_period) {
+        if (dropped_ > flood_factor * limits_.messages_per_second) {
+            refuse(Error{ErrorCode::resource_exhausted, "far too many messages"}, now);
+        }
+        return;
+    }
+    dropping_since_ = now;
+    dropped_ = 1;
+    send(encode_notice(
+        NoticeKind::rate_limit,
+        fmt::format("more than {:g} messages or {:g} bytes a second: what is beyond that "
+                    "is dropped; put several inputs into one batch",
+                    limits_.messages_per_second, limits_.bytes_per_second)));
+}
+
+void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
+    if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
+    if (context_.draining) {
+        return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
+    }
+    if (hello.protocol != protocol_version) {
+        return refuse(Error{ErrorCode::failed_precondition,
+                            fmt::format("hello.protocol is {}; this server speaks {}",
+                                        hello.protocol, protocol_version)},
+                      now);
+    }
+    if (hello.resume && resume(hello, now)) return;
+    const Result<std::shared_ptr<WorldHost>> world =
+        hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
+    if (!world.ok()) return refuse(world.error(), now);
+    by_ticket_ = !hello.ticket.empty();
+    enter(*world, hello, now);
+}
+
+Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wanted) const {
+    std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
+    if (world) return world;
+    return Error{ErrorCode::not_found, wanted.empty() ? "the server has no world"
+                                                      : "there is no world " + quoted(wanted)};
+}
+
+// By the token of the stream or of the hello, or as one who shows none.
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
+    const Result<Identity> who =
+        hello.token.empty()
+            ? peer_.who
+            : context_.gate.identify({.bearer = hello.token, .address = peer_.address});
+    if (!who.ok()) return who.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+    if (!world.ok()) return world;
+    const Ask ask{peer_.call, asked_world(**world), peer_.address};
+    if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
+    if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
+    watch_.known_as(who->subject);
+    return world;
+}
+
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hello) {
+    std::string named;
+    if (!hello.world.empty()) {
+        const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+        if (!world.ok()) return world.error();
+        named = (*world)->id();
+    }
+    const Result<Gate::Entry> entry =
+        context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
+    if (!entry.ok()) return entry.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
+    if (!world.ok()) return world;
+    if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
+    watch_.known_as(entry->who.subject);
+    return world;
+}
+
+Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+    if (hello.spectator) return {};
+    return context_.gate.admit(who, {play_inputs, asked_world(world), peer_.address});
+}
+
+void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
+                       Clock::time_point now, LostClient* lost) {
+    const Result<ClientId> client = lost ? lost->client : take_place(*world);
+    if (!client.ok()) return refuse(client.error(), now);
+    client_ = *client;
+    spectator_ = hello.spectator;
+    feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
+    result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
+    if (!lost && hello.resumable && context_.config.client.resume_seconds > 0)
+        seat_ = open_seat(*world);
+    const int divider = divider_of(world->hz(), hello.snapshot_hz);
+    // A client may acknowledge each snapshot by itself, whatever the world's rate.
+    limits_ = context_.config.client;
+    limits_.messages_per_second += world->hz() / divider;
+    admission_.emplace(limits_, hello.spectator, now);
+    flow_.emplace(context_.config.stream, world->hz(), divider);
+    if (hello.interest || hello.max_kbps != 0) {
+        sight_ = std::make_unique<InterestView>(hello.max_kbps * 125.0);
+        if (hello.interest) sight_->look_at(*hello.interest);
+    }
+    if (hello.events) {
+        wants_events_ = true;
+        world->add_event_listener();
+    }
+    channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
+    const std::uint64_t motion = motion_bit(world->channel_kinds());
+    wants_driven_ = (channel_kinds_ & motion) != 0;
+    if (wants_driven_) world->add_driven_listener();
+    // That is of all bodies, and such a client is told of some.
+    if (sight_) channel_kinds_ &= ~motion;
+    wants_motion_ = (channel_kinds_ & motion) != 0;
+    if (wants_motion_) world->add_motion_listener();
+    codec_ = codec_for(hello, context_.config.stream);
+    const FramePtr frame = world->frame();
+    event_cursor_ = frame->events->count;
+    const auto gone =
+        lost ? take_over(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
+    Welcome welcome{.client = client_,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .tick = frame->tick,
+                    .tick_hz = world->hz(),
+                    .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
+                    .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
+                    .quant = feed_->snapshots().spec(),
+                    .server_time_us = to_us(now),
+                    .epoch_us = world->epoch_us(),
+                    .gravity = world->gravity(),
+                    .substeps = world->substeps(),
+                    .channels = world->channel_kinds(),
+                    .codec = codec_,
+                    .cells = sight_ != nullptr,
+                    .resume_token = seat_ ? seat_->token : std::string(),
+                    .resumed = lost != nullptr,
+                    .continues = gone.has_value(),
+                    .last_sequence = confirmed(),
+                    .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
+    offer_datagrams(hello, welcome);
+    send(encode_welcome(welcome));
+    if (gone && !gone->empty())
+        waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
+    snapshot_due_ = true;  // the first one goes out at once
+    delay_ = link_delay_for(context_.config.development, world->name(), client_);
+    watch_.entered({.id = client_,
+                    .name = hello.name,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .address = peer_.name,
+                    .spectator = hello.spectator,
+                    .since = now},
+                   *world);
+    log_info("client {} {} of {} {} world {}{}", client_, quoted(hello.name), peer_.name,
+             lost ? "came back to" : "joined", world->id(),
+             hello.spectator ? " as a spectator" : "");
+}
+
+void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
+    const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
+    if (batch.inputs.size() > inputs_max) {
+        return refuse(Error{ErrorCode::invalid_argument,
+                            fmt::format("a batch of {} inputs; at most {} are allowed",
+                                        batch.inputs.size(), inputs_max)},
+                      now);
+    }
+    if (batch.ack) on_message(*batch.ack, now);
+    client_time_us_ = batch.client_time_us;
+    std::uint32_t sequence = batch.first_sequence;
+    for (std::size_t k = 0; k < batch.inputs.size(); k++)
+        push_input(sequence++, batch.inputs[k], batch.ticks[k], now);
+}
+
+// What came before is neither applied nor answered again.
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                            Clock::time_point now) {
+    if (sequence <= last_sequence_) return;
+    last_sequence_ = sequence;
+    if (Status status = try_push(sequence, input, tick, now); !status.ok())
+        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
+}
+
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                            Clock::time_point now) {
+    if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
+    if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
+    if (!feed_->host().push({.client = client_,
+                             .sequence = sequence,
+                             .action = *input,
+                             .reply = result_queue_,
+                             .received = now,
+                             .tick = tick}))
+        return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
+    return {};
+}
+
+void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
+    flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.held_ms), now);
+    sent_.on_ack(ack.frame);
+    if (lane_) lane_->on_ack(ack.frame, ack.before, now);
+    if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
+    last_keyframe_ = now;
+    baselines_.reset();
+    if (lane_) lane_->frames().reset();
+    if (sight_) sight_->reset();
+}
+
+void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
+    send(encode_pong(ping.client_time_us, to_us(now)));
+}
+
+void ClientLink::on_message(const Interest& interest, Clock::time_point now) {
+    if (!sight_)
+        return refuse(Error{ErrorCode::failed_precondition,
+                            "an interest in a stream without one; name the first in the hello"},
+                      now);
+    sight_->look_at(interest);
+}
+
+void ClientLink::on_message(const Leave&, Clock::time_point now) {
+    finish({}, now);
+}
+
+void ClientLink::on_peer_closed(Clock::time_point now) {
+    take_in_delayed(now, true);
+    drop_waiting();
+    if (!end_) finish({}, now, true);
+}
+
+void ClientLink::on_fault(Clock::time_point now) {
+    drop_waiting();
+    results_.clear();
+    finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
+}
+
+// --- how it ends ---
+
+void ClientLink::refuse(Error error, Clock::time_point now, bool lost) {
+    if (end_) return;
+    log_warn("{} was refused: {}",
+             client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
+             error.message);
+    watch_.refused(error.code);
+    send(encode_notice(NoticeKind::refused, error.message));
+    finish(std::move(error), now, lost);
+}
+
+void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
+    if (end_) return;
+    end_ = std::move(status);
+    end_time_ = now;
+    // Who is there when the server goes down has not left a world that is kept.
+    const bool world_goes_on = feed_ && feed_->host().is_kept();
+    lost = seat_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
+    if (client_ != 0)
+        log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
+    leave_world(lost ? std::optional(now) : std::nullopt);
+}
+
+void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
+    if (client_ == 0) return;
+    watch_.left();
+    if (wants_events_) feed_->host().remove_event_listener();
+    if (wants_motion_) feed_->host().remove_motion_listener();
+    if (wants_driven_) feed_->host().remove_driven_listener();
+    if (lost) {
+        keep_place(*lost);
+    } else {
+        if (seat_) context_.resumes.close(*seat_);
+        // In this order: whoever goes on with the world elsewhere looks who is there
+        // (put_in_place).
+        context_.sessions.leave(client_);
+        const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(feed_->host().id());
+        (goes_on ? *goes_on : feed_->host())
+            .leave(client_, context_.config.client.keep_bodies_after_leave);
+    }
+    client_ = 0;
+    lane_.reset();
+}
+
+void ClientLink::forgive_pause(Clock::time_point now) {
+    const Clock::duration pause = now - std::exchange(looked_, now);
+    if (pause <= pause_of_ours) return;
+    begun_ += pause;
+    last_received_ = std::min(last_received_ + pause, now);
+    if (writing_since_) writing_since_ = std::min(*writing_since_ + pause, now);
+}
+
+// What time alone decides, and what the server as a whole decided.
+void ClientLink::check_timeouts(Clock::time_point now) {
+    if (end_) return;
+    forgive_pause(now);
+    const StreamSettings& limits = context_.config.stream;
+    if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
+    if (context_.draining && !draining_sent_) {
+        draining_sent_ = true;
+        send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
+                                                             context_.config.drain_seconds)));
+    }
+    if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
+    if (!feed_) {
+        if (now - begun_ > from_seconds(limits.hello_seconds)) {
+            refuse(Error{ErrorCode::deadline_exceeded,
+                         fmt::format("no Hello within {:g} s", limits.hello_seconds)},
+                   now);
+        }
+        return;
+    }
+    if (const auto why = watch_.kicked())
+        return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
+    if (seat_ && seat_->is_wanted)
+        return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
+    if (now - last_received_ > from_seconds(limits.silence_seconds)) {
+        return refuse(Error{ErrorCode::deadline_exceeded,
+                            fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
+                                        limits.silence_seconds)},
+                      now, true);
+    }
+    if (feed_->host().failed()) {
+        const bool kept = feed_->host().is_kept();
+        const char* why =
+            kept ? "a fault of the server ended the world; it goes on from what was kept of it"
+                 : "a fault of the server ended the world; it starts anew from its scene";
+        send(encode_notice(NoticeKind::world_restarted, why));
+        return finish(Error{ErrorCode::unavailable, why}, now, kept);
+    }
+    if (feed_->host().goes_on_elsewhere()) {
+        const char* why = "the world is taken back to an earlier tick";
+        send(encode_notice(NoticeKind::world_restarted, why));
+        return finish(Error{ErrorCode::unavailable, why}, now, true);
+    }
+    if (feed_->host().stopped()) {
+        send(encode_notice(NoticeKind::world_closed, "the world was closed"));
+        return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
+    }
+    if (replies_waiting_ > replies_max || results_.size() > results_max) {
+        drop_waiting();
+        refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
+    }
+}
+
+}  // namespace jostle::server

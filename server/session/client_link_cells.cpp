@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of a ClientLink that tells who sees a part of the world: cells, and who is in them.
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "server/messages/server_message.h"
+#include "server/session/client_link.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Entities told at once to who sees a part of a world, and about how many bytes one takes.
+constexpr std::size_t roster_part_max = 64, entity_bytes = 48;
+
+}  // namespace
+
+// The part of the frame that the client sees and can be told of now. A cell comes after the rosters
+// of all that is in it, and so not before the next snapshot.
+OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
+    if (frame->entity_list != entity_list_) tell_removed(frame->entity_list);
+    std::vector<SharedBytes> cells;
+    const CellFeed::Cells there = feed_->cells_of(frame);
+    more_to_tell_ = false;
+    for (const auto& part : sight_->wanted(feed_->cells(), *there, frame->tick, now)) {
+        if (part.new_members && !tell_members(*part.state.content)) {
+            more_to_tell_ = true;
+            continue;
+        }
+        SharedBytes bytes = feed_->cells().encoding(part.state, part.bases, codec_);
+        if (!sight_->affords(bytes->size(), part.fresh)) {
+            more_to_tell_ = true;
+            if (part.fresh) continue;
+            break;
+        }
+        sight_->spend(bytes->size(), part.fresh);
+        sight_->on_sent(part, frame->tick);
+        cells.push_back(std::move(bytes));
+    }
+    const std::vector<CellId> left = sight_->take_left();
+    std::string fields = left.empty() ? std::string() : encode_cells_left_field(left);
+    OutMessage message = snapshot_of(frame, now, std::move(fields), std::move(cells));
+    sight_->spend(message.head.size() + message.shared->size(), false);
+    return message;
+}
+
+// Of what is in the cell and not known yet, as much as there is budget for. True: all was known.
+bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
+    EntityList fresh;
+    bool all = true;
+    for (const wire::EntityState& entity : cell.entities) {
+        if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
+        all = false;
+        if (fresh.size() == roster_part_max || !sight_->affords(fresh.size() * entity_bytes, true))
+            break;
+        const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
+                                                 [](const auto& known) { return known->id; });
+        if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
+    }
+    if (fresh.empty()) return all;
+    const RosterMessages messages = feed_->roster_of(fresh);
+    push(messages);
+    for (const SharedBytes& roster : messages.rosters) sight_->spend(roster->size(), true);
+    for (const auto& entity : fresh) {
+        if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
+        known_entities_[entity->id] = true;
+    }
+    return all;
+}
+
+// Who is gone, of those that this client knows.
+void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities) {
+    if (entity_list_) {
+        std::vector<EntityId> gone;
+        for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
+            if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
+        if (!gone.empty())
+            waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
+        for (const EntityId id : gone) known_entities_[id] = false;
+    }
+    entity_list_ = entities;
+}
+
+}  // namespace jostle::server

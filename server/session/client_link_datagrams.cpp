@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of a ClientLink that goes by datagrams (docs/protocol.md): snapshots one way, acks and
+// inputs the other. Whatever must not get lost stays with the stream.
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "server/messages/server_message.h"
+#include "server/session/client_link.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::size_t own_bytes_max = 64;  // of a snapshot's head in a datagram
+constexpr auto lost_after_min = 250ms;
+
+}  // namespace
+
+// Cells have bases of their own, which nobody acknowledges: who sees a part of a world keeps to the
+// stream.
+void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
+    if (!hello.datagrams || !context_.datagrams || !peer_.wake || sight_) return;
+    auto path = context_.datagrams->open([wake = peer_.wake](std::string_view message) {
+        if (looks_like_inputs(message)) wake();  // all else waits for the next frame
+    });
+    if (!path.ok()) return log_warn("client {}: {}", client_, path.error().message);
+    lane_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
+    welcome.datagrams = {.port = context_.datagrams->advertised_port(),
+                         .ticket = (*path)->ticket()};
+}
+
+void ClientLink::take_datagrams(Clock::time_point now) {
+    if (!lane_ || end_) return;
+    for (const DatagramPath::Mail& mail : lane_->take_mail()) {
+        receive_datagram(mail.message, mail.at, now);
+        if (end_) return;
+    }
+    send_datagram(now);
+}
+
+void ClientLink::receive_datagram(std::string_view bytes, Clock::time_point at,
+                                  Clock::time_point now) {
+    last_received_ = std::max(last_received_, at);
+    if (!admission_->admit_message(bytes.size(), now)) return;  // a later one says it again
+    Result<ClientMessage> message = decode_client_message(bytes);
+    if (!message.ok()) return refuse(message.error(), now);
+    if (auto* const batch = std::get_if<InputBatch>(&*message)) {
+        // Of one that was lost, a later one says the inputs again; what follows them waits.
+        if (batch->first_sequence > last_sequence_ + 1) batch->inputs.clear();
+        return on_message(*batch, at);
+    }
+    if (const auto* const ack = std::get_if<Ack>(&*message)) return on_message(*ack, at);
+    refuse(Error{ErrorCode::failed_precondition,
+                 "a datagram holds an InputBatch or an Ack; all else goes by the stream"},
+           now);
+}
+
+bool ClientLink::by_datagrams(const Frame& frame, Clock::time_point now) {
+    return lane_ && !end_ && lane_->carries(frame.tick, now);
+}
+
+void ClientLink::send_datagram(Clock::time_point now) {
+    const FramePtr frame = feed_->host().frame();
+    if (lane_->sent_last()) {
+        const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
+        flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
+    }
+    if (!by_datagrams(*frame, now)) return;
+    if (frame->tick != seen_tick_) {
+        write_waits_ = false;
+        on_frame(*frame, now);
+    }
+    if (!snapshot_due_ || frame->tick <= lane_->frames().last_sent()) return;
+    // Who knows an entity not yet leaves it out: the snapshot need not wait for the stream.
+    if (frame->entity_list != entity_list_) tell_entities(frame->entity_list);
+    const SharedBytes shared = feed_->snapshots().encoding(
+        frame, lane_->frames().bases_for(frame->tick), channel_kinds_, codec_);
+    if (!lane_->fits(shared->size() + own_bytes_max, now)) return;
+    const OutMessage message{encode_snapshot_head(datagram_part(), {}, shared->size()), shared};
+    lane_->send(message, frame->tick, now);
+    snapshot_due_ = false;
+    last_snapshot_ = now;
+    flow_->on_sent(frame->tick, now);
+    watch_.sent(message, now);
+    watch_.sent_snapshot(message.size());
+}
+
+// Numbers of which each makes those before it superfluous, so that any may get lost.
+Private ClientLink::datagram_part() {
+    Private own{.input_sequence = std::exchange(untold_sequence_, 0),
+                .echo_client_time_us = std::exchange(client_time_us_, 0)};
+    own.input_margin_us = std::exchange(untold_margin_us_, 0);
+    own.input_received = confirmed();
+    return own;
+}
+
+// What must come exactly once, while snapshots go by datagrams: results, events and statistics, in
+// a Snapshot that tells nothing of the world.
+std::optional<OutMessage> ClientLink::take_news(Clock::time_point now) {
+    const FramePtr frame = feed_->host().frame();
+    if (frame->entity_list != entity_list_) {
+        tell_entities(frame->entity_list);
+        if (!waiting_.empty()) return next_message(now);
+    }
+    const std::string more = take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
+    if (results_.empty() && more.empty()) return std::nullopt;
+    OutMessage message{encode_snapshot_head(own_part(), more, 0), nullptr};
+    if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
+    watch_.answered(results_);
+    results_.clear();
+    return message;
+}
+
+}  // namespace jostle::server

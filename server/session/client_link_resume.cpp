@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// ClientLink: what of a conversation outlives its connection, and how another one goes on with it.
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include "server/session/client_link.h"
+#include "server/util/address.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+// A link looks twenty times a second whether it is to give way.
+constexpr auto give_way_max = std::chrono::seconds(2);
+// A world that goes on elsewhere is there again within this, or its clients ask again.
+constexpr auto world_back_max = std::chrono::seconds(10);
+
+// A token that outlives the process is good for a day: a place is never kept so long.
+constexpr auto token_life = std::chrono::hours(24);
+
+// A world that an error ended may run again, as another host.
+std::shared_ptr<WorldHost> host_of(PlayContext& context, const LostClient& lost) {
+    const WorldHost& host = lost.feed->host();
+    return context.worlds.find(host.id());
+}
+
+void let_go(PlayContext& context, const LostClient& lost) {
+    log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
+    context.sessions.leave(lost.client);
+    if (const auto host = host_of(context, lost))
+        host->leave(lost.client, context.config.client.keep_bodies_after_leave);
+}
+
+}  // namespace
+
+void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+                   std::uint32_t last_sequence, Clock::time_point until) {
+    context.sessions.enter_again(client, world->id(), {});
+    world->lose(client);
+    context.resumes.expect({.client = client,
+                            .feed = context.feeds.feed_of(world, context.config.stream.cell_m),
+                            .network = {},
+                            .subject = {},
+                            .result_queue = std::make_shared<ResultQueue>(),
+                            .results = {},
+                            .last_sequence = last_sequence,
+                            .kept_sequence = last_sequence,
+                            .baselines = {},
+                            .sent = {},
+                            .told_geometry = {}},
+                           until);
+}
+
+void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
+    for (const ClientId client : clients) {
+        if (context.sessions.has(client))
+            world.lose(client);
+        else
+            world.leave(client, context.config.client.keep_bodies_after_leave);
+    }
+}
+
+void end_lost_clients(PlayContext& context, Clock::time_point now) {
+    for (const LostClient& lost : context.resumes.take_expired(now)) let_go(context, lost);
+}
+
+// A place that is kept for somebody who is not there is given to one who is.
+Result<ClientId> ClientLink::take_place(const WorldHost& world) {
+    const std::string network = network_of(peer_.address);
+    Result<ClientId> client = context_.sessions.enter(world.id(), network);
+    if (client.ok()) return client;
+    std::optional<LostClient> lost = context_.resumes.take_oldest(network);
+    if (!lost && context_.sessions.clients() >= context_.config.world.clients_max)
+        lost = context_.resumes.take_oldest({});
+    if (!lost) return client;
+    let_go(context_, *lost);
+    return context_.sessions.enter(world.id(), network);
+}
+
+std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
+    const ResumeToken who{.client = client_,
+                          .world = world.id(),
+                          .subject = watch_.subject(),
+                          .by_ticket = by_ticket_,
+                          .spectator = spectator_,
+                          .expires = std::chrono::floor<std::chrono::seconds>(
+                              std::chrono::system_clock::now() + token_life)};
+    return context_.resumes.open(client_, world.is_kept() ? &who : nullptr);
+}
+
+void ClientLink::keep_place(Clock::time_point now) {
+    collect_results();
+    feed_->host().lose(client_);
+    LostClient lost{.client = client_,
+                    .feed = feed_,
+                    .network = network_of(peer_.address),
+                    .subject = watch_.subject(),
+                    .by_ticket = by_ticket_,
+                    .spectator = spectator_,
+                    .result_queue = result_queue_,
+                    .results = std::move(results_),
+                    .last_sequence = last_sequence_,
+                    .kept_sequence = kept_sequence_,
+                    .whole = goes_on_later(),
+                    .baselines = std::move(baselines_),
+                    .sent = std::move(sent_),
+                    .told_geometry = std::move(told_geometry_),
+                    .channel_kinds = channel_kinds_};
+    context_.resumes.leave_at(*seat_, std::move(lost),
+                              now + from_seconds(context_.config.client.resume_seconds));
+}
+
+// By a ticket one comes in once; the token stands for it, and for no more than it allowed.
+Status ClientLink::may_resume(const Hello& hello, const LostClient& lost) {
+    if (lost.by_ticket) {
+        if (lost.spectator && !hello.spectator)
+            return Error{ErrorCode::permission_denied,
+                         "you came in as a spectator; a player needs a ticket of his own"};
+        watch_.known_as(lost.subject);
+        return {};
+    }
+    const Result<std::shared_ptr<WorldHost>> world = let_in(hello);
+    if (!world.ok()) return world.error();
+    if (watch_.subject() != lost.subject)
+        return Error{ErrorCode::permission_denied, "that place is somebody else's"};
+    if (world->get() != &lost.feed->host())
+        return Error{ErrorCode::not_found, "that place is in another world"};
+    return {};
+}
+
+// False: it comes in as one that is new.
+bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
+    ResumeDesk::Claim claim = context_.resumes.claim(hello.resume->token);
+    if (claim.answer == ResumeDesk::Answer::unknown) return false;
+    if (claim.answer == ResumeDesk::Answer::not_yet) {
+        if (now - begun_ > give_way_max) return false;
+        waiting_hello_ = std::make_unique<Hello>(hello);
+        return true;
+    }
+    LostClient& lost = *claim.client;
+    if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
+        lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.cell_m));
+    const bool world_is_there = !lost.feed->host().stopped();
+    const auto patience = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
+    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= patience) {
+        context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
+        waiting_hello_ = std::make_unique<Hello>(hello);
+        return true;
+    }
+    const Status may = world_is_there ? may_resume(hello, lost) : Status();
+    if (!world_is_there || (!may.ok() && may.error().code == ErrorCode::not_found)) {
+        context_.resumes.close(*claim.seat);
+        let_go(context_, lost);
+        return false;
+    }
+    if (!may.ok()) {
+        context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
+        refuse(may.error(), now);
+        return true;
+    }
+    seat_ = std::move(claim.seat);
+    by_ticket_ = lost.by_ticket;
+    const auto world = context_.worlds.find(lost.feed->host().id());
+    enter(world, hello, now, &lost);
+    return true;
+}
+
+// Whom it may know that is no more, if it goes on from that frame; nothing: it begins anew.
+std::optional<std::vector<EntityId>> ClientLink::take_over(LostClient& lost, std::uint32_t frame,
+                                                           const EntityList& now) {
+    last_sequence_ = lost.last_sequence;
+    kept_sequence_ = lost.kept_sequence;
+    SentLog::Known known = lost.sent.known_at(frame, now);
+    results_ = std::move(known.results);
+    results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),
+                    std::make_move_iterator(lost.results.end()));
+    if (sight_ || !lost.whole || !known.list || channel_kinds_ != lost.channel_kinds ||
+        !lost.baselines.go_back_to(frame))
+        return std::nullopt;
+    baselines_ = std::move(lost.baselines);
+    sent_ = std::move(lost.sent);
+    sent_.go_back_to(frame);
+    entity_list_ = std::move(known.list);
+    told_geometry_ = std::move(lost.told_geometry);
+    for (const std::uint64_t id : known.geometry) told_geometry_.erase(id);
+    if (wants_events_) event_cursor_ = known.events;
+    return std::move(known.gone);
+}
+
+}  // namespace jostle::server

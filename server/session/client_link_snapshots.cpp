@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of a ClientLink that says things: rosters, snapshots, and what travels in them.
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "server/messages/event_message.h"
+#include "server/messages/server_message.h"
+#include "server/session/client_link.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
+constexpr std::size_t events_bytes_max = 1 << 20;
+constexpr double driven_per_second = 16;
+constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
+
+std::int32_t within_margins(std::int64_t margin_us) {
+    return static_cast<std::int32_t>(std::clamp(margin_us, -margin_us_max, margin_us_max));
+}
+
+}  // namespace
+
+void ClientLink::send(std::string message) {
+    waiting_.push_back({std::move(message), nullptr});
+    replies_waiting_++;
+}
+
+void ClientLink::drop_waiting() {
+    waiting_.clear();
+    replies_waiting_ = 0;
+}
+
+std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    take_in_delayed(now);
+    std::optional<OutMessage> message = next_message(now);
+    if (delay_) {
+        for (; message; message = next_message(now)) delay_->say(*std::move(message), now);
+        message = delay_->take_said(now, end_.has_value());
+    }
+    if (message) watch_.sent(*message, now);
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
+    writing_since_.reset();
+    check_timeouts(now);
+    if (waiting_.empty() && feed_ && !end_) {
+        if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
+            on_frame(*frame, now);
+        }
+        write_waits_ = false;
+        if (by_datagrams(*feed_->host().frame(), now)) return take_news(now);
+        return take_snapshot(now);
+    }
+    if (waiting_.empty()) return std::nullopt;
+    OutMessage message = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (!message.shared) replies_waiting_--;
+    if (flow_) flow_->on_other_sent();
+    return message;
+}
+
+void ClientLink::wait_for_write(Clock::time_point now) {
+    write_waits_ = true;
+    if (!writing_since_) writing_since_ = now;
+    take_in_delayed(now);
+    check_timeouts(now);
+    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
+        refuse(Error{ErrorCode::resource_exhausted,
+                     fmt::format("nothing was read for {:g} s",
+                                 context_.config.stream.silence_seconds)},
+               now, true);
+    if (feed_ && !end_) collect_results();
+}
+
+// Whether this frame is one to send. Frames that came and went while a write was pending were
+// skipped because of it.
+void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
+    const auto every = static_cast<std::uint32_t>(flow_->divider());
+    if (write_waits_ && seen_tick_ != 0) {
+        skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
+    }
+    seen_tick_ = frame.tick;
+    collect_results();
+    snapshot_due_ = snapshot_due_ || (has_news(frame, now) && flow_->may_send(frame.tick, now));
+    watch_.saw_frame(*flow_, skipped_waiting_);
+}
+
+// Anything since the last snapshot; and now and then nothing, so that the client knows so much.
+bool ClientLink::has_news(const Frame& frame, Clock::time_point now) {
+    // What went by a datagram is told again until the client says that it has it.
+    const std::uint32_t told =
+        by_datagrams(frame, now) ? lane_->frames().newest() : baselines_.last();
+    return frame.changed_at > told || more_to_tell_ || !results_.empty() ||
+           (wants_events_ && event_cursor_ < frame.events->count) ||
+           now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
+}
+
+void ClientLink::collect_results() {
+    std::vector<InputResult> fresh = result_queue_->take();
+    for (const InputResult& result : fresh) {
+        untold_sequence_ = std::max(untold_sequence_, result.sequence);
+        if (result.status.ok() || result.status.error().code != ErrorCode::unavailable)
+            kept_sequence_ = std::max(kept_sequence_, result.sequence);
+        untold_margin_us_ = within_margins(result.margin_us.value_or(untold_margin_us_));
+    }
+    results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
+                    std::make_move_iterator(fresh.end()));
+}
+
+// What only this client is told with a snapshot; each number when it is another than last time.
+Private ClientLink::own_part() {
+    std::uint32_t answered = told_.input_sequence;
+    std::int64_t margin_us = 0;
+    for (const InputResult& result : results_) {
+        answered = std::max(answered, result.sequence);
+        margin_us = result.margin_us.value_or(margin_us);
+    }
+    const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
+    Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
+    own.input_margin_us = within_margins(margin_us);
+    if (lane_ && confirmed() != told_received_) own.input_received = told_received_ = confirmed();
+    if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
+    if (skipped != told_.snapshots_skipped)
+        own.snapshots_skipped = told_.snapshots_skipped = skipped;
+    return own;
+}
+
+// A field, or nothing when it is too early for the next.
+std::string ClientLink::take_stats(const FramePtr& frame, Clock::time_point now) {
+    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) return {};
+    last_stats_ = now;
+    const auto clients =
+        static_cast<std::uint32_t>(context_.sessions.clients_in(feed_->host().id()));
+    return *feed_->world_stats(frame, clients);
+}
+
+// The fields of all ticks up to the frame's, so that the client has been told of the entities. How
+// many ticks may wait is up to the frame, which holds the newest few.
+std::string ClientLink::take_events(const Frame& frame) {
+    std::string fields;
+    if (!wants_events_) return fields;
+    const auto& ticks = frame.events->ticks;
+    const std::uint32_t gone = frame.events->count - static_cast<std::uint32_t>(ticks.size());
+    if (event_cursor_ < gone) {
+        events_missed_ += gone - event_cursor_;
+        event_cursor_ = gone;
+    }
+    for (; event_cursor_ < frame.events->count; event_cursor_++) {
+        const SharedBytes shared = feed_->events(ticks[event_cursor_ - gone]);
+        if (shared->size() > events_bytes_max) {
+            events_missed_++;
+            continue;
+        }
+        if (fields.size() + shared->size() > events_bytes_max) break;  // with the next one
+        fields += encode_events_head(std::exchange(events_missed_, 0), shared->size());
+        fields += *shared;
+    }
+    return fields;
+}
+
+// A field with what the client drives, if it foresees that, or nothing when it is too early for the
+// next.
+std::string ClientLink::take_driven(const Frame& frame) {
+    if (!wants_driven_ || !frame.driven) return {};
+    const auto mine = std::ranges::find(*frame.driven, client_, &DrivenState::client);
+    if (mine == frame.driven->end() || mine->entity == 0) return {};
+    const bool whole = !told_driven_ || told_driven_->entity != mine->entity;
+    const double every = std::max(1.0, std::round(feed_->host().hz() / driven_per_second));
+    if (!whole && frame.tick < told_driven_->tick + static_cast<std::uint32_t>(every)) return {};
+    if (!told_driven_) told_driven_ = std::make_unique<ToldDriven>();
+    std::string field = encode_driven_field(*mine, frame.tick, told_driven_->words, whole);
+    *told_driven_ = {mine->entity, frame.tick, mine->words};
+    return field;
+}
+
+// Shapes before the bodies that have them, each once in a stream.
+void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
+    const auto messages = feed_->entity_list_change(entity_list_, entities);
+    push(*messages);
+    entity_list_ = entities;
+    if (goes_on_later()) sent_.on_list(entities, baselines_.last());
+}
+
+void ClientLink::push(const RosterMessages& messages) {
+    for (const auto& geometry : messages.geometry) {
+        if (!told_geometry_.insert(geometry->id).second) continue;
+        if (goes_on_later()) sent_.on_geometry(geometry->id, baselines_.last());
+        for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
+    }
+    for (const SharedBytes& roster : messages.rosters) waiting_.push_back({{}, roster});
+}
+
+// A change of the entity list comes before the first snapshot that needs it, so when there is one
+// it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
+std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
+    if (!snapshot_due_) return std::nullopt;
+    const FramePtr frame = feed_->host().frame();
+    if (frame->tick <= newest_sent()) return std::nullopt;
+    if (sight_) return take_part(frame, now);
+    if (frame->entity_list != entity_list_) {
+        tell_entities(frame->entity_list);
+        if (!waiting_.empty()) return next_message(now);
+    }
+    return snapshot_of(frame, now, {}, {});
+}
+
+// By the stream or by datagrams.
+std::uint32_t ClientLink::newest_sent() const {
+    return lane_ ? std::max(baselines_.last(), lane_->frames().last_sent()) : baselines_.last();
+}
+
+OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+                                   std::vector<SharedBytes> cells) {
+    if (lane_)
+        if (auto bases = lane_->take_stream_bases()) baselines_ = *std::move(bases);
+    std::size_t cells_bytes = 0;
+    for (const SharedBytes& cell : cells) cells_bytes += cell->size();
+    SharedBytes shared =
+        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
+                                    sight_ ? std::nullopt : std::optional(codec_));
+    more += take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
+    OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
+                       std::move(shared), std::move(cells)};
+    watch_.answered(results_);
+    if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
+    results_.clear();
+    snapshot_due_ = false;
+    last_snapshot_ = now;
+    seen_tick_ = std::max(seen_tick_, frame->tick);
+    baselines_.on_sent(frame->tick);
+    if (lane_) lane_->on_sent_by_stream(frame->tick);
+    flow_->on_sent(frame->tick, now);
+    watch_.sent_snapshot(message.size());
+    return message;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/datagram_lane.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// Who acknowledges none of so much gets none of it: the way there is blocked, not the one back.
+constexpr auto unacked_max = 1s;
+constexpr auto large_pause = 1s;
+
+}  // namespace
+
+bool DatagramLane::carries(std::uint32_t tick, Clock::time_point now) {
+    if (unacked_since_ && now - *unacked_since_ > unacked_max) {
+        unacked_since_.reset();
+        path_->ask_anew();
+    }
+    return now >= by_stream_until_ && path_->is_open(now) && frames_.bases_for(tick).base != 0;
+}
+
+void DatagramLane::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
+    if (!frames_.on_ack(frame, before)) return;
+    unacked_since_.reset();
+    if (frame < last_sent_) unacked_since_ = now;
+}
+
+bool DatagramLane::fits(std::size_t bytes, Clock::time_point now) {
+    if (bytes <= parts_max * datagram::part_bytes) return true;
+    by_stream_until_ = now + large_pause;
+    return false;
+}
+
+void DatagramLane::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
+    const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
+    const std::array pieces{std::string_view(snapshot.head), shared};
+    path_->send(pieces, now);
+    frames_.on_sent(frame, true);
+    last_sent_ = frame;
+    if (!unacked_since_) unacked_since_ = now;
+    after_datagram_ = true;
+}
+
+void DatagramLane::on_sent_by_stream(std::uint32_t frame) {
+    frames_.on_sent(frame, false);
+}
+
+std::optional<BaselineTracker> DatagramLane::take_stream_bases() {
+    if (!std::exchange(after_datagram_, false)) return std::nullopt;
+    return frames_.known();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// A link that is worse than the real one, for development: what a client said is heard later, and
+// what it is told leaves later, in order. A ClientLink has one when its world's settings say so.
+// The transport asks for messages with each frame of the world, so times are good to a tick. One
+// thread.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "jostle/base/link_conditioner.h"
+#include "server/config/config.h"
+#include "server/messages/out_message.h"
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+class LinkDelay {
+public:
+    // `number`: of the client, so that each has stalls of its own; the same in each run.
+    LinkDelay(LinkSettings settings, std::uint32_t number);
+
+    void hear(std::string_view bytes, Clock::time_point now);
+    // The next one that has arrived. `at_once`: or is still on its way, for the line is cut.
+    std::optional<std::string> take_heard(Clock::time_point now, bool at_once = false);
+    void say(OutMessage message, Clock::time_point now);
+    std::optional<OutMessage> take_said(Clock::time_point now, bool at_once = false);
+
+private:
+    template <class Message>
+    struct Way {
+        struct Held {
+            Message message;
+            std::int64_t due_us;
+        };
+        LinkConditioner link;
+        std::deque<Held> held = {};
+    };
+
+    template <class Message>
+    static void put(Way<Message>& way, Message message, Clock::time_point now);
+    template <class Message>
+    static std::optional<Message> take(Way<Message>& way, Clock::time_point now, bool at_once);
+
+    Way<std::string> heard_;
+    Way<OutMessage> said_;
+};
+
+// Null: clients of that world have the real link. The settings were checked.
+std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
+                                          const std::string& world_name, std::uint32_t number);
+
+}  // namespace jostle::server

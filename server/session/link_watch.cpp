@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/link_watch.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+InputOutcome outcome_of(const Status& status) {
+    if (status.ok()) return InputOutcome::applied;
+    switch (status.error().code) {
+        case ErrorCode::not_found:
+            return InputOutcome::not_found;
+        case ErrorCode::permission_denied:
+            return InputOutcome::not_allowed;
+        case ErrorCode::resource_exhausted:
+            return InputOutcome::limit;
+        default:
+            return InputOutcome::invalid;
+    }
+}
+
+void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t& counted) {
+    if (total != counted) counter.Increment(total - counted);
+    counted = total;
+}
+
+}  // namespace
+
+void LinkWatch::entered(ClientIdentity who, WorldHost& world) {
+    client_ = who.id;
+    who.subject = subject_;
+    record_ = context_.records.add(std::move(who));
+    world_ = world.watch().metrics();
+    if (world_) world_->clients().Increment();
+}
+
+void LinkWatch::left() {
+    if (client_ == 0) return;
+    context_.records.remove(std::exchange(client_, 0));
+    record_ = nullptr;
+    if (world_) world_->clients().Decrement();
+    world_ = nullptr;
+}
+
+void LinkWatch::refused(ErrorCode reason) {
+    if (context_.metrics) context_.metrics->refusals[reason].Increment();
+}
+
+void LinkWatch::answered(std::span<const InputResult> results) {
+    if (!context_.metrics) return;
+    for (const InputResult& result : results)
+        context_.metrics->inputs[outcome_of(result.status)].Increment();
+}
+
+void LinkWatch::sent(const OutMessage& message, Clock::time_point now) {
+    if (record_) record_->count_sent(message.size(), now);
+}
+
+void LinkWatch::sent_snapshot(std::size_t bytes) {
+    if (!context_.metrics) return;
+    context_.metrics->snapshots_sent.Increment();
+    context_.metrics->snapshot_bytes.Increment(static_cast<double>(bytes));
+}
+
+void LinkWatch::saw_frame(const FlowControl& flow, std::uint32_t pending) {
+    if (record_) record_->set_flow(flow.skipped() + pending, flow.round_trip_s());
+    if (!context_.metrics) return;
+    const auto& skipped = context_.metrics->snapshots_skipped;
+    count_more(skipped[SkipReason::window], flow.skipped(), counted_.window);
+    count_more(skipped[SkipReason::pending], pending, counted_.pending);
+    count_more(skipped[SkipReason::rate], flow.slowed(), counted_.rate);
+}
+
+std::optional<std::string> LinkWatch::kicked() const {
+    return record_ ? record_->kicked() : std::nullopt;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// What is seen from outside of one conversation: it counts for the metrics and keeps the client's
+// record. A ClientLink has one and calls it on its own thread; without metrics only the record is
+// kept.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "server/limits/client_records.h"
+#include "server/limits/flow_control.h"
+#include "server/messages/out_message.h"
+#include "server/session/play_context.h"
+#include "server/world/command.h"
+#include "server/world/world_host.h"
+
+namespace jostle::server {
+
+class LinkWatch {
+public:
+    explicit LinkWatch(PlayContext& context) : context_(context) {}
+
+    // Who was let in: the subject of its token; empty: nobody in particular.
+    void known_as(const std::string& subject) { subject_ = subject; }
+    const std::string& subject() const { return subject_; }
+    // The client is in a world; `world` is held by the link until left().
+    void entered(ClientIdentity who, WorldHost& world);
+    void left();
+    void refused(ErrorCode reason);
+
+    void answered(std::span<const InputResult> results);
+    void sent(const OutMessage& message, Clock::time_point now);
+    void sent_snapshot(std::size_t bytes);
+    // After each frame. `pending`: frames that came and went while a write was waited for.
+    void saw_frame(const FlowControl& flow, std::uint32_t pending);
+
+    // Why an operator wants the client gone; nothing: nobody does.
+    std::optional<std::string> kicked() const;
+
+private:
+    struct Skips {
+        std::uint32_t window = 0, pending = 0, rate = 0;
+    };
+
+    PlayContext& context_;
+    std::shared_ptr<ClientRecord> record_;
+    std::string subject_;
+    ClientId client_ = 0;
+    WorldMetrics* world_ = nullptr;
+    Skips counted_;
+};
+
+}  // namespace jostle::server

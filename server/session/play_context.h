@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What all conversations of a server share: its settings, its worlds, who is connected, who may do
+// what, and what each world's clients are sent alike. Outlives them. Any thread.
+#pragma once
+
+#include <atomic>
+#include <span>
+
+#include "server/auth/gate.h"
+#include "server/config/config.h"
+#include "server/limits/client_records.h"
+#include "server/limits/session_directory.h"
+#include "server/metrics/rpc_metrics.h"
+#include "server/session/resume_desk.h"
+#include "server/session/world_feed.h"
+#include "server/udp/datagram_port.h"
+#include "server/world/world_directory.h"
+
+namespace jostle::server {
+
+struct PlayContext {
+    const Config& config;
+    WorldDirectory& worlds;
+    SessionDirectory& sessions;
+    Gate& gate;
+    Metrics* metrics = nullptr;         // null: nobody counts
+    RpcMetrics* rpc_metrics = nullptr;  // likewise
+    DatagramPort* datagrams = nullptr;  // null: all goes by streams
+    WorldFeeds feeds{};
+    ClientRecords records{};
+    ResumeDesk resumes{};
+    std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal
+    std::atomic<bool> draining{false};     // no new clients; those who play are told
+    std::atomic<bool> closing{false};      // the drain is over: every conversation ends
+};
+
+// One that played when the process of before ended may come back until then; until it does it is
+// as one whose connection broke.
+void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+                   std::uint32_t last_sequence, Clock::time_point until);
+
+// Those who played when a world was kept that goes on as another host: who is there still lets go
+// of what it held, and who is not has left.
+void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients);
+
+// Clients whose connection broke too long ago have left. Now and then; any thread.
+void end_lost_clients(PlayContext& context, Clock::time_point now);
+
+}  // namespace jostle::server

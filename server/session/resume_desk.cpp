@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/resume_desk.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// Takes as long wherever they differ.
+bool are_equal(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    unsigned difference = 0;
+    for (std::size_t i = 0; i < a.size(); i++)
+        difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
+    return difference == 0;
+}
+
+}  // namespace
+
+void ResumeDesk::use_secret(std::string secret) {
+    const std::lock_guard lock(mutex_);
+    secret_ = std::move(secret);
+}
+
+void ResumeDesk::expect(LostClient client, Clock::time_point until) {
+    auto seat = std::make_shared<ResumeSeat>();
+    seat->client = client.client;
+    const std::lock_guard lock(mutex_);
+    places_[seat->client] = {
+        .seat = seat, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
+}
+
+std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken* who) {
+    auto seat = std::make_shared<ResumeSeat>();
+    seat->client = client;
+    const std::lock_guard lock(mutex_);
+    std::optional<std::string> sealed;
+    if (who && !secret_.empty()) sealed = seal_token(*who, secret_);
+    if (sealed) {
+        seat->token = *std::move(sealed);
+    } else {
+        seat->token.resize(token_bytes);
+        if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
+    }
+    places_[client] = {.seat = seat, .client = nullptr};
+    return seat;
+}
+
+void ResumeDesk::close(const ResumeSeat& seat) {
+    const std::lock_guard lock(mutex_);
+    places_.erase(seat.client);
+}
+
+void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until) {
+    const std::lock_guard lock(mutex_);
+    const auto at = places_.find(seat.client);
+    if (at == places_.end()) return;
+    at->second.client = std::make_unique<LostClient>(std::move(client));
+    at->second.until = until;
+}
+
+// From here on its seat is as any other.
+ResumeDesk::Place* ResumeDesk::find_expected(std::string_view token, WallTime now) {
+    if (secret_.empty()) return nullptr;
+    std::optional<ResumeToken> who = open_token(token, secret_, now);
+    if (!who) return nullptr;
+    const auto at = places_.find(who->client);
+    if (at == places_.end()) return nullptr;
+    Place& place = at->second;
+    if (!place.seat->token.empty() || !place.client) return nullptr;
+    LostClient& lost = *place.client;
+    if (lost.feed->host().id() != who->world) return nullptr;
+    place.seat->token = token;
+    lost.subject = std::move(who->subject);
+    lost.by_ticket = who->by_ticket;
+    lost.spectator = who->spectator;
+    return &place;
+}
+
+// All are compared, so that how long it takes tells nothing of which was close.
+ResumeDesk::Claim ResumeDesk::claim(std::string_view token, WallTime now) {
+    const std::lock_guard lock(mutex_);
+    if (token.empty()) return {};
+    Place* found = nullptr;
+    for (auto& [client, place] : places_)
+        if (are_equal(place.seat->token, token)) found = &place;
+    if (!found) found = find_expected(token, now);
+    if (!found) return {};
+    found->seat->is_wanted = !found->client;
+    if (!found->client) return {.answer = Answer::not_yet, .seat = nullptr, .client = {}};
+    const std::unique_ptr<LostClient> client = std::exchange(found->client, nullptr);
+    return {.answer = Answer::here,
+            .seat = found->seat,
+            .client = std::move(*client),
+            .until = found->until};
+}
+
+std::vector<LostClient> ResumeDesk::take_expired(Clock::time_point now) {
+    std::vector<LostClient> expired;
+    const std::lock_guard lock(mutex_);
+    for (auto at = places_.begin(); at != places_.end();) {
+        Place& place = at->second;
+        if (!place.client || now < place.until) {
+            ++at;
+            continue;
+        }
+        expired.push_back(*std::move(place.client));
+        at = places_.erase(at);
+    }
+    return expired;
+}
+
+std::optional<LostClient> ResumeDesk::take_oldest(const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    auto oldest = places_.end();
+    for (auto at = places_.begin(); at != places_.end(); ++at) {
+        const Place& place = at->second;
+        if (!place.client || (!network.empty() && place.client->network != network)) continue;
+        if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
+    }
+    if (oldest == places_.end()) return std::nullopt;
+    std::optional<LostClient> client = std::move(*oldest->second.client);
+    places_.erase(oldest);
+    return client;
+}
+
+std::size_t ResumeDesk::lost() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t count = 0;
+    for (const auto& [client, place] : places_) count += place.client ? 1 : 0;
+    return count;
+}
+
+}  // namespace jostle::server

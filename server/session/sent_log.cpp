@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/sent_log.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// A client that never acknowledges is held back long before.
+constexpr std::size_t sent_max = 2048;
+
+bool holds(const EntityList& list, EntityId entity) {
+    const auto at =
+        std::ranges::lower_bound(list, entity, {}, [](const auto& known) { return known->id; });
+    return at != list.end() && (*at)->id == entity;
+}
+
+}  // namespace
+
+void SentLog::on_list(std::shared_ptr<const EntityList> list, std::uint32_t after_frame) {
+    lists_.push_back({std::move(list), after_frame});
+}
+
+void SentLog::on_geometry(std::uint64_t id, std::uint32_t after_frame) {
+    shapes_.push_back({id, after_frame});
+}
+
+void SentLog::on_snapshot(std::uint32_t frame, std::span<const InputResult> results,
+                          std::uint32_t events) {
+    sent_.push_back({frame, {results.begin(), results.end()}, events});
+    if (sent_.size() > sent_max) sent_.pop_front();
+}
+
+void SentLog::on_ack(std::uint32_t frame) {
+    // One that was never sent is no one's to acknowledge.
+    const auto is_it = [&](const Sent& sent) { return sent.frame == frame; };
+    if (frame <= acked_ || std::ranges::none_of(sent_, is_it)) return;
+    acked_ = frame;
+    while (sent_.front().frame < frame) sent_.pop_front();
+    while (lists_.size() > 1 && lists_[1].after_frame < frame) lists_.pop_front();
+    while (!shapes_.empty() && shapes_.front().after_frame < frame) shapes_.pop_front();
+}
+
+void SentLog::go_back_to(std::uint32_t frame) {
+    while (!sent_.empty() && sent_.back().frame > frame) sent_.pop_back();
+}
+
+SentLog::Known SentLog::known_at(std::uint32_t frame, const EntityList& now) const {
+    Known known;
+    bool was_sent = false;
+    for (const Sent& sent : sent_) {
+        was_sent = was_sent || sent.frame == frame;
+        if (sent.frame <= frame)
+            known.events = sent.events;
+        else
+            known.results.insert(known.results.end(), sent.results.begin(), sent.results.end());
+    }
+    if (!was_sent || frame < acked_) return known;
+    for (const Told& told : lists_)
+        if (told.after_frame < frame) known.list = told.list;
+    if (!known.list) return known;
+    // It has what of later lists came before the connection broke: of those who are no more by
+    // now, nobody else would tell.
+    for (const Told& told : lists_) {
+        if (told.after_frame < frame) continue;
+        for (const auto& entity : *told.list)
+            if (!holds(now, entity->id)) known.gone.push_back(entity->id);
+    }
+    std::ranges::sort(known.gone);
+    const auto repeated = std::ranges::unique(known.gone);
+    known.gone.erase(repeated.begin(), repeated.end());
+    for (const Shape& shape : shapes_)
+        if (shape.after_frame >= frame) known.geometry.push_back(shape.id);
+    return known;
+}
+
+}  // namespace jostle::server

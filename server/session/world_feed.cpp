@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/world_feed.h"
+
+#include <algorithm>
+
+#include "server/messages/event_message.h"
+#include "server/messages/server_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Clients that lag by a few changes still share; what lags further is written for it alone.
+constexpr std::size_t entity_list_changes_kept = 16;
+
+SharedBytes share(std::string bytes) {
+    return std::make_shared<const std::string>(std::move(bytes));
+}
+
+}  // namespace
+
+WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host, double cell_m)
+    : host_(std::move(host)),
+      snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
+      cells_(cell_m, wire::QuantSpec{}, encode_cell_field) {}
+
+CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
+    return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
+}
+
+RosterMessages WorldFeed::roster_of(const EntityList& entities) {
+    const std::lock_guard lock(mutex_);
+    static const EntityList nothing;
+    return roster_messages(nothing, entities, geometry_);
+}
+
+std::shared_ptr<const RosterMessages> WorldFeed::entity_list_change(
+    const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
+    const std::lock_guard lock(mutex_);
+    for (const EntityListChange& change : entity_list_changes_) {
+        if (change.from == from && change.to == to) return change.messages;
+    }
+    static const EntityList nothing;
+    const auto messages = std::make_shared<const RosterMessages>(
+        roster_messages(from ? *from : nothing, *to, geometry_));
+    if (entity_list_changes_.size() == entity_list_changes_kept)
+        entity_list_changes_.erase(entity_list_changes_.begin());
+    entity_list_changes_.push_back({from, to, messages});
+    return messages;
+}
+
+SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
+    const std::lock_guard lock(mutex_);
+    if (stats_frame_ != frame || stats_clients_ != clients) {
+        stats_ = share(encode_stats_field(*frame, clients));
+        stats_frame_ = frame;
+        stats_clients_ = clients;
+    }
+    return stats_;
+}
+
+SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
+    const std::lock_guard lock(mutex_);
+    const auto known =
+        std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
+    if (known != events_.end()) return known->second;
+    SharedBytes bytes = share(encode_shared_events(*tick));
+    if (events_.size() == RecentEvents::ticks_max) events_.pop_front();
+    events_.emplace_back(tick, bytes);
+    return bytes;
+}
+
+std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
+                                               double cell_m) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<WorldFeed>& known = feeds_[host.get()];
+    std::shared_ptr<WorldFeed> feed = known.lock();
+    if (!feed) {
+        feed = std::make_shared<WorldFeed>(host, cell_m);
+        known = feed;
+    }
+    return feed;
+}
+
+}  // namespace jostle::server

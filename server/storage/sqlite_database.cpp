@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "server/storage/sqlite_database.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace jostle::server {
+namespace {
+
+ErrorCode code_of(int extended) {
+    if (extended == SQLITE_IOERR_DATA || extended == SQLITE_IOERR_CORRUPTFS)
+        return ErrorCode::corrupt_data;
+    if (extended == SQLITE_CONSTRAINT_FOREIGNKEY) return ErrorCode::not_found;
+    switch (extended & 0xff) {
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+            return ErrorCode::corrupt_data;
+        case SQLITE_CONSTRAINT:
+            return ErrorCode::already_exists;
+        case SQLITE_FULL:
+            return ErrorCode::resource_exhausted;
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+        case SQLITE_IOERR:
+        case SQLITE_CANTOPEN:
+        case SQLITE_READONLY:
+        case SQLITE_NOMEM:
+        case SQLITE_INTERRUPT:
+            return ErrorCode::unavailable;
+        default:
+            // Also a damaged schema, by which a statement of ours makes no sense.
+            return ErrorCode::corrupt_data;
+    }
+}
+
+Error error_of(sqlite3* handle) {
+    return {code_of(sqlite3_extended_errcode(handle)), sqlite3_errmsg(handle)};
+}
+
+// SQLite would make it readable for all whom the umask lets. And it takes what is shorter than the
+// smallest page for an empty file, and writes over it.
+Status make_file(const std::string& path, bool make) {
+    constexpr off_t smallest_page = 512;
+    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0600);
+    if (file < 0)
+        return Error{errno == ENOENT && !make ? ErrorCode::not_found : ErrorCode::unavailable,
+                     std::strerror(errno)};
+    struct stat about {};
+    const bool is_known = ::fstat(file, &about) == 0;
+    ::close(file);
+    const bool is_short = is_known && about.st_size > 0 && about.st_size < smallest_page;
+    // ... unless it was writing it when it was killed: then the journal is beside it.
+    if (is_short && ::access((path + "-journal").c_str(), F_OK) != 0)
+        return Error{ErrorCode::corrupt_data, "file is not a database"};
+    return {};
+}
+
+}  // namespace
+
+SqliteStatement& SqliteStatement::bind(int place, std::string_view bytes) {
+    // An empty piece is an empty blob, not nothing.
+    sqlite3_bind_blob64(statement_.get(), place, bytes.empty() ? "" : bytes.data(), bytes.size(),
+                        SQLITE_STATIC);
+    return *this;
+}
+
+SqliteStatement& SqliteStatement::bind(int place, std::uint64_t number) {
+    sqlite3_bind_int64(statement_.get(), place, static_cast<sqlite3_int64>(number));
+    return *this;
+}
+
+void SqliteStatement::reset() {
+    sqlite3_reset(statement_.get());
+    sqlite3_clear_bindings(statement_.get());
+}
+
+Result<bool> SqliteStatement::step() {
+    const int code = sqlite3_step(statement_.get());
+    if (code == SQLITE_ROW) return true;
+    if (code == SQLITE_DONE) {
+        reset();
+        return false;
+    }
+    Error error = error_of(sqlite3_db_handle(statement_.get()));
+    reset();
+    return error;
+}
+
+Status SqliteStatement::run() {
+    const Result<bool> row = step();
+    if (!row.ok()) return row.error();
+    if (*row) reset();
+    return {};
+}
+
+std::string_view SqliteStatement::bytes(int column) const {
+    const void* const data = sqlite3_column_blob(statement_.get(), column);
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    if (data == nullptr) return {};
+    return {static_cast<const char*>(data), static_cast<std::size_t>(size)};
+}
+
+std::uint64_t SqliteStatement::number(int column) const {
+    return static_cast<std::uint64_t>(sqlite3_column_int64(statement_.get(), column));
+}
+
+Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char* file_system,
+                                            bool make) {
+    if (Status made = make_file(path, make); !made.ok()) return made.error();
+    sqlite3* handle = nullptr;
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
+    const int code = sqlite3_open_v2(path.c_str(), &handle, flags, file_system);
+    SqliteDatabase database(handle);
+    if (code == SQLITE_OK) return database;
+    if (handle == nullptr) return Error{ErrorCode::unavailable, sqlite3_errstr(code)};
+    return error_of(handle);
+}
+
+Status SqliteDatabase::execute(const char* statements) {
+    if (sqlite3_exec(handle_.get(), statements, nullptr, nullptr, nullptr) == SQLITE_OK) return {};
+    return error_of(handle_.get());
+}
+
+Result<SqliteStatement> SqliteDatabase::prepare(std::string_view statement) {
+    sqlite3_stmt* prepared = nullptr;
+    if (sqlite3_prepare_v3(handle_.get(), statement.data(), static_cast<int>(statement.size()),
+                           SQLITE_PREPARE_PERSISTENT, &prepared, nullptr) != SQLITE_OK)
+        return error_of(handle_.get());
+    return SqliteStatement(prepared);
+}
+
+Result<std::uint64_t> SqliteDatabase::number(const char* statement) {
+    Result<SqliteStatement> prepared = prepare(statement);
+    if (!prepared.ok()) return prepared.error();
+    const Result<bool> row = prepared->step();
+    if (!row.ok()) return row.error();
+    return *row ? prepared->number(0) : 0;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "server/storage/store_writer.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace jostle::server {
+namespace {
+
+// Another try may succeed.
+bool may_pass(const Status& failure) {
+    switch (failure.error().code) {
+        case ErrorCode::already_exists:
+        case ErrorCode::not_found:
+        case ErrorCode::invalid_argument:
+            return false;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+StoreWriter::StoreWriter(std::unique_ptr<WorldStore> store, const StoreWriterSettings& settings)
+    : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
+
+StoreWriter::~StoreWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        last_try_ = Clock::now() + settings_.patience;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+bool StoreWriter::push(StoreChange change, Done done) {
+    const std::size_t bytes = bytes_of(change);
+    {
+        const std::lock_guard lock(mutex_);
+        if (last_try_ || bytes_ + bytes > settings_.bytes_max) return false;
+        bytes_ += bytes;
+        pushed_++;
+        queue_.push_back({std::move(change), std::move(done), bytes});
+    }
+    changed_.notify_all();
+    return true;
+}
+
+bool StoreWriter::flush(Clock::duration patience) {
+    std::unique_lock lock(mutex_);
+    const std::uint64_t all = pushed_;
+    return changed_.wait_for(lock, patience, [&] { return finished_ >= all; });
+}
+
+bool StoreWriter::visit(const std::function<void(WorldStore& store)>& look,
+                        Clock::duration patience) {
+    const Clock::time_point until = Clock::now() + patience;
+    std::unique_lock lock(mutex_);
+    if (!changed_.wait_until(lock, until, [&] { return !visit_; })) return false;
+    visit_ = &look;
+    changed_.notify_all();
+    const auto is_over = [&] { return visit_ != &look; };
+    if (changed_.wait_until(lock, until, is_over)) return true;
+    // One that was begun is waited for.
+    if (visiting_) {
+        changed_.wait(lock, is_over);
+        return true;
+    }
+    visit_ = nullptr;
+    changed_.notify_all();
+    return false;
+}
+
+std::optional<std::string> StoreWriter::failing() const {
+    const std::lock_guard lock(mutex_);
+    if (failure_) return failure_;
+    if (writing_since_ && Clock::now() - *writing_since_ > settings_.patience)
+        return "the store takes longer than " +
+               std::to_string(static_cast<int>(to_ms(settings_.patience))) + " ms to write";
+    return std::nullopt;
+}
+
+std::size_t StoreWriter::bytes_waiting() const {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
+}
+
+void StoreWriter::run() {
+    for (;;) {
+        std::deque<Waiting> group;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || visit_; });
+            if (queue_.empty() && visit_) {
+                visiting_ = true;
+                lock.unlock();
+                (*visit_)(*store_);
+                lock.lock();
+                visiting_ = false;
+                visit_ = nullptr;
+                changed_.notify_all();
+                continue;
+            }
+            if (queue_.empty()) return;
+            group.swap(queue_);
+        }
+        write(group);
+    }
+}
+
+// Until all of the group is finished.
+void StoreWriter::write(std::deque<Waiting>& group) {
+    for (;;) {
+        try_write(group);
+        if (group.empty()) return;
+        if (!wait_for_retry()) break;
+    }
+    std::size_t bytes = 0;
+    for (const Waiting& waiting : group) {
+        bytes += waiting.bytes;
+        if (waiting.done)
+            waiting.done(Error{ErrorCode::aborted, "the server ended before it could be written"});
+    }
+    const std::lock_guard lock(mutex_);
+    bytes_ -= bytes;
+    finished_ += group.size();
+    changed_.notify_all();
+}
+
+// What is finished leaves the group. All at once, or, when something in it can never be written,
+// one after the other.
+void StoreWriter::try_write(std::deque<Waiting>& group) {
+    {
+        const std::lock_guard lock(mutex_);
+        writing_since_ = Clock::now();
+    }
+    std::vector<StoreChange> changes;
+    for (Waiting& waiting : group) changes.push_back(std::move(waiting.change));
+    Status result = store_->write(changes);
+    std::vector<Status> results(group.size(), result);
+    std::size_t finished = result.ok() ? group.size() : 0;
+    if (!result.ok() && !may_pass(result)) {
+        for (; finished < group.size(); finished++) {
+            result = store_->write(std::span(changes).subspan(finished, 1));
+            if (!result.ok() && may_pass(result)) break;
+            results[finished] = result;
+        }
+    }
+    for (std::size_t k = 0; k < changes.size(); k++) group[k].change = std::move(changes[k]);
+
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < finished; k++) {
+        bytes += group.front().bytes;
+        if (group.front().done) group.front().done(results[k]);
+        group.pop_front();
+    }
+    const std::lock_guard lock(mutex_);
+    writing_since_.reset();
+    if (group.empty())
+        failure_.reset();
+    else
+        failure_ = result.error().message;
+    bytes_ -= bytes;
+    finished_ += finished;
+    changed_.notify_all();
+}
+
+bool StoreWriter::wait_for_retry() {
+    std::unique_lock lock(mutex_);
+    if (last_try_ && Clock::now() >= *last_try_) return false;
+    // What is pushed meanwhile wakes it for nothing; the end does not.
+    const Clock::time_point until = Clock::now() + settings_.retry;
+    while (Clock::now() < (last_try_ ? std::min(until, *last_try_) : until))
+        changed_.wait_until(lock, last_try_ ? std::min(until, *last_try_) : until);
+    return true;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "server/udp/datagram_path.h"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <utility>
+
+namespace jostle::server {
+
+namespace {
+
+// A client that hears nothing takes the way for blocked: it is asked something now and then.
+constexpr auto quiet_max = std::chrono::milliseconds(250);
+
+std::optional<std::uint64_t> random_word() {
+    std::uint64_t word = 0;
+    if (getentropy(&word, sizeof word) != 0) return std::nullopt;
+    return word;
+}
+
+}  // namespace
+
+// What lies beyond address and port (padding, flow labels) may differ.
+bool DatagramAddress::operator==(const DatagramAddress& other) const {
+    if (bytes.ss_family != other.bytes.ss_family) return false;
+    if (bytes.ss_family == AF_INET) {
+        const auto& a = reinterpret_cast<const sockaddr_in&>(bytes);
+        const auto& b = reinterpret_cast<const sockaddr_in&>(other.bytes);
+        return a.sin_port == b.sin_port && a.sin_addr.s_addr == b.sin_addr.s_addr;
+    }
+    const auto& a = reinterpret_cast<const sockaddr_in6&>(bytes);
+    const auto& b = reinterpret_cast<const sockaddr_in6&>(other.bytes);
+    return a.sin6_port == b.sin6_port && a.sin6_scope_id == b.sin6_scope_id &&
+           std::memcmp(&a.sin6_addr, &b.sin6_addr, sizeof a.sin6_addr) == 0;
+}
+
+DatagramPath::DatagramPath(std::unique_ptr<datagram::Seal> seal, int socket,
+                           std::function<void(std::string_view)> on_message, Metrics* metrics)
+    : seal_(std::move(seal)),
+      socket_(socket),
+      on_message_(std::move(on_message)),
+      metrics_(metrics) {}
+
+bool DatagramPath::is_open(Clock::time_point now) const {
+    const std::lock_guard lock(mutex_);
+    return address_ && now - heard_ < silence_max;
+}
+
+void DatagramPath::ask_anew() {
+    const std::lock_guard lock(mutex_);
+    address_.reset();
+    asked_.reset();
+}
+
+void DatagramPath::send(std::span<const std::string_view> pieces, Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    if (!address_) return;
+    std::vector<std::string> packets = datagram::encode_message(pieces, ++messages_);
+    for (std::string& packet : packets) packet = seal_->close(packet);
+    transmit(packets, *address_, now);
+}
+
+std::vector<DatagramPath::Mail> DatagramPath::take_mail() {
+    const std::lock_guard lock(mutex_);
+    has_mail_.store(false, std::memory_order_release);
+    return std::exchange(mail_, {});
+}
+
+void DatagramPath::receive(std::string_view packet, const DatagramAddress& from,
+                           Clock::time_point now) {
+    std::string message;
+    if (take_packet(packet, from, now, message)) on_message_(message);
+}
+
+// True: a message was put into the mail.
+bool DatagramPath::take_packet(std::string_view packet, const DatagramAddress& from,
+                               Clock::time_point now, std::string& message) {
+    const std::lock_guard lock(mutex_);
+    const auto opened = seal_->open(packet);
+    const auto content = opened ? datagram::decode_content(opened->content)
+                                : Result<datagram::Content>(invalid_argument("not authentic"));
+    if (metrics_)
+        (content.ok() ? metrics_->datagrams_received : metrics_->datagrams_refused).Increment();
+    if (!content.ok()) return false;
+    heard_ = std::max(heard_, now);
+    look_at_address(*content, from, opened->newest, now);
+    const auto* whole = std::get_if<datagram::Message>(&*content);
+    if (!whole || mail_.size() == mail_max) return false;
+    message = whole->bytes;
+    mail_.push_back({message, now});
+    has_mail_.store(true, std::memory_order_release);
+    return true;
+}
+
+void DatagramPath::look_at_address(const datagram::Content& content, const DatagramAddress& from,
+                                   bool newest, Clock::time_point now) {
+    if (address_ && *address_ == from) {
+        if (now - sent_ > quiet_max)
+            if (const auto word = random_word()) ask(from, *word, now);
+        return;
+    }
+    if (asked_ && asked_->where == from)
+        if (const auto* answer = std::get_if<datagram::Answer>(&content);
+            answer && answer->word == asked_->word) {
+            address_ = from;
+            asked_.reset();
+            return;
+        }
+    // One that was overtaken may come from where the client was before.
+    if (!newest) return;
+    if (!asked_ || !(asked_->where == from)) {
+        const auto word = random_word();
+        if (!word) return;
+        asked_ = {from, *word};
+    }
+    ask(from, asked_->word, now);
+}
+
+void DatagramPath::ask(const DatagramAddress& where, std::uint64_t word, Clock::time_point now) {
+    const std::string packet = seal_->close(datagram::encode(datagram::Question{word}));
+    transmit(std::span(&packet, 1), where, now);
+}
+
+// What the system does not take is lost, as on the way.
+void DatagramPath::transmit(std::span<const std::string> packets, const DatagramAddress& to,
+                            Clock::time_point now) {
+    DatagramAddress address = to;
+    std::array<mmsghdr, datagram::parts_max> messages{};
+    std::array<iovec, datagram::parts_max> pieces{};
+    for (std::size_t k = 0; k < packets.size(); k++) {
+        pieces[k] = {const_cast<char*>(packets[k].data()), packets[k].size()};
+        messages[k].msg_hdr.msg_name = &address.bytes;
+        messages[k].msg_hdr.msg_namelen = address.size;
+        messages[k].msg_hdr.msg_iov = &pieces[k];
+        messages[k].msg_hdr.msg_iovlen = 1;
+    }
+    if (!packets.empty())
+        sendmmsg(socket_, messages.data(), static_cast<unsigned>(packets.size()),
+                 MSG_DONTWAIT | MSG_NOSIGNAL);
+    sent_ = now;
+    if (metrics_) metrics_->datagrams_sent.Increment(static_cast<double>(packets.size()));
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// One client's way by datagrams: its ticket, where it is, what it sent. Nothing but a question of
+// 41 bytes goes to an address before somebody with the key has answered it from there: who names
+// another's address sends him no more than he sent himself. When the client's newest packet comes
+// from elsewhere, that place is asked in turn, and until it answers the old one keeps its
+// snapshots.
+//
+// Thread rule: the port's thread hands in packets, the link's thread sends and takes mail.
+#pragma once
+
+#include <netinet/in.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jostle/datagram/content.h"
+#include "jostle/datagram/packet.h"
+#include "server/metrics/metrics.h"
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+struct DatagramAddress {
+    sockaddr_storage bytes{};
+    socklen_t size = 0;
+
+    bool operator==(const DatagramAddress& other) const;
+};
+
+class DatagramPath {
+public:
+    static constexpr std::size_t mail_max = 256;  // not taken yet; more is dropped
+    // Who has not been heard for so long is not sent to.
+    static constexpr auto silence_max = std::chrono::seconds(2);
+
+    // `on_message`: any thread, for each message that was put into the mail; it must be quick.
+    DatagramPath(std::unique_ptr<datagram::Seal> seal, int socket,
+                 std::function<void(std::string_view)> on_message, Metrics* metrics);
+
+    const datagram::Ticket& ticket() const { return seal_->ticket(); }
+
+    // Somebody answered with the key, and was heard lately.
+    bool is_open(Clock::time_point now) const;
+    // Nothing is sent until the client has answered again: it seems not to get what it is sent.
+    void ask_anew();
+    // A message, given in pieces; lost without a word when there is nobody, when it needs more than
+    // datagram::parts_max parts, or when the system's buffer is full.
+    void send(std::span<const std::string_view> pieces, Clock::time_point now);
+
+    struct Mail {
+        std::string message;
+        Clock::time_point at;
+    };
+    bool has_mail() const { return has_mail_.load(std::memory_order_acquire); }
+    std::vector<Mail> take_mail();
+
+    // A packet that names the ticket; anybody may have sent it.
+    void receive(std::string_view packet, const DatagramAddress& from, Clock::time_point now);
+
+private:
+    bool take_packet(std::string_view packet, const DatagramAddress& from, Clock::time_point now,
+                     std::string& message);
+    void ask(const DatagramAddress& where, std::uint64_t word, Clock::time_point now);
+    void look_at_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
+                         Clock::time_point now);
+    void transmit(std::span<const std::string> packets, const DatagramAddress& to,
+                  Clock::time_point now);
+
+    struct Asked {
+        DatagramAddress where;
+        std::uint64_t word = 0;  // secret: only who is there can answer
+    };
+
+    mutable std::mutex mutex_;
+    const std::unique_ptr<datagram::Seal> seal_;
+    const int socket_;
+    const std::function<void(std::string_view)> on_message_;
+    Metrics* const metrics_;
+    std::optional<DatagramAddress> address_;  // that answered
+    std::optional<Asked> asked_;              // another, that has not yet
+    Clock::time_point heard_{}, sent_{};
+    std::uint32_t messages_ = 0;  // sent
+    std::vector<Mail> mail_;
+    std::atomic<bool> has_mail_{false};
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "server/udp/datagram_port.h"
+
+#include <netdb.h>
+#include <poll.h>
+#include <spdlog/fmt/fmt.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "server/util/log.h"
+#include "server/util/socket_options.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t packets_at_once = 64;
+// A tick's snapshots to a thousand clients, and what they send meanwhile.
+constexpr int buffer_bytes = 4 << 20;
+
+std::uint16_t bound_port(int descriptor) {
+    sockaddr_storage own{};
+    socklen_t size = sizeof own;
+    getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
+    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);  // ports lie alike
+}
+
+}  // namespace
+
+DatagramPort::~DatagramPort() {
+    stop();
+    if (wake_ >= 0) ::close(wake_);
+    if (socket_ >= 0) ::close(socket_);
+}
+
+Status DatagramPort::start() {
+    const auto failed = [&](const std::string& why) {
+        return Error{ErrorCode::unavailable,
+                     fmt::format("cannot take datagrams at {}:{}: {}; choose another with "
+                                 "--datagrams HOST:PORT",
+                                 settings_.host, settings_.port, why)};
+    };
+    addrinfo hints{};
+    hints.ai_socktype = SOCK_DGRAM;
+    hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+    addrinfo* found = nullptr;
+    if (const int e = getaddrinfo(settings_.host.c_str(), std::to_string(settings_.port).c_str(),
+                                  &hints, &found);
+        e != 0)
+        return failed(gai_strerror(e));
+    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
+    socket_ = socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (socket_ < 0) return failed(std::strerror(errno));
+    if (found->ai_family == AF_INET6) set_socket_option(socket_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
+    set_socket_option(socket_, SOL_SOCKET, SO_RCVBUF, buffer_bytes);
+    set_socket_option(socket_, SOL_SOCKET, SO_SNDBUF, buffer_bytes);
+    if (bind(socket_, found->ai_addr, found->ai_addrlen) != 0) return failed(std::strerror(errno));
+    wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    if (wake_ < 0) return failed(std::strerror(errno));
+    port_ = bound_port(socket_);
+    thread_ = std::thread([this] { run(); });
+    return {};
+}
+
+void DatagramPort::stop() {
+    stopping_ = true;
+    if (wake_ >= 0) eventfd_write(wake_, 1);
+    if (thread_.joinable()) thread_.join();
+}
+
+Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
+    std::function<void(std::string_view)> on_message) {
+    datagram::Ticket ticket;
+    if (getentropy(&ticket.id, sizeof ticket.id) != 0 ||
+        getentropy(ticket.key.data(), ticket.key.size()) != 0)
+        return Error{ErrorCode::internal, "the operating system gave no random bytes"};
+    auto seal = datagram::Seal::make(ticket, datagram::Side::server);
+    if (!seal.ok()) return seal.error();
+    auto path = std::make_shared<DatagramPath>(*std::move(seal), socket_, std::move(on_message),
+                                               settings_.metrics);
+    const std::lock_guard lock(mutex_);
+    if (!paths_.try_emplace(ticket.id, path).second)
+        return Error{ErrorCode::internal, "a ticket for datagrams came twice"};
+    return path;
+}
+
+void DatagramPort::close(const DatagramPath& path) {
+    const std::lock_guard lock(mutex_);
+    paths_.erase(path.ticket().id);
+}
+
+std::size_t DatagramPort::paths() const {
+    const std::lock_guard lock(mutex_);
+    return paths_.size();
+}
+
+std::shared_ptr<DatagramPath> DatagramPort::find(std::uint64_t ticket) const {
+    const std::lock_guard lock(mutex_);
+    const auto at = paths_.find(ticket);
+    return at == paths_.end() ? nullptr : at->second;
+}
+
+void DatagramPort::run() {
+    std::array<pollfd, 2> watched{pollfd{.fd = socket_, .events = POLLIN, .revents = 0},
+                                  pollfd{.fd = wake_, .events = POLLIN, .revents = 0}};
+    while (!stopping_) {
+        poll(watched.data(), watched.size(), -1);
+        try {
+            take_packets();
+        } catch (const std::exception& error) {
+            // Memory has run out: these packets are lost.
+            log_error("datagrams: {}", error.what());
+        }
+    }
+}
+
+// All that have come.
+void DatagramPort::take_packets() {
+    // A byte more than a packet may have, so that one that was cut is seen to be too long.
+    static thread_local std::array<std::array<char, datagram::packet_bytes_max + 1>,
+                                   packets_at_once>
+        bytes;
+    std::array<DatagramAddress, packets_at_once> from;
+    std::array<iovec, packets_at_once> pieces{};
+    std::array<mmsghdr, packets_at_once> messages{};
+    for (std::size_t count = packets_at_once; count == packets_at_once && !stopping_;) {
+        for (std::size_t k = 0; k < packets_at_once; k++) {
+            pieces[k] = {bytes[k].data(), bytes[k].size()};
+            messages[k].msg_hdr = {.msg_name = &from[k].bytes,
+                                   .msg_namelen = sizeof from[k].bytes,
+                                   .msg_iov = &pieces[k],
+                                   .msg_iovlen = 1};
+        }
+        const int taken =
+            recvmmsg(socket_, messages.data(), packets_at_once, MSG_DONTWAIT, nullptr);
+        if (taken <= 0) return;
+        count = static_cast<std::size_t>(taken);
+        const Clock::time_point now = Clock::now();
+        for (std::size_t k = 0; k < count; k++) {
+            const std::string_view packet(bytes[k].data(), messages[k].msg_len);
+            from[k].size = messages[k].msg_hdr.msg_namelen;
+            const auto ticket = datagram::ticket_of(packet);
+            const auto path = ticket ? find(*ticket) : nullptr;
+            if (path)
+                path->receive(packet, from[k], now);
+            else if (settings_.metrics)
+                settings_.metrics->datagrams_refused.Increment();
+        }
+    }
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Options of sockets that both listeners set. Any thread.
+#pragma once
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <chrono>
+
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+inline void set_socket_option(int descriptor, int level, int name, int value) {
+    setsockopt(descriptor, level, name, &value, sizeof value);
+}
+
+// The system closes the connection when the peer takes nothing for so long though there is
+// something for it: it is gone, or it does not read (RFC 5482; on Linux that counts for a window
+// that stays shut, too).
+inline void drop_when_silent(int descriptor, Clock::duration silence_max) {
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(silence_max).count();
+    set_socket_option(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(ms));
+}
+
+}  // namespace jostle::server

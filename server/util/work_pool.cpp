@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "server/util/work_pool.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <exception>
+#include <utility>
+
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+WorkPool::WorkPool(int threads, std::size_t queue_max, int niceness) : queue_max_(queue_max) {
+    for (int i = 0; i < threads; i++) threads_.emplace_back([this, niceness] { run(niceness); });
+}
+
+WorkPool::~WorkPool() {
+    stop();
+}
+
+bool WorkPool::add(std::function<void()> work) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (stopping_ || queue_.size() >= queue_max_) return false;
+        queue_.push_back(std::move(work));
+    }
+    changed_.notify_one();
+    return true;
+}
+
+void WorkPool::stop() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_)
+        if (thread.joinable()) thread.join();
+}
+
+void WorkPool::run(int niceness) {
+    // Of this thread alone, on Linux; without it the work is only less polite.
+    static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness));
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
+        if (queue_.empty()) return;
+        const std::function<void()> work = std::move(queue_.front());
+        queue_.pop_front();
+        lock.unlock();
+        try {
+            work();
+        } catch (const std::exception& error) {
+            log_error("a piece of work failed: {}", error.what());
+        }
+        lock.lock();
+    }
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/drivers.h"
+
+#include <algorithm>
+
+namespace jostle::server {
+
+using namespace physics;
+
+Module* module_that_drives(World& world, BodyId body) {
+    for (const std::string& tag : world.modules()) {
+        Module* const module = world.module(tag);
+        if (module->takes_controls(body)) return module;
+    }
+    return nullptr;
+}
+
+bool can_be_driven(const World& world, BodyId body) {
+    const std::vector<std::string> tags = world.modules();
+    return std::ranges::any_of(
+        tags, [&](const std::string& tag) { return world.module(tag)->takes_controls(body); });
+}
+
+Status Drivers::possess(World& world, ClientId client, BodyId body) {
+    if (module_that_drives(world, body) == nullptr)
+        return Error{ErrorCode::permission_denied, "nobody can drive that"};
+    const auto drives = [&](const auto& entry) {
+        return entry.second == body && entry.first != client;
+    };
+    if (std::ranges::any_of(driven_, drives))
+        return Error{ErrorCode::permission_denied, "somebody else drives it"};
+    const auto at = driven_.find(client);
+    if (at != driven_.end() && at->second == body) return {};
+    release(world, client);
+    driven_[client] = body;
+    return {};
+}
+
+std::optional<BodyId> Drivers::control(World& world, ClientId client, const Controls& controls) {
+    const auto at = driven_.find(client);
+    if (at == driven_.end()) return std::nullopt;
+    Module* const module = module_that_drives(world, at->second);
+    if (module == nullptr) {  // it let go of the body
+        driven_.erase(at);
+        return std::nullopt;
+    }
+    module->control(world, at->second, controls);
+    return at->second;
+}
+
+void Drivers::release(World& world, ClientId client) {
+    if (driven_.contains(client)) static_cast<void>(control(world, client, {}));
+    driven_.erase(client);
+}
+
+void Drivers::release_body(World& world, BodyId body) {
+    const auto at =
+        std::ranges::find_if(driven_, [&](const auto& entry) { return entry.second == body; });
+    if (at != driven_.end()) release(world, at->first);
+}
+
+std::vector<DrivenState> Drivers::told(World& world, const modules::NameOfBody& name_of) const {
+    std::vector<DrivenState> states;
+    for (const auto& [client, body] : driven_) {
+        Module* const module = module_that_drives(world, body);
+        if (module == nullptr) continue;
+        auto words = modules::tell_driven(world, *module, body, name_of);
+        if (words)
+            states.push_back(
+                {client, name_of(body), std::string(module->tag()), *std::move(words)});
+    }
+    return states;
+}
+
+void Drivers::write(HostImage& image) const {
+    for (const auto& [client, body] : driven_) image.driven.push_back({client, body});
+}
+
+void Drivers::restore(const HostImage& image) {
+    for (const HostImage::Driven& driven : image.driven) driven_[driven.client] = driven.body;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Who drives what: at most one body a client, and one client a body. What a driver holds is the
+// state of the body's module. Owned by HostedWorld; one thread.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "jostle/modules/driven.h"
+#include "jostle/physics/module.h"
+#include "jostle/physics/world.h"
+#include "server/world/command.h"
+#include "server/world/frame.h"
+#include "server/world/host_image.h"
+
+namespace jostle::server {
+
+class Drivers {
+public:
+    // Lets go of what the client drove. Refused: no module lets anybody drive the body
+    // (permission_denied), or somebody else does.
+    Status possess(physics::World& world, ClientId client, physics::BodyId body);
+    // The body that follows; nothing when the client drives none.
+    std::optional<physics::BodyId> control(physics::World& world, ClientId client,
+                                           const physics::Controls& controls);
+    // The body's controls are as if nobody held them.
+    void release(physics::World& world, ClientId client);
+    void release_body(physics::World& world, physics::BodyId body);
+
+    // What is driven, for clients that foresee it.
+    std::vector<DrivenState> told(physics::World& world, const modules::NameOfBody& name_of) const;
+
+    void write(HostImage& image) const;
+    void restore(const HostImage& image);
+
+private:
+    std::map<ClientId, physics::BodyId> driven_;
+};
+
+// The module that lets somebody drive the body; null: none.
+physics::Module* module_that_drives(physics::World& world, physics::BodyId body);
+bool can_be_driven(const physics::World& world, physics::BodyId body);
+
+}  // namespace jostle::server

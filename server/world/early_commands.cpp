@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/early_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::server {
+
+void EarlyCommands::sort_out(std::vector<Command>& batch, std::uint32_t tick,
+                             std::span<const Command> leavers) {
+    const auto is_early = [&](const Command& command) { return command.tick > tick; };
+    if (waiting_.empty() && std::none_of(batch.begin(), batch.end(), is_early)) return;
+    const auto has_left = [&](const Waiting& w) {
+        return std::any_of(leavers.begin(), leavers.end(),
+                           [&](const Command& l) { return l.client == w.command.client; });
+    };
+    const bool too_many = waiting_.size() + batch.size() > commands_max_;
+    now_.clear();
+    std::size_t kept = 0;
+    for (Waiting& w : waiting_) {
+        if (too_many || w.tick <= tick || has_left(w))
+            now_.push_back(std::move(w.command));
+        else if (Waiting& to = waiting_[kept++]; &to != &w)
+            to = std::move(w);
+    }
+    waiting_.resize(kept);
+    for (Command& command : batch) {
+        const std::uint32_t at = too_many ? tick : tick_of(command, tick, leavers);
+        if (at <= tick)
+            now_.push_back(std::move(command));
+        else
+            waiting_.push_back({at, std::move(command)});
+    }
+    batch.swap(now_);
+}
+
+// Not before what the same client sent earlier.
+std::uint32_t EarlyCommands::tick_of(const Command& command, std::uint32_t tick,
+                                     std::span<const Command> leavers) const {
+    for (const Command& l : leavers)
+        if (l.client == command.client) return tick;
+    std::uint32_t at = std::clamp(command.tick, tick, tick + ticks_max);
+    for (const Waiting& w : waiting_)
+        if (w.command.client == command.client) at = std::max(at, w.tick);
+    return at;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/entity_registry.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "server/world/drivers.h"
+
+namespace jostle::server {
+
+namespace {
+
+double reach_of(const physics::World& world, physics::ShapeId shape, physics::Vec3 origin) {
+    const auto box = world.bounds(shape);
+    if (!box.ok()) return std::numeric_limits<double>::infinity();
+    const physics::Vec3 low = box->low - origin, high = box->high - origin;
+    return length(physics::Vec3{std::max(-low.x, high.x), std::max(-low.y, high.y),
+                                std::max(-low.z, high.z)});
+}
+
+}  // namespace
+
+std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World& world,
+                                                            physics::BodyId body) {
+    const physics::BodyState state = *world.body(body);
+    auto description = std::make_shared<EntityDescription>();
+    description->type = state.type;
+    for (const physics::ShapeId shape : world.shapes_of(body)) {
+        description->shapes.push_back(*world.shape(shape));
+        description->reach =
+            std::max(description->reach, reach_of(world, shape, state.pose.position));
+    }
+    description->mass = state.mass;
+    description->jointed = !world.joints_of(body).empty();
+    const physics::BodyDef def = *world.definition(body);
+    description->linear_damping = def.linear_damping;
+    description->angular_damping = def.angular_damping;
+    description->gravity_scale = def.gravity_scale;
+    description->locks = def.locks;
+    description->drivable = can_be_driven(world, body);
+    return description;
+}
+
+void EntityRegistry::put(EntityId id, Entity entity) {
+    const physics::BodyId body = entity.body;
+    entities_.emplace(id, std::move(entity));
+    if (entity_of_body_.size() <= body.index) {
+        entity_of_body_.resize(body.index + 1, 0);
+        generation_of_body_.resize(body.index + 1, 0);
+    }
+    entity_of_body_[body.index] = id;
+    generation_of_body_[body.index] = body.generation;
+    list_ = nullptr;
+    places_ = nullptr;
+}
+
+EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
+                             std::optional<std::uint32_t> color, std::string name) {
+    std::shared_ptr<EntityDescription> description = describe(world, body);
+    const EntityId id = description->id = next_id_++;
+    description->owner = owner;
+    description->color = color;
+    description->name = std::move(name);
+    put(id, {body, std::move(description)});
+    return id;
+}
+
+Status EntityRegistry::restore(const physics::World& world, const HostImage& image) {
+    for (const HostImage::Entity& kept : image.entities) {
+        if (!world.contains(kept.body))
+            return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
+                                                      " is kept, but the world lacks its body"};
+        std::shared_ptr<EntityDescription> description = describe(world, kept.body);
+        description->id = kept.id;
+        description->owner = kept.owner;
+        description->color = kept.color;
+        description->name = kept.name;
+        description->mass = kept.mass;
+        description->reach = kept.reach;
+        put(kept.id, {kept.body, std::move(description)});
+    }
+    next_id_ = image.next_id;
+    return {};
+}
+
+void EntityRegistry::write(HostImage& image) const {
+    image.next_id = next_id_;
+    image.entities.reserve(entities_.size());
+    for (const auto& [id, entity] : entities_) {
+        const EntityDescription& told = *entity.description;
+        image.entities.push_back(
+            {id, entity.body, told.owner, told.color, told.name, told.mass, told.reach});
+    }
+}
+
+void EntityRegistry::remove(EntityId id) {
+    const auto at = entities_.find(id);
+    if (at == entities_.end()) return;
+    entity_of_body_[at->second.body.index] = 0;
+    removed_.emplace(at->second.body, id);
+    entities_.erase(at);
+    list_ = nullptr;
+    places_ = nullptr;
+}
+
+void EntityRegistry::on_step() {
+    removed_before_step_ = std::exchange(removed_, {});
+}
+
+const Entity* EntityRegistry::find(EntityId id) const {
+    const auto at = entities_.find(id);
+    return at == entities_.end() ? nullptr : &at->second;
+}
+
+EntityId EntityRegistry::entity_of(physics::BodyId body) const {
+    const auto at = removed_before_step_.find(body);
+    if (at != removed_before_step_.end()) return at->second;
+    return body.index < entity_of_body_.size() ? entity_of_body_[body.index] : 0;
+}
+
+EntityId EntityRegistry::living(physics::BodyId body) const {
+    if (body.index >= entity_of_body_.size()) return 0;
+    return generation_of_body_[body.index] == body.generation ? entity_of_body_[body.index] : 0;
+}
+
+const std::shared_ptr<const EntityList>& EntityRegistry::list() {
+    if (!list_) {
+        auto list = std::make_shared<EntityList>();
+        list->reserve(entities_.size());
+        for (const auto& [id, entity] : entities_) list->push_back(entity.description);
+        list_ = std::move(list);
+    }
+    return list_;
+}
+
+const std::shared_ptr<const ShapePlaces>& EntityRegistry::places() {
+    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*list()));
+    return places_;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/follow_modules.h"
+
+#include <algorithm>
+
+namespace jostle::server {
+
+using namespace physics;
+
+namespace {
+
+void forget_removed(HostedState& state) {
+    std::vector<EntityId> removed;
+    for (const auto& [id, entity] : state.entities.all())
+        if (!state.world.contains(entity.body)) removed.push_back(id);
+    for (const EntityId id : removed) forget_entity(state, id);
+}
+
+}  // namespace
+
+void follow_modules(HostedState& state, std::vector<BodyState>& bodies) {
+    if (state.world.modules().empty()) return;
+    state.world.copy_bodies(bodies);
+    const auto is_known = [&](const BodyState& body) {
+        return state.entities.living(body.id) != 0;
+    };
+    const auto known = static_cast<std::size_t>(std::ranges::count_if(bodies, is_known));
+    // First: a new body may have the index of one that is gone.
+    if (known < state.entities.size()) forget_removed(state);
+    if (known == bodies.size()) return;
+    for (const BodyState& body : bodies)
+        if (!is_known(body)) state.entities.add(state.world, body.id, 0, std::nullopt, {});
+}
+
+}  // namespace jostle::server

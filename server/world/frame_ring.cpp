@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/frame_ring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace jostle::server {
+
+FrameRing::FrameRing(double kept_ms, double hz)
+    : frames_max_(1 + static_cast<std::size_t>(std::ceil(std::max(0.0, kept_ms) * hz / 1000))) {}
+
+void FrameRing::put(FramePtr frame) {
+    FramePtr oldest;  // freed outside the lock
+    const std::lock_guard lock(mutex_);
+    frames_.push_back(std::move(frame));
+    if (frames_.size() <= frames_max_) return;
+    oldest = std::move(frames_.front());
+    frames_.pop_front();
+}
+
+std::optional<PastMoment> FrameRing::at(const SeenMoment& seen) const {
+    const std::lock_guard lock(mutex_);
+    if (frames_.empty()) return std::nullopt;
+    const FramePtr &oldest = frames_.front(), &newest = frames_.back();
+    if (seen.tick >= newest->tick) return PastMoment{newest, newest, 0, false};
+    if (seen.tick < oldest->tick) return PastMoment{oldest, oldest, 0, true};
+    const FramePtr& before = frames_[seen.tick - oldest->tick];
+    if (seen.fraction == 0) return PastMoment{before, before, 0, false};
+    return PastMoment{before, frames_[seen.tick - oldest->tick + 1], seen.fraction, false};
+}
+
+}  // namespace jostle::server

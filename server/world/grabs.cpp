@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/grabs.h"
+
+#include "jostle/modules/player_interaction.h"
+
+namespace jostle::server {
+
+using namespace physics;
+
+Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 point) {
+    release(world, client);
+    const Result<JointId> joint = world.create_joint(modules::held_at(body, point));
+    if (!joint.ok()) return joint.error();
+    held_[client] = {body.id, *joint};
+    return {};
+}
+
+std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
+    const auto at = held_.find(client);
+    if (at == held_.end()) return std::nullopt;
+    const Result<JointState> joint = world.joint(at->second.joint);
+    if (!joint.ok()) {  // it went with its body
+        held_.erase(at);
+        return std::nullopt;
+    }
+    GrabJoint kind = std::get<GrabJoint>(joint->def.kind);
+    kind.target = target;
+    if (!world.set_joint(at->second.joint, kind).ok()) return std::nullopt;
+    return at->second.body;
+}
+
+void Grabs::release(World& world, ClientId client) {
+    const auto at = held_.find(client);
+    if (at == held_.end()) return;
+    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may have gone already
+    held_.erase(at);
+}
+
+void Grabs::release_body(World& world, BodyId body) {
+    std::erase_if(held_, [&](const auto& entry) {
+        if (entry.second.body != body) return false;
+        static_cast<void>(world.destroy_joint(entry.second.joint).ok());
+        return true;
+    });
+}
+
+void Grabs::write(HostImage& image) const {
+    for (const auto& [client, held] : held_) image.held.push_back({client, held.body, held.joint});
+}
+
+void Grabs::restore(const HostImage& image) {
+    for (const HostImage::Held& held : image.held) held_[held.client] = {held.body, held.joint};
+}
+
+}  // namespace jostle::server

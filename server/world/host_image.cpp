@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/host_image.h"
+
+#include <utility>
+
+#include "server/util/bytes.h"
+
+namespace jostle::server {
+namespace {
+
+constexpr std::uint64_t image_version = 1;
+constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
+
+// One function says what an image consists of; it is written with one of these and read with the
+// other.
+struct ImageWriter {
+    ByteWriter to;
+
+    void operator()(std::uint32_t value) { to.number(value); }
+    void operator()(double value) { to.real(value); }
+    void operator()(const std::string& value) { to.text(value); }
+    void operator()(const std::optional<std::uint32_t>& value) {
+        to.number(value.value_or(no_color));
+    }
+    template <class Item, class Each>
+    void list(const std::vector<Item>& items, Each&& each) {
+        to.number(items.size());
+        for (const Item& item : items) each(item);
+    }
+};
+struct ImageReader {
+    ByteReader from;
+
+    void operator()(std::uint32_t& value) { value = from.small(); }
+    void operator()(double& value) { value = from.real(); }
+    void operator()(std::string& value) { value = from.text(); }
+    void operator()(std::optional<std::uint32_t>& value) {
+        const std::uint32_t told = from.small();
+        value = told == no_color ? std::nullopt : std::optional(told);
+    }
+    template <class Item, class Each>
+    void list(std::vector<Item>& items, Each&& each) {
+        items.resize(from.count());
+        for (Item& item : items) each(item);
+    }
+};
+
+template <class Visitor, class Id>
+void visit_id(Visitor& v, Id& id) {
+    v(id.index);
+    v(id.generation);
+}
+
+template <class Visitor, class Image>
+void visit(Visitor& v, Image& image) {
+    v(image.tick);
+    v(image.next_id);
+    v.list(image.entities, [&](auto& e) {
+        v(e.id);
+        visit_id(v, e.body);
+        v(e.owner);
+        v(e.color);
+        v(e.name);
+        v(e.mass);
+        v(e.reach);
+    });
+    v.list(image.owned, [&](auto& o) { v(o.client), v(o.entity); });
+    v.list(image.held, [&](auto& h) {
+        v(h.client);
+        visit_id(v, h.body);
+        visit_id(v, h.joint);
+    });
+    v.list(image.driven, [&](auto& d) { v(d.client), visit_id(v, d.body); });
+    v.list(image.counted, [&](auto& c) { v(c.client), v(c.sequence); });
+    v.list(image.quarantined, [&](auto& id) { v(id); });
+    v.list(image.scene_bodies, [&](auto& id) { visit_id(v, id); });
+    v.list(image.scene_joints, [&](auto& id) { visit_id(v, id); });
+}
+
+Error not_an_image(const std::string& why) {
+    return {ErrorCode::corrupt_data, "what is kept of entities and owners " + why};
+}
+
+}  // namespace
+
+std::map<ClientId, std::uint32_t> clients_of(const HostImage& image) {
+    std::map<ClientId, std::uint32_t> clients;
+    for (const HostImage::Counted& counted : image.counted)
+        clients[counted.client] = counted.sequence;
+    for (const HostImage::Owned& owned : image.owned) clients.try_emplace(owned.client);
+    for (const HostImage::Held& held : image.held) clients.try_emplace(held.client);
+    for (const HostImage::Driven& driven : image.driven) clients.try_emplace(driven.client);
+    clients.erase(0);
+    return clients;
+}
+
+std::string encode_host_image(const HostImage& image) {
+    ImageWriter writer;
+    writer.to.number(image_version);
+    visit(writer, image);
+    return writer.to.take();
+}
+
+Result<HostImage> decode_host_image(std::string_view bytes) {
+    ImageReader reader{ByteReader(bytes)};
+    if (const std::uint64_t version = reader.from.number(); version != image_version)
+        return not_an_image("is of version " + std::to_string(version) + "; this server reads " +
+                            std::to_string(image_version));
+    HostImage image;
+    visit(reader, image);
+    if (!reader.from.ok()) return not_an_image("ends too early");
+    if (!reader.from.at_end()) return not_an_image("goes on after its end");
+    EntityId last = 0;
+    for (const HostImage::Entity& entity : image.entities) {
+        if (entity.id <= last || entity.id >= image.next_id)
+            return not_an_image("has entity " + std::to_string(entity.id) + " out of order");
+        last = entity.id;
+    }
+    return image;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// What a hosted world is beside its bodies: who is which entity, who owns, holds and drives what,
+// and how far each client's inputs have been counted. With the world's own bytes it is all that the
+// next tick depends on, but for inputs that have not been applied.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jostle/base/result.h"
+#include "jostle/physics/ids.h"
+#include "server/world/command.h"
+
+namespace jostle::server {
+
+struct HostImage {
+    struct Entity {
+        EntityId id = 0;
+        physics::BodyId body;
+        ClientId owner = 0;
+        std::optional<std::uint32_t> color;
+        std::string name;
+        double mass = 0, reach = 0;  // as clients were told
+    };
+    struct Held {
+        ClientId client = 0;
+        physics::BodyId body;
+        physics::JointId joint;
+    };
+    struct Driven {
+        ClientId client = 0;
+        physics::BodyId body;
+    };
+    struct Owned {
+        ClientId client = 0;
+        EntityId entity = 0;
+    };
+    struct Counted {
+        ClientId client = 0;
+        std::uint32_t sequence = 0;
+    };
+
+    std::uint32_t tick = 0;
+    EntityId next_id = 1;
+    std::vector<Entity> entities;  // in rising order of id
+    std::vector<Owned> owned;
+    std::vector<Held> held;
+    std::vector<Driven> driven;
+    std::vector<Counted> counted;
+    std::vector<EntityId> quarantined;
+    std::vector<physics::BodyId> scene_bodies;
+    std::vector<physics::JointId> scene_joints;
+};
+
+// Who played, and the last of the inputs of each that were counted.
+std::map<ClientId, std::uint32_t> clients_of(const HostImage& image);
+
+std::string encode_host_image(const HostImage& image);
+// corrupt_data: the bytes are not such an image.
+Result<HostImage> decode_host_image(std::string_view bytes);
+
+}  // namespace jostle::server

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/hosted_world.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "server/world/follow_modules.h"
+#include "server/world/resolve_aim.h"
+
+namespace jostle::server {
+
+using namespace physics;
+
+Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
+                                        const HostLimits& limits, int threads) {
+    if (Status s = check_description(scene, limits.scene); !s.ok()) return s.error();
+    if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
+        return Error{ErrorCode::invalid_argument,
+                     "the scene has " + std::to_string(scene.modules.size()) +
+                         " modules; a server hosts " + std::to_string(scenes::modules_max) +
+                         " in a world"};
+    Result<scenes::BuiltScene> built = scenes::build_scene(scene);
+    if (!built.ok()) return built.error();
+    const Result<double> work = work_of(scene, built->world, limits.scene);
+    if (!work.ok()) return work.error();
+    // Then it is built anew: what is hosted begins at its beginning.
+    if (Status s = check_first_step(scene, std::move(built->world), limits.scene); !s.ok())
+        return s.error();
+    built = scenes::build_scene(scene);
+    if (!built.ok()) return built.error();
+    if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
+    HostedWorld hosted({.world = std::move(built->world), .limits = limits}, scene.hz);
+    hosted.work_per_second_ = *work;
+    for (std::size_t i = 0; i < built->bodies.size(); i++)
+        hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
+                                   scene.bodies[i].name);
+    hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
+    follow_modules(hosted.state_, hosted.bodies_);
+    Result<ModuleChannels> channels = ModuleChannels::of(hosted.state_.world);
+    if (!channels.ok()) return channels.error();
+    hosted.channels_ = *std::move(channels);
+    return hosted;
+}
+
+Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
+                                         const HostLimits& limits, double hz,
+                                         double work_per_second) {
+    HostedWorld hosted({.world = std::move(world), .limits = limits}, hz);
+    hosted.work_per_second_ = work_per_second;
+    HostedState& state = hosted.state_;
+    if (Status s = state.entities.restore(state.world, image); !s.ok()) return s.error();
+    state.ownership.restore(image);
+    state.grabs.restore(image);
+    state.drivers.restore(image);
+    for (const HostImage::Counted& counted : image.counted)
+        hosted.last_sequences_[counted.client] = counted.sequence;
+    hosted.quarantined_.insert(image.quarantined.begin(), image.quarantined.end());
+    hosted.ids_ = {image.scene_bodies, image.scene_joints};
+    Result<ModuleChannels> channels = ModuleChannels::of(state.world);
+    if (!channels.ok()) return channels.error();
+    hosted.channels_ = *std::move(channels);
+    return hosted;
+}
+
+HostImage HostedWorld::image(std::uint32_t tick) const {
+    HostImage image{.tick = tick,
+                    .quarantined = {quarantined_.begin(), quarantined_.end()},
+                    .scene_bodies = ids_.bodies,
+                    .scene_joints = ids_.joints};
+    state_.entities.write(image);
+    state_.ownership.write(image);
+    state_.grabs.write(image);
+    state_.drivers.write(image);
+    for (const auto& [client, sequence] : last_sequences_)
+        image.counted.push_back({client, sequence});
+    return image;
+}
+
+void HostedWorld::follow(const HostedWorld& later) {
+    last_sequences_ = later.last_sequences_;
+    state_.entities.skip_ids_of(later.state_.entities);
+}
+
+void HostedWorld::let_all_go() {
+    for (const auto& [client, sequence] : clients_of(image(0)))
+        apply({.client = client, .action = LeaveCommand{.keep_bodies = true}, .reply = nullptr}, 0);
+}
+
+void HostedWorld::set_limits(const HostLimits& limits) {
+    state_.limits = limits;
+    past_ = std::make_shared<FrameRing>(limits.past_ms_max, hz_);
+}
+
+Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
+    std::uint32_t& last = last_sequences_[client];
+    if (sequence <= last)
+        return Error{ErrorCode::invalid_argument, "input " + std::to_string(sequence) +
+                                                      " does not come after input " +
+                                                      std::to_string(last)};
+    last = sequence;
+    return {};
+}
+
+InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
+    InputResult result{.sequence = command.sequence, .tick = tick};
+    const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
+    const bool counts = !is_leave && !std::holds_alternative<LoseCommand>(command.action);
+    if (counts) result.status = accept_sequence(command.client, command.sequence);
+    if (result.status.ok()) result.status = act(command, result);
+    // The client is gone, and with it what its inputs are counted from.
+    if (is_leave) last_sequences_.erase(command.client);
+    return result;
+}
+
+// One that is refused is kept, too: refused again it does what it did.
+Status HostedWorld::act(const Command& command, InputResult& result) {
+    Action aimed;
+    const Action* action = &command.action;
+    Status status;
+    if (has_aim(command.action)) {
+        aimed = command.action;
+        action = &aimed;
+        status = resolve_aim(state_, *past_, *state_.entities.list(), aimed, result);
+    }
+    if (keeps_journal_)
+        journal_.push_back({command.client, command.sequence,
+                            status.ok() ? std::optional(*action) : std::nullopt});
+    return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
+}
+
+void HostedWorld::apply_again(const JournaledCommand& command) {
+    const bool has = command.action.has_value();
+    const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
+    if (is_leave)
+        last_sequences_.erase(command.client);
+    else if (!has || !std::holds_alternative<LoseCommand>(*command.action))
+        last_sequences_[command.client] = command.sequence;
+    EntityId about = 0;
+    if (has) static_cast<void>(apply_action(state_, command.client, *command.action, about).ok());
+}
+
+Status HostedWorld::step(double dt, std::uint32_t tick) {
+    Status stepped = state_.world.step(dt);
+    if (!stepped.ok()) return stepped;
+    follow_modules(state_, bodies_);
+    state_.entities.on_step();
+    channels_.publish(state_.world, tick,
+                      [this](BodyId body) { return state_.entities.living(body); });
+    return {};
+}
+
+std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
+    return copy_events(state_.world.events(), tick,
+                       [this](BodyId body) { return state_.entities.entity_of(body); });
+}
+
+std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarantined() {
+    std::vector<std::shared_ptr<const EntityDescription>> fresh;
+    for (const BodyId body : state_.world.events().quarantined) {
+        const EntityId id = state_.entities.entity_of(body);
+        if (quarantined_.insert(id).second) fresh.push_back(state_.entities.find(id)->description);
+    }
+    return fresh;
+}
+
+QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
+    auto frame = std::make_shared<QueryFrame>();
+    frame->tick = tick;
+    frame->parts = parts;
+    frame->entity_list = state_.entities.list();
+    frame->places = state_.entities.places();
+    copy_parts(*frame, state_.world, state_.entities.by_body());
+    return frame;
+}
+
+// What neither is awake nor was so in the last frame has not moved, unless a call says so.
+void HostedWorld::copy_poses(bool all) {
+    const World& world = state_.world;
+    const auto& by_body = state_.entities.by_body();
+    if (all) {
+        std::vector<EntityPose> poses;
+        world.copy_bodies(bodies_);
+        poses.reserve(bodies_.size());
+        for (const BodyState& body : bodies_)
+            poses.push_back({by_body[body.id.index], body.pose, body.awake});
+        // Bodies come by index; an index that was used again holds a later entity.
+        std::ranges::sort(poses, {}, &EntityPose::id);
+        poses_.assign(poses);
+        place_of_body_.assign(by_body.size(), 0);
+        std::size_t place = 0;
+        for (const auto& [id, entity] : state_.entities.all())
+            place_of_body_[entity.body.index] = place++;
+        return;
+    }
+    for (const BodyId id : awake_)
+        if (const Result<BodyState> body = world.body(id); body.ok() && !body->awake)
+            poses_.set(place_of_body_[id.index], body->pose, false);
+    for (const BodyState& body : bodies_)
+        poses_.set(place_of_body_[body.id.index], body.pose, body.awake);
+}
+
+void HostedWorld::copy_into(Frame& frame) {
+    const World& world = state_.world;
+    const bool list_changed = entity_list_ != state_.entities.list();
+    world.copy_awake_bodies(bodies_);
+    frame.awake = 0;
+    for (const BodyState& body : bodies_)
+        frame.awake += body.awake && body.type == BodyType::dynamic ? 1 : 0;
+    std::vector<BodyId> awake;
+    awake.reserve(bodies_.size());
+    for (const BodyState& body : bodies_) awake.push_back(body.id);
+    copy_poses(list_changed || changes_at_rest_ != world.changes_at_rest());
+    awake_ = std::move(awake);
+    changes_at_rest_ = world.changes_at_rest();
+
+    bool moved = false;
+    frame.entities = poses_.take(moved);
+    frame.entity_list = entity_list_ = state_.entities.list();
+    frame.before_changed_at = changed_at_;
+    if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
+    frame.changed_at = changed_at_;
+    frame.channels = told_ = channels_.channels();
+    if (tells_driven_) {
+        auto driven = state_.drivers.told(
+            state_.world, [this](BodyId body) { return state_.entities.living(body); });
+        if (!driven.empty())
+            frame.driven = std::make_shared<const std::vector<DrivenState>>(std::move(driven));
+    }
+    frame.contacts = world.profile().touching;
+    frame.step_ms = world.profile().step_ms;
+}
+
+}  // namespace jostle::server

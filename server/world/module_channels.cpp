@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/module_channels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace jostle::server {
+namespace {
+
+bool comes_before(const Channel& a, const Channel& b) {
+    return std::tie(a.kind, a.entity) < std::tie(b.kind, b.entity);
+}
+
+constexpr std::size_t longest_name = 32;
+
+bool is_name(const std::string& name) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    return name.size() <= longest_name && std::all_of(name.begin(), name.end(), fits);
+}
+
+Error bad_kind(const std::string& tag, const physics::ChannelKind& kind, const std::string& why) {
+    return {ErrorCode::invalid_argument,
+            "module \"" + tag + "\": the channel \"" + kind.name + "\" " + why};
+}
+
+Result<physics::ChannelKind> full_kind(const std::string& tag, physics::ChannelKind kind) {
+    if (!is_name(kind.name))
+        return bad_kind(tag, kind, "is named by other than 1 to 32 of a-z, 0-9 and _");
+    if (kind.divisor < 1 || kind.divisor > 255)
+        return bad_kind(tag, kind,
+                        "is told every " + std::to_string(kind.divisor) + " steps; give 1 to 255");
+    kind.name = kind.name.empty() ? tag : tag + "." + kind.name;
+    return kind;
+}
+
+}  // namespace
+
+Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
+    ModuleChannels made;
+    for (const std::string& tag : world.modules()) {
+        Told told{tag, static_cast<std::uint32_t>(made.kinds_.size()), 0};
+        for (physics::ChannelKind& kind : world.module(tag)->channels()) {
+            Result<physics::ChannelKind> full = full_kind(tag, std::move(kind));
+            if (!full.ok()) return full.error();
+            for (const physics::ChannelKind& known : made.kinds_)
+                if (known.name == full->name) return bad_kind(tag, *full, "is there twice");
+            made.kinds_.push_back(*std::move(full));
+            told.count++;
+        }
+        if (told.count > 0) made.modules_.push_back(std::move(told));
+    }
+    if (made.kinds_.size() > channel_kinds_max)
+        return Error{ErrorCode::resource_exhausted,
+                     "the modules of the world have " + std::to_string(made.kinds_.size()) +
+                         " kinds of channels; a server hosts " + std::to_string(channel_kinds_max) +
+                         " in a world"};
+    if (made.kinds_.size() < channel_kinds_max) {
+        made.motion_ = static_cast<std::uint32_t>(made.kinds_.size());
+        made.kinds_.push_back({.name = motion_kind});
+    }
+    return made;
+}
+
+std::vector<bool> ModuleChannels::due(const Told& module, std::uint32_t tick) const {
+    std::vector<bool> due(module.count);
+    for (std::uint32_t k = 0; k < module.count; k++)
+        due[k] = (tick - 1) % static_cast<std::uint32_t>(kinds_[module.first + k].divisor) == 0;
+    return due;
+}
+
+void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
+                             const physics::ChannelWriter::NameOf& name_of) {
+    newly_too_large_.clear();
+    if (modules_.empty() && !tells_motion_ && channels_->empty()) return;
+    next_ = std::make_shared<Channels>();
+    next_values_ = 0;
+    for (const Told& module : modules_) {
+        const std::vector<bool> now = due(module, tick);
+        // Between its ticks a kind stays as it was told, also of an entity that has gone since.
+        for (const Channel& channel : *channels_)
+            if (channel.kind >= module.first && channel.kind < module.first + module.count &&
+                !now[channel.kind - module.first])
+                add(channel);
+        if (std::none_of(now.begin(), now.end(), [](bool due) { return due; })) continue;
+        physics::ChannelWriter writer(name_of, now);
+        world.module(module.tag)->publish(world, writer);
+        for (auto& written : writer.channels())
+            if (written.kind < module.count)
+                add({module.first + written.kind, written.entity,
+                     std::make_shared<const std::vector<std::int32_t>>(std::move(written.values))});
+    }
+    if (tells_motion_ && motion_) add_motion(world, name_of);
+    std::stable_sort(next_->begin(), next_->end(), comes_before);
+    const auto same = [](const Channel& a, const Channel& b) {
+        return a.kind == b.kind && a.entity == b.entity;
+    };
+    next_->erase(std::unique(next_->begin(), next_->end(), same), next_->end());
+    // A list that says nothing new is the old one.
+    const auto says_the_same = [](const Channel& a, const Channel& b) {
+        return a.kind == b.kind && a.entity == b.entity && a.values == b.values;
+    };
+    if (!std::ranges::equal(*next_, *channels_, says_the_same)) channels_ = std::move(next_);
+    next_ = nullptr;
+}
+
+void ModuleChannels::add_motion(const physics::World& world,
+                                const physics::ChannelWriter::NameOf& name_of) {
+    constexpr double most = 1 << 30;
+    world.copy_awake_bodies(bodies_);
+    for (const physics::BodyState& body : bodies_) {
+        if (body.type == physics::BodyType::static_body) continue;
+        auto values = std::make_shared<std::vector<std::int32_t>>();
+        values->reserve(6);
+        for (const physics::Vec3& v : {body.linear_velocity, body.angular_velocity})
+            for (int k = 0; k < 3; k++)
+                values->push_back(static_cast<std::int32_t>(
+                    std::lround(std::clamp(v[k] * motion_units, -most, most))));
+        if (const EntityId entity = name_of(body.id); entity != 0)
+            add({*motion_, entity, std::move(values)});
+    }
+}
+
+void ModuleChannels::add(Channel channel) {
+    if (channel.values->size() > channel_values_max)
+        return leave_out(channel, channel.values->size(), channel_values_max, " values");
+    if (next_->size() == channels_max)
+        return leave_out(channel, channels_max + 1, channels_max, " channels in a world");
+    if (next_values_ + channel.values->size() > frame_values_max)
+        return leave_out(channel, next_values_ + channel.values->size(), frame_values_max,
+                         " values in a world");
+    next_values_ += channel.values->size();
+    const auto old = std::lower_bound(channels_->begin(), channels_->end(), channel, comes_before);
+    if (old != channels_->end() && !comes_before(channel, *old) && *old->values == *channel.values)
+        channel.values = old->values;
+    next_->push_back(std::move(channel));
+}
+
+void ModuleChannels::leave_out(const Channel& channel, std::size_t size, std::size_t most,
+                               const char* noun) {
+    if (!warned_.insert(channel.kind).second) return;
+    newly_too_large_.push_back(
+        {kinds_[channel.kind].name, channel.entity,
+         std::to_string(size) + noun + "; clients are sent " + std::to_string(most) + " at most"});
+}
+
+}  // namespace jostle::server

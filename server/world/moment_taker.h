@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// A world as it is between two ticks, copied by who comes first: whoever wants it, on a thread of
+// his own while the world waits for its next tick, or the world before it goes on. Any thread.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "server/world/world_moment.h"
+
+namespace jostle::server {
+
+class MomentTaker {
+public:
+    explicit MomentTaker(std::function<WorldMoment()> copy) : copy_(std::move(copy)) {}
+
+    // Copies, or waits for who does; what it is copied of may change afterwards.
+    void finish() {
+        const std::lock_guard lock(mutex_);
+        copy_now();
+    }
+    // Once. Nothing: there was no memory for it.
+    std::optional<WorldMoment> take() {
+        const std::lock_guard lock(mutex_);
+        copy_now();
+        return std::exchange(moment_, std::nullopt);
+    }
+
+private:
+    void copy_now() {
+        if (!copy_) return;
+        try {
+            moment_ = std::exchange(copy_, nullptr)();
+        } catch (const std::bad_alloc&) {
+            moment_.reset();
+        }
+    }
+
+    std::mutex mutex_;
+    std::function<WorldMoment()> copy_;  // empty: it was called
+    std::optional<WorldMoment> moment_;
+};
+
+}  // namespace jostle::server

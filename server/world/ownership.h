@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Which client owns which entities: what it spawned, and may delete. The scene's belong to nobody.
+// Owned by HostedWorld; one thread.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "server/world/command.h"
+#include "server/world/host_image.h"
+
+namespace jostle::server {
+
+class Ownership {
+public:
+    void add(ClientId client, EntityId entity) { owned_[client].insert(entity); }
+    // The entity is gone. One that nobody owns is fine.
+    void remove(EntityId entity);
+    // The client is gone: what it still owned is nobody's.
+    void forget(ClientId client) { owned_.erase(client); }
+
+    bool owns(ClientId client, EntityId entity) const;
+    int count(ClientId client) const;
+    std::vector<EntityId> owned_by(ClientId client) const;  // in rising order
+
+    void write(HostImage& image) const;
+    void restore(const HostImage& image);
+
+private:
+    std::map<ClientId, std::set<EntityId>> owned_;
+};
+
+}  // namespace jostle::server

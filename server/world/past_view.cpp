@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/past_view.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace jostle::server {
+
+using namespace physics;
+
+namespace {
+
+constexpr double fastest = 100;  // m/s; as the clients' interpolation has it
+
+const EntityPose* find(const PoseList& poses, EntityId entity) {
+    std::size_t low = 0, high = poses.size();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (poses[middle].id < entity)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < poses.size() && poses[low].id == entity ? &poses[low] : nullptr;
+}
+
+double seconds_between(const PastMoment& moment) {
+    return std::chrono::duration<double>(moment.after->due - moment.before->due).count();
+}
+
+// Walks one list beside another that rises as well.
+class Beside {
+public:
+    explicit Beside(const PoseList& poses) : at_(poses.begin()), end_(poses.end()) {}
+    const EntityPose* find(EntityId entity) {
+        while (!(at_ == end_) && at_->id < entity) ++at_;
+        return !(at_ == end_) && at_->id == entity ? &*at_ : nullptr;
+    }
+
+private:
+    PoseList::Iterator at_, end_;
+};
+
+}  // namespace
+
+Transform blend(const Transform& a, const Transform& b, double fraction, double seconds_apart) {
+    if (a == b) return a;
+    if (length(b.position - a.position) > fastest * seconds_apart) return a;
+    const Quat &p = a.rotation, &q = b.rotation;
+    const double along = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;
+    const double sign = along < 0 ? -1 : 1, rest = 1 - fraction;
+    const Quat turned{rest * p.x + sign * fraction * q.x, rest * p.y + sign * fraction * q.y,
+                      rest * p.z + sign * fraction * q.z, rest * p.w + sign * fraction * q.w};
+    return {a.position + (b.position - a.position) * fraction, normalized(turned)};
+}
+
+std::optional<Transform> PastView::pose_of(EntityId entity) const {
+    const EntityPose* after = find(moment_.after->entities, entity);
+    if (!after) return std::nullopt;
+    const EntityPose* before = find(moment_.before->entities, entity);
+    if (!before || moment_.before == moment_.after) return after->pose;
+    return blend(before->pose, after->pose, moment_.fraction, seconds_between(moment_));
+}
+
+// A body that is new stands where it appears.
+std::vector<ShapePlacement> PastView::shapes(const EntityList& now, const MayMeet& may_meet) const {
+    std::vector<ShapePlacement> placements;
+    const bool same = moment_.before == moment_.after;
+    const double seconds = seconds_between(moment_);
+    Beside before(moment_.before->entities), after(moment_.after->entities);
+    for (const auto& entity : now) {
+        const EntityPose* to = after.find(entity->id);
+        if (!to) continue;
+        const EntityPose* from = same ? nullptr : before.find(entity->id);
+        const Transform pose =
+            from ? blend(from->pose, to->pose, moment_.fraction, seconds) : to->pose;
+        if (!may_meet(pose.position, entity->reach)) continue;
+        for (const ShapeState& shape : entity->shapes)
+            placements.push_back({shape.id, compose(pose, shape.pose)});
+    }
+    return placements;
+}
+
+PastView::MayMeet along(Vec3 origin, Vec3 motion) {
+    const double size = std::max(length_squared(motion), 1e-300);
+    return [=](Vec3 center, double radius) {
+        const Vec3 to = center - origin;
+        const double nearest = std::clamp(dot(to, motion) / size, 0.0, 1.0);
+        const double reach = radius * 1.000001 + 1e-6;  // rounding
+        return length_squared(to - motion * nearest) <= reach * reach;
+    };
+}
+
+PastView::MayMeet within(const Aabb& box) {
+    return [=](Vec3 center, double radius) {
+        const double reach = radius * 1.000001 + 1e-6;
+        return overlap(box, grow({center, center}, reach));
+    };
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/query_broker.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+bool QueryBroker::is_good(CopyParts parts) const {
+    return frame_ && (frame_->parts & parts) == parts &&
+           frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
+}
+
+void QueryBroker::want(CopyParts parts, Clock::time_point now) {
+    const Clock::rep until = (now + interest).time_since_epoch().count();
+    for (std::size_t i = 0; i < wanted_until_.size(); i++)
+        if (parts >> i & 1) wanted_until_[i].store(until, std::memory_order_relaxed);
+}
+
+QueryFramePtr QueryBroker::ask(CopyParts parts) {
+    want(parts, Clock::now());
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [&] { return closed_ || is_good(parts); });
+    return !closed_ && is_good(parts) ? frame_ : nullptr;
+}
+
+CopyParts QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
+    newest_tick_.store(tick, std::memory_order_relaxed);
+    CopyParts parts = 0;
+    for (std::size_t i = 0; i < wanted_until_.size(); i++)
+        if (wanted_until_[i].load(std::memory_order_relaxed) > now.time_since_epoch().count())
+            parts |= CopyParts{1} << i;
+    if (parts == 0) put(nullptr);
+    return parts;
+}
+
+void QueryBroker::put(QueryFramePtr frame) {
+    const bool anything = frame != nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        frame_.swap(frame);
+    }
+    if (anything) changed_.notify_all();
+}
+
+void QueryBroker::close() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/tick_clock.h"
+
+namespace jostle::server {
+
+TickClock::TickClock(Clock::time_point start, double hz, int catch_up_max)
+    : start_(start), period_s_(1 / hz), catch_up_max_(catch_up_max) {}
+
+Clock::time_point TickClock::next_due() const {
+    return start_ + from_seconds(static_cast<double>(next_) * period_s_);
+}
+
+int TickClock::due(Clock::time_point now) {
+    int count = 0;
+    while (start_ + from_seconds(static_cast<double>(next_ + static_cast<std::uint64_t>(count)) *
+                                 period_s_) <=
+           now) {
+        if (count < catch_up_max_) {
+            count++;
+            continue;
+        }
+        // Give up the oldest: the ticks that do run are the latest ones due.
+        next_++;
+        late_++;
+    }
+    return count;
+}
+
+Clock::time_point TickClock::begin_tick() {
+    const Clock::time_point at = next_due();
+    next_++;
+    return at;
+}
+
+}  // namespace jostle::server

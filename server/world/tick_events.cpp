@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/tick_events.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace jostle::server {
+
+using physics::Events;
+
+namespace {
+
+// One event between bodies as one between entities.
+ContactEvent convert(const physics::ContactBegin& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .speed = e.approach};
+}
+
+ContactEvent convert(const physics::ContactEnd& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a), .b = entity_of(e.body_b)};
+}
+
+ContactEvent convert(const physics::ContactStay& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .impulse = e.normal_impulse};
+}
+
+ContactEvent convert(const physics::ContactHit& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .speed = e.approach};
+}
+
+TriggerEvent convert(const physics::TriggerEvent& e, const EntityOfBody& entity_of) {
+    return {entity_of(e.trigger_body), entity_of(e.body)};
+}
+
+JointBreakEvent convert(const physics::JointBreak& e, const EntityOfBody& entity_of) {
+    return {entity_of(e.body_a), entity_of(e.body_b), e.force, e.torque};
+}
+
+EntityId convert(physics::BodyId body, const EntityOfBody& entity_of) {
+    return entity_of(body);
+}
+
+// Lists are sorted by these.
+auto order_of(const ContactEvent& e) {
+    return std::pair(e.a, e.b);
+}
+auto order_of(const TriggerEvent& e) {
+    return std::pair(e.trigger, e.entity);
+}
+auto order_of(const JointBreakEvent& e) {
+    return std::pair(e.a, e.b);
+}
+auto order_of(EntityId entity) {
+    return entity;
+}
+
+// Where the solver lists a kind of event, and where a tick keeps it.
+template <class Theirs, class Ours>
+struct Kind {
+    std::span<const Theirs> Events::*theirs;
+    std::vector<Ours> TickEvents::*ours;
+};
+
+constexpr std::tuple kinds{
+    Kind{&Events::contacts_began, &TickEvents::contacts_began},
+    Kind{&Events::contacts_ended, &TickEvents::contacts_ended},
+    Kind{&Events::contacts, &TickEvents::contacts},
+    Kind{&Events::hits, &TickEvents::hits},
+    Kind{&Events::triggers_entered, &TickEvents::triggers_entered},
+    Kind{&Events::triggers_stayed, &TickEvents::triggers_stayed},
+    Kind{&Events::triggers_left, &TickEvents::triggers_left},
+    Kind{&Events::joints_broke, &TickEvents::joints_broke},
+    Kind{&Events::fell_asleep, &TickEvents::fell_asleep},
+    Kind{&Events::woke, &TickEvents::woke},
+};
+static_assert(std::tuple_size_v<decltype(kinds)> == TickEvents::kinds);
+
+template <class Theirs, class Ours>
+std::vector<Ours> copy(std::span<const Theirs> events, const EntityOfBody& entity_of) {
+    std::vector<Ours> out;
+    out.reserve(events.size());
+    for (const Theirs& event : events) out.push_back(convert(event, entity_of));
+    // Stable: pairs of shapes of the same two entities stay in the world's order.
+    std::ranges::stable_sort(out, {}, [](const Ours& event) { return order_of(event); });
+    return out;
+}
+
+}  // namespace
+
+std::optional<TickEvents> copy_events(const Events& events, std::uint32_t tick,
+                                      const EntityOfBody& entity_of) {
+    TickEvents out{.tick = tick};
+    bool any = false;
+    const auto copy_kind = [&]<class Theirs, class Ours>(const Kind<Theirs, Ours>& kind) {
+        out.*kind.ours = copy<Theirs, Ours>(events.*kind.theirs, entity_of);
+        any = any || !(events.*kind.theirs).empty();
+    };
+    std::apply([&](const auto&... kind) { (copy_kind(kind), ...); }, kinds);
+    if (!any) return std::nullopt;
+    return out;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/tick_recorder.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+Result<std::vector<TickRecord>> TickRecorder::record(Clock::duration time) {
+    const Clock::time_point end = Clock::now() + time;
+    std::unique_lock lock(mutex_);
+    if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
+    if (recording_)
+        return Error{ErrorCode::resource_exhausted,
+                     "somebody else records this world's ticks; try again when they are done"};
+    recording_ = true;
+    ticks_.clear();
+    ticks_.reserve(ticks_max);  // here, so that the world's thread never waits for memory
+    wanted_ = true;
+    changed_.wait_until(lock, end, [&] { return closed_ || ticks_.size() >= ticks_max; });
+    wanted_ = false;
+    recording_ = false;
+    return std::exchange(ticks_, {});
+}
+
+void TickRecorder::put(const TickRecord& tick) {
+    bool is_full;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!recording_ || ticks_.size() >= ticks_max) return;
+        ticks_.push_back(tick);
+        is_full = ticks_.size() >= ticks_max;
+    }
+    if (is_full) changed_.notify_all();
+}
+
+void TickRecorder::close() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+}
+
+}  // namespace jostle::server

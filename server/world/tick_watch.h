@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What is seen from outside of a world's ticks: each is counted for the metrics, and recorded for
+// whoever profiles. The world's thread calls it at the ends of a tick; what that costs is measured
+// in tests/server/world/tick_watch_test.cpp.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "server/metrics/world_metrics.h"
+#include "server/util/clock.h"
+#include "server/world/frame.h"
+#include "server/world/tick_recorder.h"
+
+namespace jostle::server {
+
+class TickWatch {
+public:
+    // Without metrics nothing is counted; recording works all the same.
+    TickWatch(Metrics* metrics, const std::string& world);
+
+    // Any thread.
+    Result<std::vector<TickRecord>> record(Clock::duration time) { return recorder_.record(time); }
+    void close() { recorder_.close(); }
+    WorldMetrics* metrics() { return metrics_.get(); }  // null: nobody counts
+
+    // The world's thread, in this order.
+    void begin_tick(Clock::time_point now) { begun_ = now; }
+    void begin_step() {
+        if (recorder_.wanted()) step_begun_ = Clock::now();
+    }
+    // `profile`: of the step; null when the tick took none.
+    void end_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs);
+
+private:
+    void record_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs,
+                     Clock::time_point now);
+
+    const std::unique_ptr<WorldMetrics> metrics_;
+    TickRecorder recorder_;
+    Clock::time_point begun_{}, step_begun_{};
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/world_directory.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr std::size_t restarts_max = 3;  // within restart_span; after that it is given up
+constexpr auto restart_span = std::chrono::minutes(1);
+
+// "w" and digits, or these and "-" and more: as a name it would hide the world that has, or will
+// have, that id.
+bool looks_like_id(const std::string& name) {
+    if (name.size() < 2 || name[0] != 'w') return false;
+    const std::size_t end = name.find_first_not_of("0123456789", 1);
+    return end == std::string::npos || (end > 1 && name[end] == '-');
+}
+
+Status check_name(const std::string& name) {
+    if (name.empty() || name.size() > 64)
+        return Error{ErrorCode::invalid_argument, "a world's name has 1 to 64 bytes"};
+    if (looks_like_id(name))
+        return Error{ErrorCode::invalid_argument,
+                     "\"" + name + "\" is how ids look; choose another name"};
+    return {};
+}
+
+Error name_taken(const std::string& name) {
+    return {ErrorCode::already_exists, "there is a world \"" + name + "\" already"};
+}
+
+// Memory may not suffice: that refuses this world and ends nothing else.
+template <class Work>
+auto built(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::resource_exhausted,
+                     std::string("the world cannot be built: ") + error.what()};
+    }
+}
+
+}  // namespace
+
+template <class Start>
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string& name,
+                                                               const std::string& owner,
+                                                               std::size_t bodies, Start start) {
+    std::uint32_t number;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!name.empty() && find_locked(name)) return name_taken(name);
+        if (static_cast<int>(worlds_.size()) >= worlds_max_)
+            return Error{ErrorCode::resource_exhausted,
+                         "the server holds " + std::to_string(worlds_max_) +
+                             " worlds, the most allowed; delete one first"};
+        if (Status s = check_name(name); !s.ok()) return s.error();
+        if (Status s = check_totals(bodies, 0); !s.ok()) return s.error();
+        number = next_++;
+        worlds_.emplace(number,
+                        nullptr);  // holds the place while the world is built without the lock
+    }
+    const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
+    const Result<std::shared_ptr<WorldHost>> host = built([&] {
+        return start(WorldLabel{id, name, owner});
+    });
+    const std::lock_guard lock(mutex_);
+    // Another call may have taken the name, or the room, meanwhile.
+    Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
+    if (fits.ok() && find_locked(name)) fits = name_taken(name);
+    if (!fits.ok()) {
+        worlds_.erase(number);
+        if (host.ok() && settings_.keepers) {
+            (*host)->forget();
+            (*host)->stop();
+            settings_.keepers->drop(id);
+        }
+        return fits.error();
+    }
+    worlds_[number] = *host;
+    return host;
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
+                                                          const scenes::SceneDescription& scene,
+                                                          const std::string& owner) {
+    const std::string name = wanted.empty() ? scene.name : wanted;
+    auto host = create_with(name, owner, scene.bodies.size(), [&](WorldLabel label) {
+        return WorldHost::start(std::move(label),
+                                std::make_shared<const scenes::SceneDescription>(scene), settings_);
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", (*host)->id(), name,
+                 scene.name, scene.hz, scene.bodies.size());
+    return host;
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string& name,
+                                                               const WorldHost& world,
+                                                               std::uint32_t tick,
+                                                               const std::string& owner) {
+    Result<HostedWorld> then = world_at(world, tick);
+    if (!then.ok()) return then.error();
+    then->let_all_go();
+    const std::size_t bodies = then->entities();
+    auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
+        return WorldHost::begin({std::move(label), world.description(), *std::move(then), tick},
+                                settings_);
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" goes on from tick {} of world {} with {} bodies", (*host)->id(),
+                 name, tick, world.id(), bodies);
+    return host;
+}
+
+std::shared_ptr<WorldHost> WorldDirectory::adopt(WorldStart start) {
+    const std::string& id = start.label.id;
+    const std::size_t end = std::min(id.find('-'), id.size());
+    std::uint32_t number = 0;
+    const bool is_id = end > 1 && id[0] == 'w' &&
+                       std::from_chars(id.data() + 1, id.data() + end, number).ec == std::errc();
+    const std::lock_guard lock(mutex_);
+    if (!is_id || worlds_.contains(number)) number = next_;
+    next_ = std::max(next_, number + 1);
+    return worlds_[number] = WorldHost::start(std::move(start), settings_);
+}
+
+// With what is about to be added to what there is.
+Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
+    for (const auto& [number, world] : worlds_) {
+        if (!world) continue;
+        bodies += world->frame()->entities.size();
+        work += world->work_per_second();
+    }
+    const TotalLimits& totals = settings_.totals;
+    if (bodies > static_cast<std::size_t>(totals.bodies_max))
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would have " + std::to_string(bodies) +
+                         " bodies; world.bodies_total_max allows " +
+                         std::to_string(totals.bodies_max) + "; delete a world first"};
+    if (work > totals.work_per_second_max)
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would be more work than "
+                     "scene.work_total_per_second_max allows; delete a world first"};
+    return {};
+}
+
+std::shared_ptr<WorldHost> WorldDirectory::find_locked(const std::string& key) const {
+    for (const auto& [number, world] : worlds_)
+        if (world && (key.empty() || world->id() == key || world->name() == key)) return world;
+    return nullptr;
+}
+
+std::shared_ptr<WorldHost> WorldDirectory::find(const std::string& id_or_name) const {
+    const std::lock_guard lock(mutex_);
+    return find_locked(id_or_name);
+}
+
+std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::shared_ptr<WorldHost>> out;
+    for (const auto& [number, world] : worlds_)
+        if (world) out.push_back(world);
+    return out;
+}
+
+Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32_t tick) const {
+    if (!world.is_kept())
+        return Error{ErrorCode::failed_precondition,
+                     "the world is not kept, so only what it is now can be had; "
+                     "persistence.store says where worlds are kept"};
+    return built([&] { return settings_.keepers->world_at(world.id(), tick); });
+}
+
+Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
+    Result<HostedWorld> then = world_at(world, tick);
+    if (!then.ok()) return then.error();
+    return then->exported(*world.description());
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<WorldHost>& world,
+                                                          std::uint32_t tick) {
+    Result<HostedWorld> then = world_at(*world, tick);  // the world runs on meanwhile
+    if (!then.ok()) return then.error();
+    if (!world->stop_to_go_on())
+        return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
+    Status done;
+    Result<GoesOn> again = built([&]() -> Result<GoesOn> {
+        Result<WorldStart> start = settings_.keepers->rewind(world->id(), tick, *std::move(then));
+        if (!start.ok()) return start.error();
+        start->paused = world->paused();
+        return go_on(*std::move(start));
+    });
+    if (!again.ok()) {
+        done = again.error();
+        again = start_again(*world);
+    }
+    if (!again.ok()) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
+        log_error("world {} \"{}\" is given up; what is kept of it stays in the store: {}",
+                  world->id(), world->name(), again.error().message);
+        return again.error();
+    }
+    if (!put_in_place(world, *again))
+        return Error{ErrorCode::not_found, "the world was deleted meanwhile"};
+    if (!done.ok()) return done.error();
+    log_info("world {} \"{}\" is as it was after tick {}", world->id(), world->name(), tick);
+    return again->host;
+}
+
+bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, const GoesOn& again) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto at = std::ranges::find_if(
+            worlds_, [&](const auto& entry) { return entry.second == stopped; });
+        if (at == worlds_.end()) {
+            again.host->forget();
+            again.host->stop();
+            return false;
+        }
+        at->second = again.host;
+    }
+    if (on_goes_on_) on_goes_on_(again.host, again.clients);
+    return true;
+}
+
+std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name) {
+    std::shared_ptr<WorldHost> world;
+    {
+        const std::lock_guard lock(mutex_);
+        if (id_or_name.empty()) return nullptr;
+        world = find_locked(id_or_name);
+        if (!world) return nullptr;
+        std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
+    }
+    world->forget();
+    world->stop();
+    if (settings_.keepers) settings_.keepers->drop(world->id());
+    log_info("world {} \"{}\" was deleted", world->id(), world->name());
+    return world;
+}
+
+void WorldDirectory::restart_failed(Clock::time_point now) {
+    std::vector<std::pair<std::uint32_t, std::shared_ptr<WorldHost>>> failed;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [number, world] : worlds_)
+            if (world && world->failed()) failed.emplace_back(number, world);
+    }
+    for (const auto& [number, world] : failed) restart(number, world, now);
+}
+
+void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
+                             Clock::time_point now) {
+    std::vector<Clock::time_point>& before = restarts_[number];
+    std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
+    failed->stop();
+    const Result<GoesOn> again = before.size() < restarts_max
+                                     ? start_again(*failed)
+                                     : Error{ErrorCode::resource_exhausted, "it ended too often"};
+    before.push_back(now);
+    if (again.ok()) {
+        if (!put_in_place(failed, *again)) return;
+        if (settings_.metrics) settings_.metrics->world_restarts.Increment();
+        log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
+                 failed->is_kept() ? "goes on from what was kept of it"
+                                   : "was started anew from its scene");
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    const auto at = worlds_.find(number);
+    if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
+    worlds_.erase(at);
+    restarts_.erase(number);
+    log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
+              again.error().message);
+}
+
+Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& failed) const {
+    return built([&]() -> Result<GoesOn> {
+        if (failed.is_kept()) {
+            Result<WorldStart> kept = settings_.keepers->again(failed.id());
+            if (!kept.ok()) return kept.error();
+            kept->paused = failed.paused();
+            return go_on(*std::move(kept));
+        }
+        auto host = WorldHost::start(failed.label(), failed.description(), settings_);
+        if (!host.ok()) return host.error();
+        return GoesOn{*std::move(host), {}};
+    });
+}
+
+WorldDirectory::GoesOn WorldDirectory::go_on(WorldStart start) const {
+    GoesOn again;
+    for (const auto& [client, sequence] : clients_of(start.world.image(start.tick)))
+        again.clients.push_back(client);
+    again.host = WorldHost::start(std::move(start), settings_);
+    return again;
+}
+
+void WorldDirectory::stop_all() {
+    for (const auto& world : list()) world->stop();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// A world after a tick, taken in between two.
+#pragma once
+
+#include <cstdint>
+
+#include "jostle/physics/restore_point.h"
+#include "server/world/host_image.h"
+
+namespace jostle::server {
+
+struct WorldMoment {
+    std::uint32_t tick = 0;
+    physics::RestorePoint bodies;
+    HostImage image;
+};
+
+}  // namespace jostle::server

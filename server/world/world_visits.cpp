@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/world_visits.h"
+
+#include <new>
+
+namespace jostle::server {
+
+Status WorldVisits::make(const Visit& visit) {
+    std::unique_lock lock(mutex_);
+    if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
+    if (waiting_)
+        return Error{ErrorCode::resource_exhausted,
+                     "somebody else looks at this world; try again in a moment"};
+    waiting_ = &visit;
+    changed_.wait_for(lock, patience, [&] { return closed_ || waiting_ != &visit; });
+    // The world's thread takes it under the lock: what is still here was not begun.
+    if (waiting_ != &visit) {
+        if (!failed_) return {};
+        return Error{ErrorCode::resource_exhausted, "there is no memory to look at this world"};
+    }
+    waiting_ = nullptr;
+    if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
+    return Error{ErrorCode::deadline_exceeded, "the world's tick has not ended for 5 s"};
+}
+
+void WorldVisits::admit(HostedWorld& world) {
+    if (!waiting_.load(std::memory_order_relaxed)) return;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!waiting_) return;
+        // What a visitor lacks is not the world's fault.
+        try {
+            (*waiting_)(world);
+            failed_ = false;
+        } catch (const std::bad_alloc&) {
+            failed_ = true;
+        }
+        waiting_ = nullptr;
+    }
+    changed_.notify_all();
+}
+
+void WorldVisits::close() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+}
+
+}  // namespace jostle::server

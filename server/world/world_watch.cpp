@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/world_watch.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto period = std::chrono::milliseconds(100);
+
+}  // namespace
+
+WorldWatch::WorldWatch(WorldDirectory& worlds, Settings settings)
+    : worlds_(worlds),
+      settings_(settings),
+      looked_at_(Clock::now().time_since_epoch().count()),
+      thread_([this] { run(); }) {}
+
+WorldWatch::~WorldWatch() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+bool WorldWatch::all_tick(Clock::time_point now) const {
+    const Clock::time_point looked{Clock::duration(looked_at_.load())};
+    return !hung_ && now - looked < settings_.hung_after;
+}
+
+void WorldWatch::look(Clock::time_point now) {
+    const Clock::time_point looked{Clock::duration(looked_at_.load())};
+    bool hung = false;
+    for (const auto& world : worlds_.list()) {
+        const auto began = world->tick_began();
+        if (!began || world->stopped()) continue;
+        const Clock::duration took = now - *began;
+        hung = hung || took > settings_.hung_after;
+        // After a pause of ours the tick gets its time anew.
+        if (took <= settings_.step_max || now - looked > pause_of_ours || world->paused()) continue;
+        world->interrupt(fmt::format("a step took more than {:.1f} s", to_ms(took) / 1000));
+    }
+    hung_ = hung && now - looked <= pause_of_ours;
+    looked_at_ = now.time_since_epoch().count();
+    worlds_.restart_failed(now);
+}
+
+void WorldWatch::run() {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, period, [&] { return stopping_; })) {
+        lock.unlock();
+        look(Clock::now());
+        lock.lock();
+    }
+}
+
+}  // namespace jostle::server

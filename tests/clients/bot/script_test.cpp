@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "clients/bot/script.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::bots {
+
+TEST(Script, the_committed_script_has_all_five_active_behaviours) {
+    const auto script = load_script(SCRIPTS "/sandbox.bots");
+    ASSERT_TRUE(script.ok()) << script.error().message;
+    EXPECT_EQ(script->size(), 5u);
+}
+
+TEST(Script, weights_decide_how_many_bots_take_each_line) {
+    const Script script = *parse_script("push weight=3\nwatch # rests\n", "s");
+    int pushing = 0;
+    for (int i = 0; i < 1000; i++) pushing += line_for(script, i).behaviour == "push" ? 1 : 0;
+    EXPECT_NEAR(pushing, 750, 5);
+}
+
+TEST(Script, faults_name_file_line_and_word) {
+    const struct {
+        const char *text, *message;
+    } cases[] = {
+        {"push\n\nfly", "s:3: there is no behaviour \"fly\""},
+        {"push speed=3", "s:1: push has no key \"speed\""},
+        {"push strength", "s:1: \"strength\" is no key=value"},
+        {"push strength=ten", "s:1: \"strength=ten\": the value must be a number"},
+        {"push period=0", "s:1: period must be at least 0.05 s"},
+        {"# nothing", "s: there is no behaviour in it"},
+        {"push weight=0", "s: all weights are zero"},
+    };
+    for (const auto& c : cases) {
+        const auto script = parse_script(c.text, "s");
+        ASSERT_FALSE(script.ok()) << c.text;
+        EXPECT_EQ(script.error().message.substr(0, std::string(c.message).size()), c.message);
+    }
+}
+
+}  // namespace jostle::bots

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+//
+// The client's half of the play stream, without a network: what it says, when, and what it makes of
+// what it hears.
+#include "clients/cpp/core/src/conversation.h"
+#include "jostle/snapshot/base_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::client {
+namespace {
+
+using std::chrono::milliseconds;
+
+struct Stream {
+    Conversation conversation{ClientOptions{.world = "yard", .name = "me"}};
+    Clock::time_point now{std::chrono::seconds(1000)};
+
+    void hear(const v1::ServerMessage& message) {
+        conversation.receive(message.SerializeAsString(), now);
+    }
+    std::optional<v1::ClientMessage> next() {
+        const auto bytes = conversation.take_message(now);
+        if (!bytes) return std::nullopt;
+        v1::ClientMessage message;
+        EXPECT_TRUE(message.ParseFromString(*bytes));
+        return message;
+    }
+    void welcome() {
+        conversation.begin(now);
+        EXPECT_EQ(next()->hello().world(), "yard");
+        v1::ServerMessage message;
+        message.mutable_welcome()->set_client_id(7);
+        message.mutable_welcome()->mutable_quant()->set_units_per_meter(512);
+        message.mutable_welcome()->mutable_quant()->set_rotation_component(511);
+        hear(message);
+        EXPECT_TRUE(next()->has_ping());
+    }
+    // A snapshot of one body at x metres.
+    v1::ServerMessage snapshot(std::uint32_t frame, double x, const wire::QuantizedFrame* base) {
+        quantized = {.frame = frame,
+                     .entities = {wire::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
+        const auto packed = wire::encode_frame(quantized, {base, nullptr, nullptr}, {});
+        v1::ServerMessage message;
+        v1::Snapshot& s = *message.mutable_snapshot();
+        s.set_frame(frame);
+        s.set_bases(base ? wire::encode_base_frames(frame, {.base = base->frame}) : 0);
+        s.set_packed(packed.data(), packed.size());
+        s.set_crc(wire::frame_crc(quantized));
+        return message;
+    }
+    wire::QuantizedFrame quantized;
+};
+
+}  // namespace
+
+TEST(Conversation, says_nothing_but_hello_before_it_is_welcome) {
+    Stream stream;
+    stream.conversation.begin(stream.now);
+    stream.conversation.send({});
+    EXPECT_TRUE(stream.next()->has_hello());
+    EXPECT_FALSE(stream.next());
+}
+
+TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.conversation.send({}), i);
+    const auto first = stream.next();
+    EXPECT_EQ(first->input().first_sequence(), 1u);
+    EXPECT_EQ(first->input().inputs_size(), 32);
+    EXPECT_FALSE(stream.next());  // not before a thirtieth of a second has passed
+    stream.now += milliseconds(34);
+    const auto second = stream.next();
+    EXPECT_EQ(second->input().first_sequence(), 33u);
+    EXPECT_EQ(second->input().inputs_size(), 8);
+}
+
+TEST(Conversation, a_client_that_sends_without_end_is_told_so_and_loses_nothing_it_was_promised) {
+    Stream stream;
+    stream.welcome();
+    std::uint32_t last = 0;
+    while (const std::uint32_t sequence = stream.conversation.send({})) last = sequence;
+    EXPECT_EQ(last, 4096u);
+    EXPECT_EQ(stream.next()->input().inputs_size(), 32);
+    EXPECT_EQ(stream.conversation.send({}), 4097u);
+}
+
+TEST(Conversation, results_that_nobody_takes_do_not_pile_up) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t i = 1; i <= 5000; i++) {
+        v1::ServerMessage message;
+        v1::InputResult& result = *message.mutable_snapshot()->mutable_own()->add_results();
+        result.set_sequence(i);
+        result.set_code(v1::INPUT_CODE_APPLIED);
+        stream.hear(message);
+    }
+    EXPECT_EQ(stream.conversation.stats().inputs_applied, 5000u);
+    const auto results = stream.conversation.take_results();
+    ASSERT_EQ(results.size(), 4096u);
+    EXPECT_EQ(results.back().sequence(), 5000u);
+    EXPECT_TRUE(stream.conversation.take_results().empty());
+}
+
+TEST(Conversation, a_quantisation_out_of_range_is_an_error_and_no_crash) {
+    Stream stream;
+    stream.welcome();
+    v1::ServerMessage welcome;
+    welcome.mutable_welcome()->mutable_quant()->set_units_per_meter(0);
+    welcome.mutable_welcome()->mutable_quant()->set_rotation_component(0xffffffff);
+    stream.hear(welcome);
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    EXPECT_NE(stream.conversation.stats().last_error.find("quantisation"), std::string::npos);
+    EXPECT_FALSE(stream.conversation.view().pose_of(1));
+}
+
+TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
+    Stream stream;
+    stream.welcome();
+    for (int i = 0; i < 40; i++) stream.conversation.send({});
+    EXPECT_EQ(stream.next()->input().inputs_size(), 32);
+    stream.conversation.ended(Error{ErrorCode::unavailable, "gone"});
+    EXPECT_FALSE(stream.next());
+    stream.now += milliseconds(500);
+    stream.conversation.begin(stream.now);
+    EXPECT_TRUE(stream.next()->has_hello());
+    v1::ServerMessage welcome;
+    welcome.mutable_welcome()->set_client_id(8);
+    stream.hear(welcome);
+    const auto batch = stream.next();
+    EXPECT_EQ(batch->input().first_sequence(), 1u);
+    EXPECT_EQ(batch->input().inputs_size(), 8);
+    EXPECT_EQ(stream.conversation.send({}), 9u);
+    EXPECT_EQ(stream.conversation.stats().stream_failures, 1u);
+}
+
+TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
+    Stream stream;
+    stream.welcome();
+    wire::QuantizedFrame base;
+    for (std::uint32_t frame = 10; frame < 60; frame++) {
+        stream.hear(stream.snapshot(frame, 0.1 * frame, frame == 10 ? nullptr : &base));
+        base = stream.quantized;
+        const auto ack = stream.next();
+        ASSERT_TRUE(ack && ack->has_ack());
+        EXPECT_EQ(ack->ack().frame(), frame);
+        EXPECT_FALSE(ack->ack().need_keyframe());
+    }
+    EXPECT_EQ(stream.conversation.stats().snapshots, 50u);
+    EXPECT_NEAR(stream.conversation.view().pose_of(1)->position[0], 5.9, 0.001);
+    EXPECT_FALSE(stream.conversation.view().pose_of(2));
+}
+
+TEST(Conversation, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
+    Stream stream;
+    stream.welcome();
+    v1::ServerMessage pong;
+    pong.mutable_pong()->set_client_time_us(to_us(stream.now) - 10);
+    pong.mutable_pong()->set_server_time_us(5'000'000);
+    stream.hear(pong);
+    v1::ServerMessage snapshot = stream.snapshot(1, 2, nullptr);
+    snapshot.mutable_snapshot()->set_late_us(std::numeric_limits<std::int64_t>::min());
+    stream.hear(snapshot);
+    EXPECT_EQ(stream.conversation.stats().snapshots, 1u);
+    const auto times = stream.conversation.view().times_of(snapshot.snapshot());
+    EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
+}
+
+TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
+    Stream stream;
+    stream.welcome();
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    stream.next();
+    auto wrong = stream.snapshot(11, 2, nullptr);
+    wrong.mutable_snapshot()->set_crc(wrong.snapshot().crc() ^ 1);
+    stream.hear(wrong);
+    const auto ack = stream.next();
+    EXPECT_TRUE(ack->ack().need_keyframe());
+    EXPECT_EQ(ack->ack().frame(), 10u);  // the last one that was good
+    const wire::QuantizedFrame unknown{.frame = 9, .entities = {}};
+    stream.hear(stream.snapshot(12, 3, &unknown));
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    stream.hear(stream.snapshot(13, 4, nullptr));
+    EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
+}
+
+TEST(Conversation, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.ask_keyframe();
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "what came meanwhile does not answer it";
+    const wire::QuantizedFrame base = stream.quantized;
+    stream.hear(stream.snapshot(11, 2, &base));
+    EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
+    stream.conversation.ask_keyframe();
+    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also while nothing comes";
+    EXPECT_FALSE(stream.next());
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 0u);
+}
+
+TEST(Conversation, hands_on_each_message_as_it_came) {
+    std::vector<std::string> seen;
+    Conversation listener{ClientOptions{
+        .on_message = [&](const std::string& bytes, Clock::time_point) { seen.push_back(bytes); }}};
+    listener.begin({});
+    listener.receive("\xff no message", {});
+    listener.receive("", {});
+    EXPECT_EQ(seen, (std::vector<std::string>{"\xff no message", ""}));
+}
+
+TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
+    Stream stream;
+    stream.conversation.begin(stream.now);
+    EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
+    Conversation listener{ClientOptions{.events = true}};
+    listener.begin(stream.now);
+    v1::ClientMessage hello;
+    ASSERT_TRUE(hello.ParseFromString(*listener.take_message(stream.now)));
+    EXPECT_TRUE(hello.hello().events());
+    for (std::uint32_t tick = 5; tick < 8; tick++) {
+        v1::ServerMessage message;
+        v1::Events& events = *message.mutable_snapshot()->add_events();
+        events.set_tick(tick);
+        events.add_woke(tick * 10);
+        listener.receive(message.SerializeAsString(), stream.now);
+    }
+    const auto events = listener.take_events();
+    ASSERT_EQ(events.size(), 3u);
+    for (std::uint32_t i = 0; i < 3; i++) {
+        EXPECT_EQ(events[i].tick(), 5 + i);
+        EXPECT_EQ(events[i].woke(0), 50 + 10 * i);
+    }
+    EXPECT_TRUE(listener.take_events().empty());
+}
+
+TEST(Conversation, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t tick = 1; tick <= 1030; tick++) {
+        v1::ServerMessage message;
+        v1::Events& told = *message.mutable_snapshot()->add_events();
+        told.set_tick(tick);
+        if (tick == 2) told.set_missed(7);  // by the server already
+        stream.hear(message);
+    }
+    const auto events = stream.conversation.take_events();
+    ASSERT_EQ(events.size(), 1024u);
+    EXPECT_EQ(events.front().tick(), 7u);
+    EXPECT_EQ(events.front().missed(), 6u + 7u);
+    EXPECT_EQ(events[1].missed(), 0u);
+}
+
+TEST(Conversation, bytes_that_are_no_message_are_counted_and_change_nothing) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    EXPECT_TRUE(stream.conversation.stats().connected);
+}
+
+TEST(Conversation, goodbye_comes_after_the_last_input) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.send({});
+    stream.conversation.leave();
+    EXPECT_TRUE(stream.next()->has_input());
+    EXPECT_FALSE(stream.conversation.leave_sent());
+    EXPECT_TRUE(stream.next()->has_leave());
+    EXPECT_TRUE(stream.conversation.leave_sent());
+    EXPECT_FALSE(stream.next());
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// A minute of a known world over bad links, drawn 144 and 60 times a second: what a person sees.
+// clients/web/src/smoothness.test.ts tells the same of the browser.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "tests/clients/cpp/core/watched_world.h"
+
+namespace jostle::client {
+namespace {
+
+struct BadLink {
+    const char* name;
+    LinkSettings link;
+    // What this link is allowed to cost; measured figures are a little below.
+    double usual_error_mm, error_mm, behind_ms;
+};
+
+void PrintTo(const BadLink& told, std::ostream* out) {
+    *out << told.name;
+}
+
+// Errors are those of who guesses: a bounce is cut by 23 mm between two frames, and who holds while
+// a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.
+const BadLink bad_links[] = {
+    {"even", {.delay_ms = 40}, 2, 25, 75},
+    {"uniform_20", {.delay_ms = 40, .jitter_ms = 20}, 2, 25, 82},
+    {"uniform_80", {.delay_ms = 40, .jitter_ms = 80}, 3, 50, 140},
+    {"exponential_15", {.delay_ms = 40, .tail_ms = 15}, 10, 125, 112},
+    {"stalls_250_ms",
+     {.delay_ms = 40, .jitter_ms = 10, .stalls_ms = 250, .stall_every_ms = 5000},
+     250,
+     540,
+     112},
+    {"stalls_1_s",
+     {.delay_ms = 40, .jitter_ms = 10, .stalls_ms = 1000, .stall_every_ms = 10'000},
+     2050,
+     2620,
+     75},
+    {"loss_2_percent", {.delay_ms = 40, .jitter_ms = 5, .loss = 0.02}, 35, 360, 220},
+};
+
+class Smoothness : public testing::TestWithParam<BadLink> {};
+
+}  // namespace
+
+TEST_P(Smoothness, the_clock_never_goes_back_and_no_body_steps) {
+    for (const double pictures_hz : {144.0, 60.0}) {
+        const Seen seen = watch(GetParam().link, pictures_hz);
+        SCOPED_TRACE(std::to_string(pictures_hz) + " pictures a second");
+        const auto record = [&](const char* name, double value) {
+            RecordProperty(name + std::to_string(static_cast<int>(pictures_hz)),
+                           std::to_string(value));
+        };
+        record("step_mm_", seen.step_mm);
+        record("usual_error_mm_", seen.usual_error_mm);
+        record("error_mm_", seen.error_mm);
+        record("behind_ms_", seen.behind_ms);
+        record("least_speed_", seen.least_speed);
+        record("greatest_speed_", seen.greatest_speed);
+
+        EXPECT_GT(seen.pictures, 58 * pictures_hz);
+        EXPECT_EQ(seen.backward_steps, 0);
+        EXPECT_GT(seen.least_speed, 0.9);
+        EXPECT_LT(seen.greatest_speed, 1.1);
+        EXPECT_LT(seen.step_mm, 20);
+        EXPECT_EQ(seen.halfway_leaps, 0) << "a body that leaps by 5 m is never between";
+        EXPECT_EQ(seen.ghosts, 0) << "a body that is gone is not shown";
+        EXPECT_LT(seen.usual_error_mm, GetParam().usual_error_mm);
+        EXPECT_LT(seen.error_mm, GetParam().error_mm);
+        EXPECT_LT(seen.behind_ms, GetParam().behind_ms);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, Smoothness, testing::ValuesIn(bad_links),
+                         [](const auto& told) { return told.param.name; });
+
+}  // namespace jostle::client

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+//
+// What a client knows of the modules of its world, snapshot by snapshot.
+#include "jostle/client/world_view.h"
+#include "jostle/snapshot/base_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::client {
+namespace {
+
+// Of two kinds, "craft" (0) and "crane" (1), of entity 5.
+using Told = std::vector<std::pair<std::uint32_t, std::int32_t>>;  // kind and value
+
+wire::Channels channels(const Told& told) {
+    wire::Channels made;
+    for (const auto& [kind, value] : told)
+        made.push_back({kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)});
+    return made;
+}
+
+// An empty world whose modules tell that, against what they told with the base.
+v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told,
+                      const Told& base_told = {}) {
+    const wire::QuantizedFrame before{.frame = base}, frame{.frame = number};
+    const auto packed =
+        wire::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
+    v1::Snapshot s;
+    s.set_frame(number);
+    s.set_bases(wire::encode_base_frames(number, {.base = base}));
+    s.set_packed(packed.data(), packed.size());
+    s.set_crc(wire::frame_crc(frame));
+    const wire::PackedChannels changed =
+        wire::encode_channels(channels(told), channels(base_told), ~std::uint64_t{0});
+    s.set_channels(changed.bytes.data(), changed.bytes.size());
+    s.set_channels_crc(changed.crc);
+    return s;
+}
+
+class WorldViewTest : public testing::Test {
+protected:
+    void SetUp() override { welcome(); }
+    void welcome() {
+        v1::Welcome message;
+        message.mutable_quant()->set_units_per_meter(512);
+        message.mutable_quant()->set_rotation_component(511);
+        message.add_channels()->set_name("craft");
+        message.add_channels()->set_name("crane");
+        view.begin(message);
+    }
+    bool take(const v1::Snapshot& message) { return view.apply(message).ok(); }
+    // Its value; nothing when there is none.
+    std::optional<std::int32_t> told(std::string_view kind) const {
+        const auto values = view.channel(kind, 5);
+        return values.empty() ? std::nullopt : std::optional(values.front());
+    }
+
+    WorldView view;
+};
+
+// What it drives is told as what changed of it, and nothing is made up where that is not known.
+TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
+    v1::Driven part;
+    part.set_entity(5);
+    part.set_tick(7);
+    part.set_module("vehicle");
+    part.set_words(2);
+    part.set_changed("\x02");
+    part.set_values(std::string("\x09\0\0\0", 4));
+    EXPECT_EQ(view.apply(part).error().code, ErrorCode::failed_precondition);
+    EXPECT_EQ(view.driven().entity, 0u);
+    v1::Driven whole = part;
+    whole.set_whole(true);
+    whole.set_changed("\x01");
+    ASSERT_TRUE(view.apply(whole).ok());
+    ASSERT_TRUE(view.apply(part).ok());
+    EXPECT_EQ(view.driven().words, (std::vector<std::uint32_t>{9, 9}));
+    EXPECT_EQ(view.driven().module, "vehicle");
+    part.set_values("short");
+    EXPECT_EQ(view.apply(part).error().code, ErrorCode::corrupt_data);
+    EXPECT_EQ(view.driven().entity, 0u) << "what comes next is not told against that";
+    welcome();
+    EXPECT_EQ(view.driven().tick, 0u);
+}
+
+}  // namespace
+
+TEST_F(WorldViewTest, a_channel_stays_until_it_changes_or_ends) {
+    EXPECT_FALSE(told("craft")) << "nothing was told yet";
+    EXPECT_EQ(view.channel_kinds().size(), 2u);
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
+    EXPECT_EQ(told("craft"), 1);
+    ASSERT_TRUE(take(snapshot(11, 10, {{0, 3}, {1, 2}}, {{0, 1}, {1, 2}})));
+    EXPECT_EQ(told("craft"), 3);
+    EXPECT_EQ(told("crane"), 2);
+    ASSERT_TRUE(take(snapshot(12, 11, {{0, 3}}, {{0, 3}, {1, 2}})));
+    EXPECT_EQ(view.channels().size(), 1u);
+    EXPECT_FALSE(told("crane"));
+    EXPECT_TRUE(view.channel("craft", 6).empty()) << "another entity";
+    EXPECT_TRUE(view.channel("boat", 5).empty()) << "no such kind";
+}
+
+TEST_F(WorldViewTest, channels_follow_from_those_of_the_base_whichever_it_is) {
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
+    ASSERT_TRUE(take(snapshot(11, 10, {{0, 2}, {1, 3}}, {{0, 1}})));
+    ASSERT_TRUE(take(snapshot(12, 10, {{0, 1}}, {{0, 1}})));
+    EXPECT_EQ(told("craft"), 1) << "as it was in frame 10";
+    EXPECT_EQ(view.channels().size(), 1u);
+}
+
+TEST_F(WorldViewTest, a_snapshot_that_cannot_be_read_changes_no_channel) {
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
+    v1::Snapshot damaged = snapshot(11, 10, {{0, 2}}, {{0, 1}});
+    damaged.set_channels_crc(damaged.channels_crc() + 1);
+    const Status refused = view.apply(damaged);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().message, "frame 11: channels: the CRC does not match");
+    EXPECT_FALSE(take(snapshot(12, 11, {{0, 3}}, {{0, 2}}))) << "its base was refused";
+    EXPECT_EQ(told("craft"), 1);
+}
+
+TEST_F(WorldViewTest, an_absolute_snapshot_and_a_new_stream_leave_nothing_stale) {
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
+    ASSERT_TRUE(take(snapshot(14, 0, {{1, 3}}))) << "the repair of a loss";
+    EXPECT_FALSE(told("craft"));
+    EXPECT_EQ(told("crane"), 3);
+    welcome();
+    EXPECT_TRUE(view.channels().empty());
+}
+
+TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
+    v1::Shape mesh;
+    for (int i = 0; i < 300; i++) mesh.mutable_mesh()->add_vertices()->set_x(i);
+    const std::string bytes = mesh.SerializeAsString();
+    v1::GeometryPart part;
+    part.set_id(77);
+    part.set_parts(2);
+    part.set_data(bytes.substr(0, 100));
+    EXPECT_TRUE(view.apply(part).ok());
+    v1::Shape named;
+    named.set_geometry(77);
+    EXPECT_EQ(view.outline_of(named), nullptr) << "half of it is not it";
+    part.set_part(1);
+    part.set_data(bytes.substr(100));
+    EXPECT_TRUE(view.apply(part).ok());
+    ASSERT_NE(view.outline_of(named), nullptr);
+    EXPECT_EQ(view.outline_of(named)->mesh().vertices_size(), 300);
+    v1::Shape ball;
+    ball.mutable_sphere()->set_radius(1);
+    EXPECT_EQ(view.outline_of(ball), &ball);
+}
+
+TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
+    v1::GeometryPart part;
+    part.set_id(77);
+    part.set_part(1);
+    part.set_parts(2);
+    const Status told = view.apply(part);
+    ASSERT_FALSE(told.ok());
+    EXPECT_EQ(told.error().message, "geometry 77: part 1 of 2 does not follow the one before");
+    part.set_part(0);
+    part.set_parts(1);
+    part.set_data("\xff no shape");
+    EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
+}
+
+TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base_but_not_seen) {
+    v1::Welcome welcome;
+    welcome.mutable_quant()->set_units_per_meter(512);
+    welcome.mutable_quant()->set_rotation_component(511);
+    welcome.mutable_datagrams()->set_port(1);
+    view.begin(welcome);
+    const wire::QuantizedFrame first{.frame = 1, .entities = {wire::quantize(7, {}, false, {})}};
+    const wire::QuantizedFrame second{.frame = 2, .entities = first.entities};
+    const auto told = [](const wire::QuantizedFrame& frame, const wire::QuantizedFrame* base) {
+        const auto packed = wire::encode_frame(frame, {base, nullptr, nullptr}, {});
+        v1::Snapshot s;
+        s.set_frame(frame.frame);
+        s.set_bases(wire::encode_base_frames(frame.frame, {.base = base ? base->frame : 0}));
+        s.set_packed(packed.data(), packed.size());
+        s.set_crc(wire::frame_crc(frame));
+        return s;
+    };
+    ASSERT_TRUE(view.apply(told(first, nullptr)).ok());
+    EXPECT_EQ(view.frame().frame, 1u);
+    EXPECT_TRUE(view.frame().entities.empty()) << "nobody told what it looks like";
+    EXPECT_FALSE(view.pose_of(7));
+    ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a base all the same";
+    v1::Roster roster;
+    roster.add_added()->set_id(7);
+    view.apply(roster);
+    EXPECT_EQ(view.frame().entities.size(), 1u) << "as soon as it is known";
+    EXPECT_EQ(view.known_before(), 1u);
+    v1::Roster gone;
+    gone.add_removed(7);
+    view.apply(gone);
+    EXPECT_TRUE(view.frame().entities.empty());
+}
+
+}  // namespace jostle::client

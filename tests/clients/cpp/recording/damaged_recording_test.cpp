@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+//
+// Recordings that a crash cut off, that a disk damaged, and files that are none.
+#include <gtest/gtest.h>
+
+#include <iterator>
+
+#include "clients/cpp/recording/src/recording_format.h"
+#include "jostle/client/recording_summary.h"
+#include "tests/clients/cpp/recording/recorded_world.h"
+
+namespace jostle::client {
+namespace {
+
+using namespace recording;
+
+const RecordedWorld& three_seconds() {
+    static const RecordedWorld made = record_world(180, 30);
+    return made;
+}
+
+const RecordedWorld& short_recording() {
+    static const RecordedWorld made = record_world(60, 20);
+    return made;
+}
+
+// The places of all records, and after them that of the index.
+std::vector<std::uint64_t> record_places(const std::string& file) {
+    std::vector<std::uint64_t> places;
+    for (std::uint64_t at = header_bytes;;) {
+        places.push_back(at);
+        const auto length = get<std::uint32_t>(file, at);
+        if (length == 0) return places;
+        at += head_bytes + length;
+    }
+}
+
+std::string error_of_opening(const std::string& file) {
+    const auto reader = opened(file);
+    return reader.ok() ? "" : reader.error().message;
+}
+
+}  // namespace
+
+TEST(DamagedRecording, one_that_was_cut_at_any_byte_is_read_up_to_there) {
+    const RecordedWorld& world = short_recording();
+    const std::vector<std::uint64_t> places = record_places(world.file);
+    const auto whole = opened(world.file).value().index();
+    ASSERT_GT(world.file.size(), 2048u);
+    for (std::size_t cut = 1; cut <= 1024 + (world.file.size() - places.back()); cut++) {
+        const std::string rest = world.file.substr(0, world.file.size() - cut);
+        auto reader = opened(rest);
+        ASSERT_TRUE(reader.ok()) << reader.error().message;
+        // All records that are whole are there, and the index is as it was of these.
+        const auto after = std::ranges::upper_bound(places, rest.size());
+        ASSERT_EQ(reader->end(), *(after - 1)) << cut << " bytes short";
+        ASSERT_NE(reader->cut(), "");
+        const auto& index = reader->index();
+        ASSERT_LE(index.size(), whole.size());
+        ASSERT_TRUE(std::equal(index.begin(), index.end(), whole.begin()));
+        ASSERT_TRUE(index.size() == whole.size() || whole[index.size()].offset >= reader->end());
+        const std::uint32_t last = summarize(*reader).last_tick;
+        Playback playback(*std::move(reader));
+        ASSERT_TRUE(playback.seek(last));
+        ASSERT_EQ(playback.view().frame(), world.truth.at(last));
+    }
+}
+
+TEST(DamagedRecording, one_without_its_index_says_where_it_ends) {
+    const std::string& file = three_seconds().file;
+    const std::uint64_t index = record_places(file).back();
+    EXPECT_EQ(opened(file.substr(0, index))->cut(),
+              "byte " + std::to_string(index) + ": it has no index: it was cut off there");
+    std::string wrong = file;
+    wrong[index + 20] = static_cast<char>(wrong[index + 20] ^ 1);
+    EXPECT_EQ(opened(wrong)->cut(), "byte " + std::to_string(index) + ": its index is damaged");
+    EXPECT_EQ(opened(wrong)->index(), opened(file)->index()) << "it was made anew";
+    // What a file system may leave of blocks that were never written.
+    EXPECT_EQ(opened(file.substr(0, index) + std::string(5000, '\0'))->end(), index);
+}
+
+TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_keyframe_is_played) {
+    const RecordedWorld& world = three_seconds();
+    const auto index = opened(world.file).value().index();
+    std::vector<RecordingEntry> keyframes;
+    for (const RecordingEntry& entry : index)
+        if (entry.kind == RecordingEntry::Kind::keyframe) keyframes.push_back(entry);
+    ASSERT_GE(keyframes.size(), 4u);
+    std::string damaged = world.file;
+    const std::uint64_t at = keyframes[2].offset;
+    damaged[at + 40] = static_cast<char>(damaged[at + 40] ^ 4);
+    Playback playback(opened(damaged).value());
+    const Status there = playback.seek(keyframes[2].frame);
+    ASSERT_FALSE(there.ok());
+    EXPECT_EQ(there.error().message, "byte " + std::to_string(at) +
+                                         ": the CRC of the record does not match: it is damaged");
+    // Not every tick has a snapshot.
+    const auto damaged_from = world.truth.lower_bound(keyframes[2].frame),
+               whole_from = world.truth.lower_bound(keyframes[3].frame);
+    const std::uint32_t after = std::next(whole_from, 3)->first;
+    ASSERT_TRUE(playback.seek(after));
+    EXPECT_EQ(playback.view().frame(), world.truth.at(after));
+    ASSERT_TRUE(playback.seek(std::prev(damaged_from)->first));
+
+    Playback again(opened(damaged).value());
+    const RecordingCheck found = check(again);
+    EXPECT_EQ(found.faults.size(), 2u) << "the record, and the index that names it";
+    EXPECT_EQ(found.snapshots, world.truth.size() - static_cast<std::size_t>(
+                                                        std::distance(damaged_from, whole_from)));
+}
+
+TEST(DamagedRecording, any_damaged_byte_of_a_record_is_found) {
+    const std::string& file = three_seconds().file;
+    const std::vector<std::uint64_t> places = record_places(file);
+    const std::uint64_t from = places[places.size() / 2], to = places[places.size() / 2 + 3];
+    for (std::uint64_t at = from; at < to; at++) {
+        std::string damaged = file;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+        Playback playback(opened(damaged).value());
+        ASSERT_FALSE(check(playback).faults.empty()) << "byte " << at;
+    }
+}
+
+TEST(DamagedRecording, what_is_no_recording_is_refused_with_what_to_do) {
+    EXPECT_EQ(error_of_opening(""),
+              "byte 0: it is no recording, which begins with the letters JREC; jostle-record makes "
+              "one");
+    EXPECT_EQ(error_of_opening(std::string(100, 'x')), error_of_opening(""));
+    std::string newer = three_seconds().file;
+    newer[4] = 2;
+    EXPECT_EQ(error_of_opening(newer),
+              "byte 4: it is a recording of version 2; this program reads version 1, so play it "
+              "with one of its own time");
+    EXPECT_EQ(error_of_opening(newer.replace(4, 1, "\1").substr(0, 20)),
+              "byte 16: nothing was recorded: byte 16: the file ends within the head of a record: "
+              "it was cut off there");
+    const auto gone = RecordingReader::open("/nowhere/yard.rec");
+    ASSERT_FALSE(gone.ok());
+    EXPECT_EQ(gone.error().message, "cannot read /nowhere/yard.rec: No such file or directory");
+}
+
+TEST(DamagedRecording, a_length_that_no_file_has_is_not_believed) {
+    std::string file = three_seconds().file;
+    const std::uint64_t at = record_places(file)[5];
+    for (const int top : {0x02, 0x7f, 0xff}) {
+        file[at + 3] = static_cast<char>(top);
+        Playback playback(opened(file).value());
+        const RecordingCheck found = check(playback);
+        ASSERT_FALSE(found.faults.empty());
+        EXPECT_TRUE(std::ranges::any_of(found.faults, [&](const std::string& fault) {
+            return fault.starts_with("byte " + std::to_string(at) + ": a message of ");
+        }));
+    }
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// A real world and a real conversation with it, in one thread and in no time, recorded: a player
+// throws balls about, so that bodies come and go, and asks for keyframes.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "clients/bot/behaviour.h"
+#include "clients/cpp/core/src/conversation.h"
+#include "jostle/client/playback.h"
+#include "jostle/client/recording_writer.h"
+#include "server/session/client_link.h"
+#include "tests/support/small_scene.h"
+
+namespace jostle::client {
+
+struct RecordedWorld {
+    std::string file;                                     // closed in order
+    std::map<std::uint32_t, wire::QuantizedFrame> truth;  // of each tick that was sent
+    std::map<std::uint32_t, std::size_t> listed;          // how many entities were told of then
+    RecordingWriter::Counts counts;
+};
+
+inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
+    using namespace std::chrono_literals;
+    server::Config config;
+    config.auth.anonymous_role = "player";
+    config.auth.audit_log = "/dev/null";
+    const std::unique_ptr<server::Gate> gate = server::Gate::open(config).value();
+    server::SessionDirectory sessions{2};
+    server::WorldDirectory worlds{
+        {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_thread = false}, 1};
+    server::PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    const std::shared_ptr<server::WorldHost> world =
+        worlds.create("yard", test::small_scene()).value();
+
+    Clock::time_point now = Clock::time_point() + 1000s;
+    server::ClientLink link(context,
+                            {.name = "test",
+                             .address = "127.0.0.1",
+                             .call = "jostle.v1.PlayService/Play",
+                             .who = gate->identify({.address = "127.0.0.1"})},
+                            now);
+    RecordedWorld made;
+    std::ostringstream out;
+    RecordingWriter writer(out, 1'700'000'000'000'000);
+    const Clock::time_point began = now;
+    Conversation conversation(
+        ClientOptions{.name = "recorder",
+                      .events = true,
+                      .channels = {"*"},
+                      .on_message = [&](const std::string& bytes, Clock::time_point when) {
+                          writer.add(bytes, to_us(when) - to_us(began)).expect();
+                      }});
+    bots::Behaviour thrower(
+        bots::parse_script("throw weight=1 period=0.2 speed=5 keep=3", "script").value().front(),
+        7);
+    conversation.begin(now);
+    for (int tick = 1; tick <= ticks; tick++) {
+        now += 16'667us;
+        world->tick(now);
+        const double seconds = std::chrono::duration<double>(now - began).count();
+        for (v1::Input& input :
+             thrower.act(seconds, conversation.view(), conversation.stats().client_id))
+            conversation.send(std::move(input));
+        if (tick % ticks_between_keyframes == 0) conversation.ask_keyframe();
+        while (const auto said = conversation.take_message(now)) link.receive(*said, now);
+        const std::uint64_t before = conversation.stats().snapshots;
+        while (const auto heard = link.take_message(now))
+            conversation.receive(heard->head + (heard->shared ? *heard->shared : ""), now);
+        if (conversation.stats().snapshots == before) continue;
+        const wire::QuantizedFrame& frame = conversation.view().frame();
+        made.truth[frame.frame] = frame;
+        made.listed[frame.frame] = conversation.view().entities().size();
+    }
+    writer.finish().expect();
+    made.file = out.str();
+    made.counts = writer.counts();
+    return made;
+}
+
+inline Result<RecordingReader> opened(const std::string& file) {
+    return RecordingReader::open(std::make_unique<std::istringstream>(file));
+}
+
+}  // namespace jostle::client

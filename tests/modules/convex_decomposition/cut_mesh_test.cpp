@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Pieces of a solid have their share of its volume, and the corners of their hulls.
+#include "modules/convex_decomposition/src/cut_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/physics/hull.h"
+#include "tests/modules/convex_decomposition/solids.h"
+
+namespace jostle::test {
+namespace {
+
+using namespace physics;
+using namespace decomposition;
+
+TEST(CutMesh, a_quarter_of_a_cube_is_a_quarter) {
+    const Solid solid = cube();
+    const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
+    const Piece piece = piece_in(mesh.triangles, {{0, 0.5, 0}, {0.5, 1, 1}});
+    EXPECT_NEAR(piece.volume, 0.25, 1e-12);
+    EXPECT_NEAR((*build_hull(piece.points))->volume, 0.25, 1e-12) << "with corners inside";
+}
+
+// However a ring is cut into boxes, the pieces add up to it.
+TEST(CutMesh, pieces_add_up) {
+    const Solid solid = torus(1, 0.3, 48, 24);
+    const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
+    double sum = 0;
+    const double x[] = {-1.4, -0.77, 0.1, 0.83, 1.4}, y[] = {-0.31, 0.05, 0.31},
+                 z[] = {-1.4, -0.2, 0.9, 1.4};
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 2; j++)
+            for (int k = 0; k < 3; k++)
+                sum +=
+                    piece_in(mesh.triangles, {{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}})
+                        .volume;
+    EXPECT_NEAR(sum, mesh.volume, 1e-12 * mesh.volume);
+    EXPECT_NEAR(mesh.volume, 2 * pi * pi * 0.09, 0.03) << "as on paper, less what chords cut off";
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Bodies that a module couples: one group, one sleep, and nothing else.
+#include "jostle/modules/couple.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/near.h"
+#include "tests/support/world_builder.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+using test::add;
+using test::must;
+
+struct Watch : StepListener {
+    BodyId a, b;
+    int together = 0, apart = 0;
+
+    StepHooks hooks() const override { return {.substeps = true, .concurrent = true}; }
+    void before_substep(SubstepContext& substep) override {
+        if (substep.index() != 0 || !(substep.contains(a) || substep.contains(b))) return;
+        (substep.contains(a) && substep.contains(b) ? together : apart)++;
+    }
+};
+
+// Nine hundred crates on a floor make several groups; two of them stand far apart.
+TEST(Couple, puts_bodies_that_do_not_touch_into_one_group) {
+    for (const bool coupled : {false, true}) {
+        World world = test::make_world({});
+        test::add_floor(world);
+        std::vector<BodyId> crates;
+        for (int k = 0; k < 900; k++)
+            crates.push_back(add(world, {.position = {2.2 * (k % 30), 0.49, 2.2 * (k / 30)},
+                                         .sleep_allowed = false}));
+        Watch watch;
+        watch.a = crates.front();
+        watch.b = crates.back();
+        if (coupled) must(couple(world, watch.a, watch.b));
+        must(world.add_listener(watch));
+        test::run(world, 1);
+        if (coupled) {
+            EXPECT_EQ(watch.together, 60);
+            EXPECT_EQ(watch.apart, 0);
+        } else {
+            EXPECT_GT(watch.apart, 0);
+        }
+    }
+}
+
+TEST(Couple, pushes_nothing) {
+    World world = test::make_world({});
+    const BodyId a = add(world, {.position = {0, 50, 0}, .velocity = {3, 0, 0}, .spin = {1, 2, 3}});
+    const BodyId b = add(world, {.position = {0.5, 80, 0}, .velocity = {-1, 0, 2}});
+    must(couple(world, a, b));
+    test::run(world, 1);
+    EXPECT_NEAR(world.body(a)->linear_velocity.x, 3, 1e-12);
+    EXPECT_NEAR(world.body(b)->linear_velocity.z, 2, 1e-12);
+    EXPECT_NEAR(test::position_of(world, a).y, 50 - 0.5 * 9.81, 0.05);
+}
+
+TEST(Couple, lets_bodies_sleep_and_wakes_them_together) {
+    World world = test::make_world({});
+    test::add_floor(world);
+    const BodyId a = add(world, {.position = {0, 0.5, 0}}),
+                 b = add(world, {.position = {9, 0.5, 0}});
+    must(couple(world, a, b));
+    test::run(world, 3);
+    EXPECT_FALSE(world.body(a)->awake);
+    EXPECT_FALSE(world.body(b)->awake);
+    must(world.apply_impulse(a, {5000, 0, 0}, {0, 0.5, 0}));
+    test::run(world, 0.1);
+    EXPECT_TRUE(world.body(b)->awake);
+}
+
+}  // namespace
+}  // namespace jostle::modules

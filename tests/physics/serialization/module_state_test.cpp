@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// A module's state goes where the world's goes: saved, loaded, hashed, compared, restored.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jostle/physics/module.h"
+#include "tests/support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+using testing::HasSubstr;
+
+enum class Mood { calm, angry };
+
+// Pushes a body every step, a little more each time.
+struct Pusher : Module {
+    BodyId body;
+    double push = 1;
+    Mood mood = Mood::calm;
+    std::vector<Vec3> trail;
+    std::string name = "first";
+    bool was_restored = false;
+
+    std::string_view tag() const override { return "pusher"; }
+    void visit(StateVisitor& v) override {
+        v.field("body", body);
+        v.field("push", push);
+        v.field("mood", mood, Mood::angry);
+        v.all("trail", trail, [&](Vec3& p) { v.field("p", p); });
+        v.field("name", name);
+        if (v.loading() && trail.size() > 5000) v.fail("trail", "is longer than 5000");
+    }
+    void restored(const World& world) override { was_restored = world.contains(body); }
+    void before_step(World& world, double) override {
+        must(world.apply_impulse(body, {push, 0, 0}, {}));
+        push *= 1.01;
+        trail.push_back(position_of(world, body));
+        mood = push > 1.2 ? Mood::angry : Mood::calm;
+    }
+};
+
+World pushed_world() {
+    World world;
+    auto pusher = std::make_unique<Pusher>();
+    pusher->body = add(world, {.geometry = Sphere{}});
+    must(world.add_module(std::move(pusher)));
+    return world;
+}
+Pusher& pusher_of(World& world) {
+    return dynamic_cast<Pusher&>(*world.module("pusher"));
+}
+
+const bool registered = register_module("pusher", [] { return std::make_unique<Pusher>(); }).ok();
+
+TEST(ModuleState, a_loaded_world_goes_on_with_the_same_bits) {
+    ASSERT_TRUE(registered);
+    World world = pushed_world();
+    run(world, 0.5);
+    World loaded = must(load(save(world)));
+    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
+    EXPECT_TRUE(pusher_of(loaded).was_restored);
+    run(world, 0.5);
+    run(loaded, 0.5);
+    EXPECT_EQ(state_hash(world), state_hash(loaded));
+    EXPECT_EQ(pusher_of(loaded).trail.size(), 60u);
+    EXPECT_EQ(pusher_of(loaded).mood, Mood::angry);
+}
+
+TEST(ModuleState, is_in_the_hash_and_in_the_first_difference) {
+    World a = pushed_world(), b = pushed_world();
+    ASSERT_EQ(state_hash(a), state_hash(b));
+    pusher_of(b).push = 2;
+    EXPECT_NE(state_hash(a), state_hash(b));
+    EXPECT_EQ(first_difference(a, b), "modules.pusher.state.push: 1 against 2");
+    const std::uint64_t with = state_hash(a);
+    must(a.remove_module("pusher"));
+    EXPECT_NE(state_hash(a), with);
+}
+
+TEST(ModuleState, goes_back_with_a_restore_point) {
+    World world = pushed_world();
+    run(world, 0.2);
+    RestorePoint point;
+    point.keep(world);
+    const std::uint64_t then = state_hash(world);
+    run(world, 0.2);
+    must(point.restore(world));
+    EXPECT_EQ(state_hash(world), then);
+    // Into a world without it, and with it removed meanwhile.
+    World other;
+    must(point.restore(other));
+    EXPECT_EQ(state_hash(other), then);
+    must(world.remove_module("pusher"));
+    must(point.restore(world));
+    run(world, 0.3);
+    run(other, 0.3);
+    EXPECT_EQ(state_hash(world), state_hash(other));
+    // And out of one that has it.
+    RestorePoint empty;
+    empty.keep(World{});
+    must(empty.restore(world));
+    EXPECT_TRUE(world.modules().empty());
+}
+
+TEST(ModuleState, is_in_the_bytes_of_a_restore_point_as_in_those_of_its_world) {
+    World world = pushed_world();
+    run(world, 0.2);
+    RestorePoint point;
+    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was kept yet";
+    point.keep(world);
+    const std::vector<std::byte> then = save(world);
+    run(world, 0.2);
+    const RestorePoint::Saved saved = must(point.save());
+    EXPECT_TRUE(saved.bytes == then);
+    EXPECT_EQ(saved.hash, state_hash(must(load(then))));
+    EXPECT_NE(saved.hash, state_hash(world));
+}
+
+struct Unknown : Module {
+    std::string_view tag() const override { return "unheard_of"; }
+    void visit(StateVisitor&) override {}
+};
+
+TEST(ModuleState, an_unknown_module_in_a_saved_world_is_a_named_error) {
+    World world;
+    must(world.add_module(std::make_unique<Unknown>()));
+    const auto loaded = load(save(world));
+    ASSERT_FALSE(loaded.ok());
+    EXPECT_THAT(loaded.error().message, HasSubstr("module \"unheard_of\" is not one that this"));
+    EXPECT_THAT(loaded.error().message, HasSubstr("pusher"));
+    RestorePoint point;
+    point.keep(world);
+    World other;
+    EXPECT_THAT(point.restore(other).error().message, HasSubstr("unheard_of"));
+}
+
+TEST(ModuleState, foreign_bytes_of_a_module_are_checked) {
+    Pusher pusher;
+    const std::vector<std::byte> good = save_module(pusher);
+    Pusher read;
+    read.push = 7;
+    must(load_module(read, good));
+    EXPECT_EQ(read.push, 1);
+    for (std::size_t cut = 0; cut < good.size(); cut++)
+        EXPECT_FALSE(load_module(read, std::span(good).first(cut)).ok()) << cut;
+    std::vector<std::byte> longer = good;
+    longer.push_back({});
+    EXPECT_THAT(load_module(read, longer).error().message,
+                HasSubstr("state of module \"pusher\": 1 bytes are left"));
+    std::vector<std::byte> mood = good;
+    mood[16] = std::byte{2};
+    EXPECT_THAT(load_module(read, mood).error().message,
+                HasSubstr("pusher.state.mood is not one of its values"));
+}
+
+}  // namespace
+}  // namespace jostle::test

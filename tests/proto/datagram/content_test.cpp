@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/datagram/content.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/error_of.h"
+
+namespace jostle::datagram {
+namespace {
+
+std::vector<std::string> encode_one(std::string_view message, std::uint32_t number = 1) {
+    return encode_message(std::span(&message, 1), number);
+}
+
+}  // namespace
+
+TEST(Content, questions_and_answers_have_nine_bytes) {
+    const std::string question = encode(Question{0x1122334455667788}), answer = encode(Answer{9});
+    EXPECT_EQ(question.size(), 9u);
+    EXPECT_EQ(std::get<Question>(*decode_content(question)).word, 0x1122334455667788u);
+    EXPECT_EQ(std::get<Answer>(*decode_content(answer)).word, 9u);
+}
+
+TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two) {
+    const auto one = encode_one(std::string(message_bytes_max, 'x'));
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_EQ(one[0].size(), content_bytes_max);
+    EXPECT_EQ(std::get<Message>(*decode_content(one[0])).bytes.size(), 1167u);
+    const auto two = encode_one(std::string(message_bytes_max + 1, 'x'), 77);
+    ASSERT_EQ(two.size(), 2u);
+    const auto last = std::get<Part>(*decode_content(two[1]));
+    EXPECT_EQ(last.message, 77u);
+    EXPECT_EQ(last.index, 1);
+    EXPECT_EQ(last.count, 2);
+    EXPECT_EQ(last.bytes.size(), message_bytes_max + 1 - part_bytes);
+}
+
+TEST(Content, pieces_are_put_one_after_the_other_and_cut_anew) {
+    const std::string_view pieces[] = {"head ", "", "shared by all"};
+    const auto contents = encode_message(pieces, 1);
+    ASSERT_EQ(contents.size(), 1u);
+    EXPECT_EQ(std::get<Message>(*decode_content(contents[0])).bytes, "head shared by all");
+}
+
+TEST(Content, more_than_64_parts_are_the_streams) {
+    EXPECT_EQ(encode_one(std::string(parts_max * part_bytes, 'x')).size(), 64u);
+    EXPECT_TRUE(encode_one(std::string(parts_max * part_bytes + 1, 'x')).empty());
+}
+
+TEST(Content, what_is_none_is_refused_and_the_error_says_why) {
+    const auto why = [](std::string content) {
+        return test::error_of(decode_content(content)).message;
+    };
+    EXPECT_NE(why("").find("empty"), std::string::npos);
+    EXPECT_NE(why("\x09xyz").find("kind 9"), std::string::npos);
+    EXPECT_NE(why("\x03short").find("5 bytes"), std::string::npos);
+    auto parts = encode_one(std::string(2000, 'x'));
+    EXPECT_NE(why(parts[0].substr(0, 100)).find("93 bytes"), std::string::npos)
+        << "a part that is not the last is full";
+    EXPECT_NE(why(parts[1].substr(0, 7)).find("0 bytes"), std::string::npos);
+    std::string past = parts[1];
+    past[5] = 2;
+    EXPECT_NE(why(past).find("part 2 of 2"), std::string::npos);
+    past[6] = 65;
+    EXPECT_NE(why(past).find("of 65"), std::string::npos);
+}
+
+}  // namespace jostle::datagram

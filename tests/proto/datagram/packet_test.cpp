@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/datagram/packet.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace jostle::datagram {
+namespace {
+
+Ticket ticket(std::uint8_t fill = 7) {
+    Ticket made{.id = 0x0123456789abcdef};
+    made.key.fill(fill);
+    return made;
+}
+
+struct PacketTest : testing::Test {
+    std::unique_ptr<Seal> server = *Seal::make(ticket(), Side::server);
+    std::unique_ptr<Seal> client = *Seal::make(ticket(), Side::client);
+};
+
+std::string to_hex(std::string_view bytes) {
+    std::string text;
+    for (const char byte : bytes) {
+        char pair[3];
+        std::snprintf(pair, sizeof pair, "%02x", static_cast<unsigned char>(byte));
+        text += pair;
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_F(PacketTest, what_one_side_seals_the_other_opens_once) {
+    const std::string packet = client->close("push 3 N s");
+    EXPECT_EQ(packet.size(), 10 + head_bytes + tag_bytes);
+    EXPECT_EQ(ticket_of(packet), ticket().id);
+    EXPECT_EQ(packet.find("push"), std::string::npos);
+    const auto opened = server->open(packet);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->content, "push 3 N s");
+    EXPECT_TRUE(opened->newest);
+    EXPECT_FALSE(server->open(packet)) << "the same packet again";
+    EXPECT_FALSE(client->open(client->close("hello"))) << "directions have keys of their own";
+}
+
+TEST_F(PacketTest, one_that_was_overtaken_is_good_but_not_the_newest) {
+    const std::string first = client->close("a"), second = client->close("b");
+    EXPECT_TRUE(server->open(second)->newest);
+    const auto late = server->open(first);
+    ASSERT_TRUE(late);
+    EXPECT_EQ(late->content, "a");
+    EXPECT_FALSE(late->newest);
+}
+
+TEST_F(PacketTest, each_flipped_bit_is_noticed_and_costs_nothing_else) {
+    const std::string packet = client->close("thirty-two bytes of what matters");
+    for (std::size_t bit = 0; bit < 8 * packet.size(); bit++) {
+        std::string changed = packet;
+        changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));
+        ASSERT_FALSE(server->open(changed)) << "bit " << bit;
+    }
+    EXPECT_TRUE(server->open(packet)) << "forgeries with high numbers moved no window";
+}
+
+TEST_F(PacketTest, other_sizes_and_other_keys_are_refused) {
+    const std::string packet = client->close("");
+    EXPECT_EQ(packet.size(), head_bytes + tag_bytes);
+    EXPECT_FALSE(server->open(packet.substr(1)));
+    EXPECT_FALSE(server->open(packet + "x"));
+    EXPECT_FALSE(server->open(""));
+    EXPECT_FALSE(server->open(std::string(packet_bytes_max + 1, 'x')));
+    EXPECT_TRUE(server->open(packet));
+    EXPECT_FALSE((*Seal::make(ticket(8), Side::server))->open(client->close("a")));
+    EXPECT_EQ(client->close(std::string(content_bytes_max, 'x')).size(), packet_bytes_max);
+    EXPECT_EQ(client->close(std::string(content_bytes_max + 1, 'x')), "");
+}
+
+// Of proto/WIRE.md, "Datagrams", so that others can compare; made by another program of the same
+// algorithms (Python's cryptography).
+TEST_F(PacketTest, the_first_packet_of_a_client_has_the_bytes_that_the_document_says) {
+    EXPECT_EQ(to_hex(client->close(std::string("\x03\x01\x02\x03\x04\x05\x06\x07\x08", 9))),
+              "efcdab896745230100000000000000003406d9d81d6b6f91716119244c13b6d2"
+              "59023ccd4b664837c8");
+}
+
+}  // namespace jostle::datagram

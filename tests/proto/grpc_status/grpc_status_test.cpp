@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/grpc_status/grpc_status.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle {
+
+TEST(GrpcStatus, every_error_keeps_its_code_and_message_there_and_back) {
+    for (const GrpcCode& code : grpc_codes) {
+        const Status back = from_grpc(to_grpc(Error{code.ours, "why"}));
+        ASSERT_FALSE(back.ok());
+        EXPECT_EQ(back.error().message, "why");
+        // Corrupt bytes are a wrong argument of those who sent them.
+        EXPECT_EQ(back.error().code,
+                  code.ours == ErrorCode::corrupt_data ? ErrorCode::invalid_argument : code.ours);
+    }
+    EXPECT_EQ(std::size(grpc_codes), static_cast<std::size_t>(ErrorCode::internal) + 1)
+        << "one row for each code";
+}
+
+TEST(GrpcStatus, success_is_success) {
+    EXPECT_TRUE(to_grpc({}).ok());
+    EXPECT_TRUE(from_grpc(grpc::Status::OK).ok());
+}
+
+TEST(GrpcStatus, a_code_of_others_is_internal_and_silence_is_named) {
+    const Status odd = from_grpc({grpc::StatusCode::DATA_LOSS, ""});
+    EXPECT_EQ(odd.error().code, ErrorCode::internal);
+    EXPECT_EQ(odd.error().message, "the server gave no reason");
+}
+
+}  // namespace jostle

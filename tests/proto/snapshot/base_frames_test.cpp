@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/snapshot/base_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::wire {
+namespace {
+
+TEST(BaseFrames, steps_of_one_length_are_one_small_number) {
+    EXPECT_EQ(encode_base_frames(100, {}), 0u);
+    EXPECT_EQ(encode_base_frames(100, {99, 98, 97}), 1u);
+    EXPECT_EQ(encode_base_frames(100, {97, 94, 91}), 3u);
+    EXPECT_EQ(encode_base_frames(100, {98, 97, 96}), 2u | 1u << 8 | 0u << 16);
+}
+
+TEST(BaseFrames, every_set_of_bases_comes_back) {
+    int sets = 0;
+    for (const std::uint32_t a : {0u, 1u, 2u, 7u, 254u})
+        for (const std::uint32_t b : {0u, 1u, 2u, 7u, 254u})
+            for (const std::uint32_t c : {0u, 1u, 2u, 7u, 254u}) {
+                const std::uint32_t frame = 0xffffff00;
+                BaseFrames bases;
+                if (a != 0) bases.base = frame - a;
+                if (a != 0 && b != 0) bases.base2 = bases.base - b;
+                if (bases.base2 != 0 && c != 0) bases.base3 = bases.base2 - c;
+                const auto back = decode_base_frames(frame, encode_base_frames(frame, bases));
+                ASSERT_TRUE(back.ok()) << back.error().message;
+                EXPECT_EQ(*back, bases);
+                sets++;
+            }
+    EXPECT_EQ(sets, 125);
+}
+
+TEST(BaseFrames, what_no_encoder_writes_is_refused) {
+    const std::uint32_t none = 255;
+    for (const std::uint32_t code :
+         {none, 256u, 1u | none << 8 | 1u << 16, 1u | 1u << 24, 10u, 5u | 5u << 8, 0xffffffffu})
+        EXPECT_FALSE(decode_base_frames(10, code).ok()) << code;
+    EXPECT_EQ(decode_base_frames(10, 10).error().message,
+              "frame 10: bases 10 lie before the first frame");
+    EXPECT_TRUE(decode_base_frames(10, 3).ok()) << "7, 4 and 1";
+    EXPECT_FALSE(decode_base_frames(9, 3).ok()) << "6, 3 and 0";
+}
+
+}  // namespace
+}  // namespace jostle::wire

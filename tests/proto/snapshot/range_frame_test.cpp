@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Codec 2 alone: what it saves, and what it refuses. What holds for both codecs is in
+// frame_codec_test.cpp.
+#include "jostle/snapshot/range_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/snapshot/frame_codec.h"
+#include "jostle/snapshot/range_walk.h"
+#include "jostle/snapshot/start_models.h"
+#include "tests/proto/snapshot/motion.h"
+
+namespace jostle::wire {
+namespace {
+
+constexpr std::size_t most = 1u << 20;
+
+QuantizedFrame resting(std::uint32_t frame, std::uint32_t count) {
+    QuantizedFrame made{.frame = frame, .entities = {}};
+    for (std::uint32_t id = 1; id <= count; id++)
+        made.entities.push_back({.id = id, .position = {512, 0, 0}, .at_rest = true});
+    return made;
+}
+
+// The bytes of lists that an honest encoder never has: its walk goes on to the fault.
+std::vector<std::byte> told(WalkedLists lists, const QuantizedFrame* base) {
+    FrameModels models = start_models(1);
+    RangeEncoder out;
+    RangeWalk walk(out, models, QuantSpec{});
+    walk.entities(lists, {base, nullptr, nullptr}, most);
+    return out.finish();
+}
+
+std::string refusal(const std::vector<std::byte>& bytes, const Bases& bases,
+                    std::size_t limit = most) {
+    const auto back = decode_frame(2, bytes, bases, {}, limit, Codec::range);
+    return back.ok() ? "" : back.error().message;
+}
+
+}  // namespace
+
+TEST(RangeFrame, takes_less_than_three_quarters_of_codec_1_where_bodies_fly_and_tumble) {
+    MovingWorld world(9, 400, {.calm = 0.3, .kick = 0.01});
+    std::vector<QuantizedFrame> frames;
+    std::size_t bits = 0, range = 0;
+    for (std::uint32_t f = 1; f <= 40; f++) {
+        frames.push_back(world.step(f, {}));
+        if (f < 4) continue;
+        const Bases bases{&frames[f - 2], &frames[f - 3], &frames[f - 4]};
+        bits += encode_frame(frames.back(), bases, {}, Codec::bits).size();
+        range += encode_frame(frames.back(), bases, {}, Codec::range).size();
+    }
+    RecordProperty("share", std::to_string(static_cast<double>(range) / static_cast<double>(bits)));
+    EXPECT_LT(range, bits * 3 / 4);
+}
+
+// 900 cubes of a grid to somebody who joins late: neighbours differ by little.
+TEST(RangeFrame, a_grid_costs_a_newcomer_less_than_half_of_codec_1) {
+    QuantizedFrame grid{.frame = 1, .entities = {}};
+    for (std::uint32_t i = 0; i < 900; i++)
+        grid.entities.push_back(
+            quantize(i + 1, {{0.8 * (i % 30), 0.2, 0.8 * (i / 30)}, {0, 0, 0, 1}}, true, {}));
+    const std::size_t bits = encode_frame(grid, {}, {}, Codec::bits).size();
+    EXPECT_LT(encode_frame(grid, {}, {}, Codec::range).size(), bits / 2);
+}
+
+TEST(RangeFrame, models_begin_as_the_letters_say) {
+    for (const std::string_view letters : start_letters)
+        EXPECT_EQ(letters.size(), frame_model_count);
+    for (const std::int64_t age : {1, 2, 3, 200}) {
+        FrameModels models = start_models(age);
+        for (const BitModel& model : all_of(models)) {
+            EXPECT_GE(model.one, 64);
+            EXPECT_LE(model.one, 65472);
+            EXPECT_TRUE(model.seen == 0 || model.seen == 8);
+        }
+    }
+}
+
+TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
+    const QuantizedFrame ten = resting(1, 10), three = resting(1, 3);
+    QuantizedFrame ninth_wakes = resting(2, 10);
+    ninth_wakes.entities[8].at_rest = false;
+    const auto wakes = encode_frame(ninth_wakes, {&ten, nullptr, nullptr}, {}, Codec::range);
+    EXPECT_EQ(refusal(wakes, {&ten, nullptr, nullptr}), "");
+    EXPECT_EQ(
+        refusal(wakes, {&three, nullptr, nullptr}),
+        "a run of resting entities past the end (at byte " + std::to_string(wakes.size()) + ")");
+
+    const Bases bases{&three, nullptr, nullptr};
+    const auto has = [](const std::string& message, const char* what) {
+        EXPECT_EQ(message.rfind(what, 0), 0u) << what << ": " << message;
+        EXPECT_NE(message.find(" (at byte "), std::string::npos) << message;
+    };
+    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), bases),
+        "removed: more than there are");
+    has(refusal(told({.removed = {7}, .spawned = {}}, &ten), bases),
+        "removed: a position past the end");
+    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}}, &three), bases),
+        "spawned: an id that the base has");
+    has(refusal(told({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}}, nullptr), {}),
+        "spawned: an id beyond 32 bits");
+    has(refusal(told({.removed = {}, .spawned = resting(1, 200).entities}, nullptr), {}, 100),
+        "spawned: more entities than the limit");
+    has(refusal(told({.removed = {}, .spawned = {{.id = 1, .rotation = {511, 511, 511}}}}, nullptr),
+                {}),
+        "a rotation that is none");
+    has(refusal(encode_frame(resting(2, 3), {}, {}, Codec::range), {}, 2),
+        "spawned: more entities than the limit");
+    has(refusal(encode_frame(resting(2, 3), bases, {}, Codec::range), bases, 2),
+        "more entities than the limit");
+
+    MovingWorld world(3, 50, {});
+    auto bytes = encode_frame(world.step(2, {}), {}, {}, Codec::range);
+    EXPECT_EQ(refusal(bytes, {}), "");
+    bytes.insert(bytes.end(), 8, std::byte{7});
+    has(refusal(bytes, {}), "bytes are left over");
+    bytes.resize(bytes.size() / 2);
+    has(refusal(bytes, {}), "the data ends early");
+}
+
+}  // namespace jostle::wire

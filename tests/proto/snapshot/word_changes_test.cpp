@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Lists of words as what changed in them: there and back, and bytes that do not belong together.
+#include "jostle/snapshot/word_changes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace jostle::wire {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+TEST(WordChanges, tell_as_little_as_changed) {
+    const Words before{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, now{1, 2, 0xfffefdfc, 4, 5, 6, 7, 8, 0, 10};
+    const WordChanges changes = changes_between(before, now);
+    EXPECT_EQ(changes.changed, std::string("\x04\x01", 2)) << "words 2 and 8";
+    EXPECT_EQ(changes.values, std::string("\xfc\xfd\xfe\xff\0\0\0\0", 8));
+    EXPECT_EQ(*with_changes(before, 10, changes.changed, changes.values), now);
+    EXPECT_EQ(changes_between(now, now).changed, "");
+}
+
+TEST(WordChanges, of_any_lists_make_the_second_of_the_first) {
+    std::mt19937 random(3);
+    for (int k = 0; k < 2000; k++) {
+        Words before(random() % 40), now(random() % 40);
+        for (std::uint32_t& word : before) word = static_cast<std::uint32_t>(random() % 3);
+        for (std::uint32_t& word : now) word = static_cast<std::uint32_t>(random() % 3);
+        const WordChanges changes = changes_between(before, now);
+        const auto again = with_changes(before, now.size(), changes.changed, changes.values);
+        ASSERT_TRUE(again.ok());
+        EXPECT_EQ(*again, now);
+    }
+}
+
+TEST(WordChanges, that_do_not_belong_together_are_refused) {
+    const Words before{1, 2, 3};
+    for (const auto& [changed, values] : {std::pair<std::string, std::string>{"\x01", ""},
+                                          {"\x01", "12345678"},
+                                          {"", "1234"},
+                                          {"\x08", "1234"},
+                                          {std::string("\0\x01", 2), "1234"}}) {
+        const auto words = with_changes(before, 3, changed, values);
+        ASSERT_FALSE(words.ok());
+        EXPECT_EQ(words.error().code, ErrorCode::corrupt_data);
+        EXPECT_NE(words.error().message.find("list of words"), std::string::npos);
+    }
+    EXPECT_FALSE(with_changes(before, words_max + 1, "", "").ok()) << "memory for nothing";
+}
+
+}  // namespace
+}  // namespace jostle::wire

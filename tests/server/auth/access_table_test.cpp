@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// The table against the services as they are compiled in: no RPC without a row, no row without an
+// RPC. What each role may do is written down once more here, by hand.
+#include "server/auth/access_table.h"
+
+#include <google/protobuf/descriptor.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace jostle::server {
+namespace {
+
+using google::protobuf::DescriptorPool;
+using google::protobuf::FileDescriptor;
+using google::protobuf::ServiceDescriptor;
+
+// Every proto file of the project, and the one that gRPC brings along.
+std::set<const FileDescriptor*> proto_files() {
+    std::set<const FileDescriptor*> files;
+    const DescriptorPool& pool = *DescriptorPool::generated_pool();
+    const std::filesystem::path root = PROTO_FOLDER;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+        if (entry.path().extension() != ".proto") continue;
+        const std::string name = std::filesystem::relative(entry.path(), root).string();
+        const FileDescriptor* file = pool.FindFileByName(name);
+        EXPECT_NE(file, nullptr) << name << " is not in jostle_proto (proto/CMakeLists.txt)";
+        if (file) files.insert(file);
+    }
+    // Not a file of ours; whoever refers to it links it.
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+    const ServiceDescriptor* older =
+        pool.FindServiceByName("grpc.reflection.v1alpha.ServerReflection");
+    EXPECT_NE(older, nullptr);
+    if (older) files.insert(older->file());
+    return files;
+}
+
+std::set<std::string> rpcs() {
+    std::set<std::string> names;
+    for (const FileDescriptor* file : proto_files())
+        for (int s = 0; s < file->service_count(); ++s)
+            for (int m = 0; m < file->service(s)->method_count(); ++m)
+                names.insert(file->service(s)->full_name() + "/" +
+                             file->service(s)->method(m)->name());
+    return names;
+}
+
+bool is_rpc(std::string_view call) {
+    return call.find(' ') == std::string_view::npos;
+}
+
+TEST(AccessTable, every_rpc_has_a_row) {
+    const std::set<std::string> names = rpcs();
+    EXPECT_GE(names.size(), 14u);
+    for (const std::string& name : names)
+        EXPECT_NE(find_call(name), nullptr)
+            << name << " has no row in server/auth/access_table.cpp, so nobody may call it";
+}
+
+TEST(AccessTable, every_row_names_an_rpc) {
+    const std::set<std::string> names = rpcs();
+    for (const AccessRow& row : access_table()) {
+        const std::string call(row.call);
+        if (!is_rpc(call)) continue;
+        EXPECT_TRUE(names.contains(call)) << call << " is no RPC (any more)";
+    }
+}
+
+TEST(AccessTable, no_row_stands_twice) {
+    std::set<std::string_view> calls;
+    for (const AccessRow& row : access_table())
+        EXPECT_TRUE(calls.insert(row.call).second) << row.call;
+}
+
+TEST(AccessTable, calls_are_found_as_grpc_writes_them) {
+    const AccessRow* row = find_call("/jostle.v1.WorldService/CreateWorld");
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(row, find_call("jostle.v1.WorldService/CreateWorld"));
+    EXPECT_EQ(row->kind, CallKind::create);
+    for (const char* call :
+         {"", "/", "jostle.v1.WorldService", "jostle.v1.WorldService/createworld",
+          "//jostle.v1.WorldService/CreateWorld"})
+        EXPECT_EQ(find_call(call), nullptr) << call;
+}
+
+std::string_view route(std::string_view method, std::string_view path) {
+    const AccessRow* row = find_route(method, path);
+    return row ? row->call : "";
+}
+
+TEST(AccessTable, routes_are_found_by_method_and_path) {
+    EXPECT_EQ(route("GET", "/api/worlds"), "GET /api/worlds");
+    EXPECT_EQ(route("HEAD", "/api/worlds"), "GET /api/worlds");
+    EXPECT_EQ(route("POST", "/api/worlds"), "POST /api/worlds");
+    EXPECT_EQ(route("GET", "/api/worlds/w1"), "GET /api/worlds/{id}");
+    EXPECT_EQ(route("DELETE", "/api/worlds/w1"), "DELETE /api/worlds/{id}");
+    EXPECT_EQ(route("POST", "/api/query/Debug"), "POST /api/query/{method}");
+    EXPECT_EQ(route("GET", "/play"), "GET /play");
+    EXPECT_EQ(route("GET", "/healthz"), "GET /healthz");
+    EXPECT_EQ(route("GET", "/debug/profile"), "GET /debug/profile");
+    for (const char* path : {"/", "/index.html", "/assets/a/b.js", "/apis", "//api/worlds"})
+        EXPECT_EQ(route("GET", path), "GET /{file}") << path;
+}
+
+TEST(AccessTable, what_is_no_route_has_no_row) {
+    for (const auto& [method, path] :
+         {std::pair("GET", "/api"), std::pair("GET", "/api/"), std::pair("GET", "/api/worlds/"),
+          std::pair("GET", "/api/worlds/a/b"), std::pair("GET", "/api//worlds"),
+          std::pair("DELETE", "/api/worlds"), std::pair("PUT", "/api/worlds/w1"),
+          std::pair("GET", "/api/query/Debug"), std::pair("POST", "/index.html"),
+          std::pair("GET", "/debug/other"), std::pair("GET", ""), std::pair("GET", "*"),
+          std::pair("OPTIONS", "/"), std::pair("get", "/api/worlds")})
+        EXPECT_EQ(find_route(method, path), nullptr) << method << " " << path;
+}
+
+// Who may call what, once more: the least role, and a star where it must be one's own world.
+TEST(AccessTable, rights_are_these) {
+    const std::pair<const char*, std::vector<const char*>> expected[] = {
+        {"none",
+         {"grpc.health.v1.Health/Check", "grpc.health.v1.Health/Watch", "GET /healthz",
+          "GET /readyz", "GET /metrics", "GET /{file}"}},
+        {"viewer",
+         {"jostle.v1.WorldService/ListWorlds", "jostle.v1.WorldService/GetWorld",
+          "jostle.v1.WorldService/JoinWorld", "jostle.v1.PlayService/Play",
+          "jostle.v1.QueryService/CastRays", "jostle.v1.QueryService/CastShapes",
+          "jostle.v1.QueryService/Overlap", "jostle.v1.QueryService/ClosestPoints",
+          "jostle.v1.QueryService/Debug",
+          "grpc.reflection.v1.ServerReflection/ServerReflectionInfo",
+          "grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", "GET /api/worlds",
+          "GET /api/worlds/{id}", "POST /api/query/{method}", "GET /play"}},
+        {"player", {"play inputs"}},
+        {"director", {"jostle.v1.WorldService/CreateWorld", "POST /api/worlds"}},
+        {"director*", {"jostle.v1.WorldService/DeleteWorld", "DELETE /api/worlds/{id}"}},
+        {"admin",
+         {"jostle.v1.AdminService/ListClients", "jostle.v1.AdminService/Kick",
+          "jostle.v1.AdminService/SetPaused", "jostle.v1.AdminService/StepWorld",
+          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/RewindWorld",
+          "jostle.v1.AdminService/Drain", "jostle.v1.AdminService/Profile", "GET /debug/profile"}},
+    };
+    std::size_t count = 0;
+    for (const auto& [rights, calls] : expected) {
+        for (const char* call : calls) {
+            const AccessRow* row = find_call(call);
+            ASSERT_NE(row, nullptr) << call;
+            std::string found(name_of(row->least));
+            if (row->scope == Scope::own_world) found.push_back('*');
+            EXPECT_EQ(found, rights) << call;
+            ++count;
+        }
+    }
+    EXPECT_EQ(count, access_table().size()) << "a row is missing in this test";
+}
+
+// The line of docs/operations.md that is for that role.
+std::string documented(const std::string& rights) {
+    std::ifstream in(OPERATIONS_PAGE);
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("| " + rights + " | `")) return line;
+    return {};
+}
+
+TEST(AccessTable, the_page_for_operators_has_every_row) {
+    for (const AccessRow& row : access_table()) {
+        std::string rights =
+            row.least == Role::none ? "everybody" : std::string(name_of(row.least));
+        if (row.scope == Scope::own_world) rights += ", own worlds";
+        std::string call(row.call);  // without its package
+        if (is_rpc(call)) call = call.substr(call.rfind('.', call.find('/')) + 1);
+        EXPECT_NE(documented(rights).find("`" + call + "`"), std::string::npos)
+            << row.call << " does not stand in the line of " << rights;
+    }
+}
+
+}  // namespace
+}  // namespace jostle::server

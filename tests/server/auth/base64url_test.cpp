@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/base64url.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/tokens.h"
+
+namespace jostle::server {
+namespace {
+
+TEST(Base64url, reads_what_was_written_of_every_length) {
+    std::string bytes;
+    for (int i = 0; i < 300; ++i) {
+        EXPECT_EQ(from_base64url(test::to_base64url(bytes)), bytes) << i;
+        bytes += static_cast<char>(i * 37);
+    }
+    EXPECT_EQ(from_base64url("-_8"), "\xfb\xff");
+}
+
+TEST(Base64url, each_text_has_one_reading) {
+    EXPECT_TRUE(from_base64url("TQ"));
+    for (const char* text : {"TQ==",  // padding
+                             "+/8",   // the other alphabet
+                             "T Q",   // white space
+                             "TQ\n",  //
+                             "T",     // six bits
+                             "TR",    // bits left over that are not zero
+                             "TWF\x80"}) {
+        EXPECT_FALSE(from_base64url(text)) << text;
+    }
+    EXPECT_FALSE(from_base64url(std::string_view("TQ\0A", 4)));
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/gate.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/error_of.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/tokens.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::error_of;
+using test::Json;
+using test::LoginService;
+
+constexpr const char* create = "jostle.v1.WorldService/CreateWorld";
+constexpr const char* remove_world = "jostle.v1.WorldService/DeleteWorld";
+constexpr const char* join = "jostle.v1.WorldService/JoinWorld";
+constexpr const char* play = "jostle.v1.PlayService/Play";
+constexpr const char* debug = "jostle.v1.QueryService/Debug";
+constexpr const char* home = "192.0.2.7";
+
+class GateTest : public testing::Test {
+protected:
+    void SetUp() override {
+        config.auth = {.issuer = LoginService::issuer,
+                       .audience = LoginService::audience,
+                       .keys = folder.write("keys.json", login.published()),
+                       .audit_log = folder / "audit"};
+        open();
+    }
+    void open() {
+        gate.reset();
+        Result<std::unique_ptr<Gate>> opened = Gate::open(config);
+        ASSERT_TRUE(opened.ok()) << opened.error().message;
+        gate = std::move(*opened);
+    }
+
+    std::string token(const std::string& subject, const std::string& role,
+                      const Json& more = Json::object()) const {
+        Json claims = LoginService::claims(subject, role, now.wall);
+        claims.update(more);
+        return login.token(claims);
+    }
+    Identity known(const std::string& subject, const std::string& role,
+                   const Json& more = Json::object()) {
+        return gate->identify({.bearer = token(subject, role, more), .address = home}, now).value();
+    }
+    Identity anonymous() { return gate->identify({.address = home}, now).value(); }
+    Status ask(const Identity& who, const char* call, const AskedWorld& world = {"w1", "arena", ""},
+               const char* address = home) {
+        return gate->admit(who, {.call = call, .world = world, .address = address}, now);
+    }
+    std::vector<Json> audited() {
+        EXPECT_TRUE(gate->audit().flush(5s));
+        std::vector<Json> lines;
+        std::istringstream in(folder.read("audit"));
+        for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
+        return lines;
+    }
+
+    const test::TempFolder folder;
+    const LoginService login;
+    Config config;
+    Moment now{Clock::time_point{}, WallTime(1'790'000'000s)};
+    std::unique_ptr<Gate> gate;
+};
+
+TEST_F(GateTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
+    const Identity anna = known("anna", "player");
+    EXPECT_EQ(anna.subject, "anna");
+    EXPECT_EQ(anna.role, Role::player);
+    const Identity operator_ =
+        gate->identify({.certificate = "CN=operator", .address = home}, now).value();
+    EXPECT_EQ(operator_.subject, "certificate:CN=operator");
+    EXPECT_EQ(operator_.role, Role::admin);
+    EXPECT_EQ(
+        gate->identify(
+                {.bearer = token("anna", "viewer"), .certificate = "CN=operator", .address = home},
+                now)
+            ->role,
+        Role::viewer)
+        << "a token decides";
+    EXPECT_TRUE(anonymous().anonymous);
+    EXPECT_EQ(anonymous().role, Role::none) << "with keys, nobody may do anything unknown";
+    const Error error = gate->identify({.bearer = "rubbish", .address = home}, now).error();
+    EXPECT_EQ(error.code, ErrorCode::unauthenticated);
+}
+
+TEST_F(GateTest, what_anonymous_may_do_is_a_setting) {
+    for (const auto& [setting, role] :
+         {std::pair("none", Role::none), std::pair("viewer", Role::viewer),
+          std::pair("player", Role::player), std::pair("director", Role::director),
+          std::pair("admin", Role::admin), std::pair("", Role::none)}) {
+        config.auth.anonymous_role = setting;
+        open();
+        EXPECT_EQ(anonymous().role, role) << setting;
+    }
+    config.auth = {.audit_log = folder / "audit"};
+    open();
+    EXPECT_EQ(anonymous().role, Role::admin) << "no keys, and on loopback";
+    EXPECT_EQ(
+        gate->identify({.bearer = token("anna", "admin"), .address = home}, now).error().message,
+        "this server believes no token: auth.keys is not set");
+    config.listen = "0.0.0.0:50051";
+    open();
+    EXPECT_EQ(anonymous().role, Role::director) << "no keys, and beyond";
+}
+
+// Every row of the table by every role: those below the least are refused, and anonymous ones told
+// to show a token.
+TEST_F(GateTest, every_row_goes_by_its_least_role) {
+    int refused = 0;
+    for (const AccessRow& row : access_table()) {
+        for (const Role role :
+             {Role::none, Role::viewer, Role::player, Role::director, Role::admin}) {
+            for (const bool is_anonymous : {false, true}) {
+                const Identity who{.subject = is_anonymous ? "anonymous" : "anna",
+                                   .role = role,
+                                   .anonymous = is_anonymous};
+                // One address each, so that no quota is felt.
+                const std::string address = "10.0.0." + std::to_string(++refused % 250);
+                const Status status = gate->admit(
+                    who, {.call = row.call, .world = {"w1", "a", who.subject}, .address = address},
+                    now);
+                EXPECT_EQ(status.ok(), role >= row.least) << row.call << " by " << name_of(role);
+                if (!status.ok()) {
+                    EXPECT_EQ(status.error().code, is_anonymous ? ErrorCode::unauthenticated
+                                                                : ErrorCode::permission_denied);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(GateTest, directors_delete_their_own_worlds_and_admins_any) {
+    const Identity anna = known("anna", "director"), boss = known("boss", "admin");
+    EXPECT_TRUE(ask(anna, remove_world, {"w1", "arena", "anna"}).ok());
+    EXPECT_EQ(error_of(ask(anna, remove_world, {"w1", "arena", "berta"})).code,
+              ErrorCode::permission_denied);
+    EXPECT_FALSE(ask(anna, remove_world, {"w1", "arena", ""}).ok()) << "the server's own";
+    EXPECT_TRUE(ask(boss, remove_world, {"w1", "arena", "berta"}).ok());
+    EXPECT_TRUE(ask(boss, remove_world, {"w1", "arena", ""}).ok());
+    config.auth.anonymous_role = "director";
+    open();
+    EXPECT_FALSE(ask(anonymous(), remove_world, {"w1", "arena", ""}).ok());
+    EXPECT_FALSE(ask(anonymous(), remove_world, {"w1", "arena", "anna"}).ok());
+    EXPECT_TRUE(ask(anonymous(), remove_world, {"w1", "arena", "anonymous"}).ok());
+}
+
+TEST_F(GateTest, a_token_for_one_world_opens_no_other) {
+    const Identity by_id = known("anna", "player", {{"world", "w1"}}),
+                   by_name = known("berta", "player", {{"world", "arena"}}),
+                   director = known("carla", "director", {{"world", "w1"}});
+    for (const char* call : {join, play, debug, play_inputs.data()}) {
+        EXPECT_TRUE(ask(by_id, call, {"w1", "arena", ""}).ok()) << call;
+        EXPECT_TRUE(ask(by_name, call, {"w1", "arena", ""}).ok()) << call;
+        EXPECT_EQ(error_of(ask(by_id, call, {"w2", "pit", ""})).message,
+                  "your token is for another world")
+            << call;
+        EXPECT_FALSE(ask(by_name, call, {"w2", "pit", ""}).ok()) << call;
+        EXPECT_FALSE(ask(by_id, call, {}).ok()) << "which one is not said: " << call;
+    }
+    EXPECT_TRUE(ask(by_id, "jostle.v1.WorldService/ListWorlds", {}).ok());
+    EXPECT_FALSE(ask(director, create, {}).ok());
+}
+
+TEST_F(GateTest, an_identity_ends_with_its_token) {
+    const Identity anna = known("anna", "player");
+    now.wall += 1h + 29s;
+    EXPECT_TRUE(ask(anna, debug).ok());
+    now.wall += 1s;
+    EXPECT_EQ(error_of(ask(anna, debug)).code, ErrorCode::unauthenticated);
+    EXPECT_TRUE(ask(anna, "GET /healthz").ok()) << "what is open is open";
+}
+
+TEST_F(GateTest, a_call_without_a_row_is_refused_to_admins_too) {
+    EXPECT_EQ(error_of(ask(known("boss", "admin"), "jostle.v1.WorldService/Explode")).code,
+              ErrorCode::permission_denied);
+    EXPECT_FALSE(ask(known("boss", "admin"), "").ok());
+}
+
+TEST_F(GateTest, who_asks_too_often_is_told_when_to_come_back) {
+    config.quota.creates_per_minute = 3;
+    open();
+    const Identity anna = known("anna", "director");
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(ask(anna, create, {}).ok());
+    const Error error = error_of(ask(anna, create, {}));
+    EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(error.message, "too many new worlds; ask again in 20.0 s");
+    EXPECT_NEAR(error.retry_after_ms, 20000, 2);
+    EXPECT_TRUE(ask(anna, debug).ok()) << "other work goes on";
+    now.steady += std::chrono::milliseconds(error.retry_after_ms);
+    EXPECT_TRUE(ask(anna, create, {}).ok());
+}
+
+TEST_F(GateTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
+    config.quota.refused_logins_per_minute = 5;
+    open();
+    const auto login_with = [&](const std::string& bearer, const char* address) {
+        return gate->identify({.bearer = bearer, .address = address}, now);
+    };
+    const std::string good = token("anna", "player");
+    std::string forged = good;
+    forged[forged.size() - 5] ^= 1;
+    for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(login_with(forged, home).error().code, ErrorCode::unauthenticated);
+    const Error error = login_with(forged, home).error();
+    EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
+    EXPECT_NEAR(error.retry_after_ms, 12000, 2);
+    EXPECT_FALSE(login_with(good, home).ok()) << "nothing of the address is looked at";
+    EXPECT_TRUE(login_with(good, "192.0.2.8").ok());
+    now.steady += 12s;
+    EXPECT_TRUE(login_with(good, home).ok());
+    EXPECT_TRUE(login_with(good, home).ok()) << "good ones cost nothing";
+}
+
+TEST_F(GateTest, a_ticket_lets_in_once_whom_it_was_given_to) {
+    const Identity anna = known("anna", "player");
+    const std::string ticket = gate->issue_ticket(anna, "w1", home, now).value();
+    const Gate::Entry entry = gate->redeem_ticket(ticket, "", home, now).value();
+    EXPECT_EQ(entry.who.subject, "anna");
+    EXPECT_EQ(entry.who.role, Role::player);
+    EXPECT_EQ(entry.world_id, "w1");
+    EXPECT_TRUE(ask(entry.who, play_inputs.data()).ok());
+}
+
+// Whoever guesses hears the same words whatever was wrong; the audit log has the difference.
+TEST_F(GateTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
+    const Identity anna = known("anna", "player");
+    const auto issue = [&] { return gate->issue_ticket(anna, "w1", home, now).value(); };
+    const std::string used = issue(), elsewhere = issue(), outlived = issue();
+    ASSERT_TRUE(gate->redeem_ticket(used, "w1", home, now).ok());
+    std::vector<Error> errors;
+    const auto redeem = [&](const std::string& ticket, const char* world) {
+        errors.push_back(gate->redeem_ticket(ticket, world, home, now).error());
+    };
+    redeem(used, "w1");
+    redeem(std::string(32, '0'), "w1");
+    redeem(elsewhere, "w2");
+    now.wall += 2h;
+    redeem(outlived, "w1");
+    now.wall -= 2h;
+    const std::string old = issue();
+    now.steady += 31s;
+    redeem(old, "w1");
+    std::vector<std::string> reasons;
+    for (const Json& line : audited())
+        if (line["what"] == "ticket" && line["outcome"] == "refused")
+            reasons.push_back(line["reason"]);
+    EXPECT_EQ(reasons, (std::vector<std::string>{
+                           "the ticket was used before", "the ticket is unknown",
+                           "the ticket is for another world",
+                           "the token behind the ticket has expired", "the ticket has expired"}));
+    for (const Error& error : errors) {
+        EXPECT_EQ(error.code, ErrorCode::unauthenticated);
+        EXPECT_EQ(error.message, errors[0].message);
+    }
+}
+
+TEST_F(GateTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
+    const Identity anna = known("anna", "director", {{"jti", "t-9"}});
+    const Ask made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
+    EXPECT_TRUE(ask(anna, create, {}).ok());
+    gate->record(anna, made, {}, now);
+    gate->record(anna, made, Error{ErrorCode::already_exists, "the name is taken"}, now);
+    EXPECT_TRUE(ask(anna, debug).ok());
+    EXPECT_TRUE(ask(anna, "GET /healthz").ok());
+    EXPECT_TRUE(ask(anna, join).ok());
+    EXPECT_FALSE(ask(anna, "jostle.v1.AdminService/Drain").ok());
+    std::vector<std::string> told;
+    for (const Json& line : audited()) {
+        EXPECT_EQ(line["subject"], "anna");
+        EXPECT_EQ(line["role"], "director");
+        EXPECT_EQ(line["token_id"], "t-9");
+        EXPECT_EQ(line["address"], home);
+        EXPECT_EQ(line["time"], "2026-09-21T14:13:20.000Z");
+        told.push_back(line["what"].get<std::string>() + " " + line["outcome"].get<std::string>() +
+                       " " + line["world"].get<std::string>() + " " +
+                       line["reason"].get<std::string>());
+    }
+    EXPECT_EQ(told, (std::vector<std::string>{
+                        "login granted  ", "create granted  ", "create done w7 ",
+                        "create failed w7 the name is taken", "join granted w1 ",
+                        "admin refused w1 this takes the role admin, and yours is director"}));
+}
+
+TEST_F(GateTest, a_token_is_told_of_once_not_with_each_call) {
+    for (int i = 0; i < 100; ++i) known("anna", "viewer");
+    known("anna", "viewer", {{"jti", "another"}});
+    EXPECT_EQ(audited().size(), 2u);
+}
+
+TEST_F(GateTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
+    config.quota.refusals_audited_per_minute = 10;
+    open();
+    for (int i = 0; i < 500; ++i) EXPECT_FALSE(ask(anonymous(), create, {}).ok());
+    EXPECT_FALSE(ask(anonymous(), create, {}, "192.0.2.8").ok());
+    gate.reset();  // the count comes last
+    std::size_t refusals = 0, muted = 0;
+    std::istringstream in(folder.read("audit"));
+    for (std::string text; std::getline(in, text);) {
+        const Json line = Json::parse(text);
+        if (line["what"] == "unwritten") {
+            muted += line["muted"].get<std::size_t>();
+        } else {
+            ++refusals;
+        }
+    }
+    EXPECT_EQ(refusals, 11u) << "ten of the one, one of the other";
+    EXPECT_EQ(muted, 490u);
+}
+
+// Forged, expired, none, without an end, for others, replayed: refused, audited, and nothing of
+// them written down.
+TEST_F(GateTest, no_token_or_ticket_is_ever_written) {
+    std::vector<std::string> secrets;
+    const auto show = [&](const std::string& bearer) {
+        secrets.push_back(bearer);
+        return gate->identify({.bearer = bearer, .address = home}, now).ok();
+    };
+    EXPECT_TRUE(show(token("anna", "player")));
+    EXPECT_FALSE(show(token("anna", "player", {{"exp", 1}})));
+    EXPECT_FALSE(show(token("anna", "player", {{"aud", "mail"}})));
+    EXPECT_FALSE(show(token("anna", "boss")));
+    EXPECT_FALSE(show(LoginService().token(LoginService::claims("anna", "player", now.wall))));
+    Json endless = LoginService::claims("anna", "player", now.wall);
+    endless.erase("exp");
+    EXPECT_FALSE(show(login.token(endless)));
+    EXPECT_FALSE(show(test::assemble(R"({"alg":"none"})", endless.dump(),
+                                     [](const std::string&) { return std::string(); })));
+    const std::string ticket = gate->issue_ticket(known("anna", "player"), "w1", home, now).value();
+    secrets.push_back(ticket);
+    EXPECT_TRUE(gate->redeem_ticket(ticket, "w1", home, now).ok());
+    EXPECT_FALSE(gate->redeem_ticket(ticket, "w1", home, now).ok());
+    int refused = 0;
+    for (const Json& line : audited()) refused += line["outcome"] == "refused" ? 1 : 0;
+    EXPECT_EQ(refused, 7);
+    const std::string text = folder.read("audit");
+    for (const std::string& secret : secrets) {
+        EXPECT_EQ(text.find(secret), std::string::npos);
+        const std::size_t dot = secret.find('.');
+        if (dot == std::string::npos) continue;
+        EXPECT_EQ(text.find(secret.substr(0, dot)), std::string::npos) << "no part of it";
+        if (secret.size() > secret.rfind('.') + 1) {
+            EXPECT_EQ(text.find(secret.substr(secret.rfind('.') + 1)), std::string::npos);
+        }
+    }
+}
+
+TEST_F(GateTest, a_new_key_set_is_taken_over_while_it_runs) {
+    const LoginService renewed{.key_id = "second"};
+    const std::string of_new = renewed.token(LoginService::claims("anna", "player", now.wall));
+    const auto is_good = [&](const std::string& bearer) {
+        return gate->identify({.bearer = bearer, .address = home}, now).ok();
+    };
+    EXPECT_FALSE(is_good(of_new));
+    folder.write("keys.json", renewed.published());
+    now.steady += 1s;
+    gate->poll(now);
+    EXPECT_TRUE(is_good(of_new));
+    EXPECT_FALSE(is_good(token("anna", "player"))) << "the old key is gone";
+    folder.write("keys.json", login.published());
+    gate->reload();
+    EXPECT_TRUE(is_good(token("anna", "player")));
+}
+
+TEST_F(GateTest, settings_that_cannot_work_are_named) {
+    config.auth.keys = folder / "missing.json";
+    EXPECT_FALSE(Gate::open(config).ok());
+    config.auth.keys.clear();
+    config.auth.audit_log = "/no/such/folder/audit";
+    EXPECT_FALSE(Gate::open(config).ok());
+}
+
+TEST_F(GateTest, many_threads_ask_while_keys_change) {
+    const std::string bearer = token("anna", "player");
+    std::atomic<int> let_in = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t)
+            threads.emplace_back([&, t] {
+                const std::string address = "10.0.0." + std::to_string(t);
+                for (int i = 0; i < 50; ++i) {
+                    const auto who = gate->identify({.bearer = bearer, .address = address}, now);
+                    if (!who.ok()) continue;
+                    const auto ticket = gate->issue_ticket(*who, "w1", address, now);
+                    if (ticket.ok() && gate->redeem_ticket(*ticket, "w1", address, now).ok())
+                        ++let_in;
+                }
+            });
+        for (int i = 0; i < 20; ++i) {
+            folder.write("keys.json", login.published());
+            gate->reload();
+        }
+    }
+    EXPECT_EQ(let_in, 200);
+}
+
+TEST(BearerIn, takes_the_token_out_of_the_header) {
+    EXPECT_EQ(bearer_in("").value(), "");
+    EXPECT_EQ(bearer_in("Bearer a.b.c").value(), "a.b.c");
+    EXPECT_EQ(bearer_in("bearer a.b.c").value(), "a.b.c");
+    for (const char* header :
+         {"Bearer", "Bearer ", "Basic YTpi", "a.b.c", "Bearer\ta.b.c", "BearerX a.b.c"})
+        EXPECT_EQ(bearer_in(header).ok() ? "ok" : bearer_in(header).error().message,
+                  "the Authorization header is not \"Bearer\" and a token after it")
+            << header;
+}
+
+}  // namespace
+}  // namespace jostle::server

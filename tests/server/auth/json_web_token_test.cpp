@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/json_web_token.h"
+
+#include <gtest/gtest.h>
+#include <openssl/hmac.h>
+
+#include <set>
+
+#include "server/auth/key_set.h"
+#include "tests/support/tokens.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Json;
+using test::LoginService;
+
+const WallTime now = WallTime(1'790'000'000s);
+
+class JsonWebToken : public testing::Test {
+protected:
+    Result<Identity> verify(const std::string& token, WallTime at = now) const {
+        return verify_token(token, keys, rules, at);
+    }
+    // What a token with these claims is refused for; "" if it is good. Members that are null are
+    // left out.
+    std::string fault_with(const Json& changes, WallTime at = now) const {
+        Json claims = LoginService::claims("anna", "player", now);
+        claims.update(changes);
+        for (const auto& [name, value] : changes.items())
+            if (value.is_null()) claims.erase(name);
+        return fault_of(login.token(claims), at);
+    }
+    std::string fault_of(const std::string& token, WallTime at = now) const {
+        const Result<Identity> who = verify(token, at);
+        if (who.ok()) return "";
+        EXPECT_EQ(who.error().code, ErrorCode::unauthenticated);
+        return who.error().message;
+    }
+
+    LoginService login;
+    VerifyKeys keys = read_key_set(login.published()).value().keys;
+    TokenRules rules{.issuer = LoginService::issuer, .audience = LoginService::audience};
+    const std::int64_t seconds = std::chrono::system_clock::to_time_t(now);
+    Json good = LoginService::claims("anna", "player", now);
+};
+
+TEST_F(JsonWebToken, says_who_it_is_for_and_until_when) {
+    good["jti"] = "t-17";
+    good["world"] = "arena";
+    const Result<Identity> who = verify(login.token(good));
+    ASSERT_TRUE(who.ok()) << who.error().message;
+    EXPECT_EQ(who->subject, "anna");
+    EXPECT_EQ(who->role, Role::player);
+    EXPECT_FALSE(who->anonymous);
+    EXPECT_EQ(who->token_id, "t-17");
+    EXPECT_EQ(who->world, "arena");
+    EXPECT_EQ(who->expires, now + 1h + 30s) << "an hour, and the leeway";
+}
+
+TEST_F(JsonWebToken, the_audience_may_be_one_of_several) {
+    EXPECT_EQ(fault_with({{"aud", {"billing", "jostle"}}}), "");
+    EXPECT_NE(fault_with({{"aud", {"billing", "mail"}}}), "");
+    EXPECT_NE(fault_with({{"aud", {"jostle", 7}}}), "") << "not an array of strings";
+    EXPECT_NE(fault_with({{"aud", Json::array()}}), "");
+    EXPECT_NE(fault_with({{"aud", std::vector<std::string>(33, "jostle")}}), "");
+}
+
+TEST_F(JsonWebToken, each_required_claim_is_missed_by_name) {
+    EXPECT_EQ(fault_with({{"iss", nullptr}}), "the token does not say who issued it (iss)");
+    EXPECT_EQ(fault_with({{"aud", nullptr}}), "the token does not say whom it is for (aud)");
+    EXPECT_EQ(fault_with({{"sub", nullptr}}), "the token names no subject (sub)");
+    EXPECT_EQ(fault_with({{"exp", nullptr}}), "the token has no end (exp)");
+    EXPECT_EQ(fault_with({{"role", nullptr}}),
+              "the token's role is not viewer, player, director or admin");
+    EXPECT_EQ(fault_with({{"iat", nullptr}}), "") << "iat is not required";
+}
+
+TEST_F(JsonWebToken, the_end_is_kept_to_the_second_beside_thirty_of_leeway) {
+    EXPECT_EQ(fault_with(Json::object(), now + 3629s), "");
+    EXPECT_EQ(fault_with(Json::object(), now + 3630s), "the token has expired");
+    rules.leeway = 0s;
+    EXPECT_EQ(fault_with(Json::object(), now + 3599s), "");
+    EXPECT_EQ(fault_with(Json::object(), now + 3600s), "the token has expired");
+}
+
+TEST_F(JsonWebToken, nothing_is_good_for_more_than_a_day) {
+    constexpr std::int64_t day = 86400;
+    EXPECT_EQ(fault_with({{"exp", seconds + day}}), "");
+    EXPECT_EQ(fault_with({{"exp", seconds + 25 * 3600}}),
+              "the token ends (exp) more than 24 hours from now");
+    EXPECT_EQ(fault_with({{"exp", seconds + 25 * 3600}, {"iat", nullptr}}),
+              "the token ends (exp) more than 24 hours from now");
+    EXPECT_EQ(fault_with({{"iat", seconds - 5 * 3600}, {"exp", seconds + 20 * 3600}}),
+              "the token is good for more than 24 hours (iat to exp)");
+}
+
+TEST_F(JsonWebToken, what_begins_later_is_not_good_yet) {
+    EXPECT_EQ(fault_with({{"nbf", seconds + 30}}), "");
+    EXPECT_EQ(fault_with({{"nbf", seconds + 31}}), "the token is not good yet (nbf)");
+    EXPECT_EQ(fault_with({{"iat", seconds + 31}}), "the token was issued (iat) in the future");
+    EXPECT_EQ(fault_with({{"nbf", seconds + 31}}, now + 1s), "");
+}
+
+TEST_F(JsonWebToken, times_that_are_none_are_refused) {
+    for (const Json& time :
+         {Json("soon"), Json(-1), Json(1e300), Json(true), Json::array({1}), Json(253402300799)})
+        EXPECT_EQ(fault_with({{"exp", time}}), "the token's exp is no time in seconds since 1970");
+    EXPECT_EQ(fault_with({{"exp", static_cast<double>(seconds) + 60.5}}), "");
+}
+
+TEST_F(JsonWebToken, another_issuer_or_audience_is_refused) {
+    EXPECT_EQ(fault_with({{"iss", "https://login.example.org/"}}),
+              "the token is of another issuer (iss)");
+    EXPECT_EQ(fault_with({{"aud", "Jostle"}}), "the token is for another audience (aud)");
+}
+
+TEST_F(JsonWebToken, subjects_and_roles_of_the_servers_own_are_not_given_away) {
+    EXPECT_NE(fault_with({{"sub", "anonymous"}}), "");
+    EXPECT_NE(fault_with({{"sub", "certificate:CN=boss"}}), "");
+    EXPECT_NE(fault_with({{"sub", ""}}), "");
+    EXPECT_NE(fault_with({{"sub", std::string(129, 'a')}}), "");
+    EXPECT_NE(fault_with({{"role", "none"}}), "");
+    EXPECT_NE(fault_with({{"role", "Admin"}}), "");
+    EXPECT_NE(fault_with({{"role", {"admin"}}}), "");
+    EXPECT_NE(fault_with({{"world", 5}}), "");
+    EXPECT_NE(fault_with({{"world", ""}}), "") << "else it would be good for any";
+}
+
+TEST_F(JsonWebToken, only_es256_is_taken_whatever_the_token_says) {
+    const std::string taken = "the token is not signed with ES256, the one algorithm that is taken";
+    const auto sign = [&](const std::string& text) { return login.key.sign(text); };
+    for (const char* algorithm : {"none", "None", "RS256", "HS256", "ES384", "es256", ""}) {
+        Json header = login.header();
+        header["alg"] = algorithm;
+        EXPECT_EQ(fault_of(test::assemble(header.dump(), good.dump(), sign)), taken) << algorithm;
+    }
+    Json header = login.header();
+    header.erase("alg");
+    EXPECT_EQ(fault_of(login.token(header, good)), taken);
+    // No signature at all.
+    const auto nothing = [](const std::string&) { return std::string(); };
+    EXPECT_EQ(fault_of(test::assemble(R"({"alg":"none"})", good.dump(), nothing)), taken);
+    EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), nothing)),
+              "the token's signature is not 64 bytes of base64url");
+}
+
+TEST_F(JsonWebToken, the_public_key_is_no_secret_to_sign_with) {
+    const std::string secret = login.key.public_key("first").dump();
+    const auto hmac = [&](const std::string& text) {
+        std::string out(32, '\0');
+        HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()),
+             reinterpret_cast<const unsigned char*>(text.data()), text.size(),
+             reinterpret_cast<unsigned char*>(out.data()), nullptr);
+        return out;
+    };
+    Json header = login.header();
+    header["alg"] = "HS256";
+    EXPECT_NE(fault_of(test::assemble(header.dump(), good.dump(), hmac)), "");
+}
+
+TEST_F(JsonWebToken, a_forged_signature_is_refused) {
+    const std::string forged = "the token's signature is not that of the key it names";
+    const test::SigningKey stranger;
+    const auto of_stranger = [&](const std::string& text) { return stranger.sign(text); };
+    EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), of_stranger)), forged);
+    const auto zeros = [](const std::string&) { return std::string(64, '\0'); };
+    EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), zeros)), forged)
+        << "r = s = 0";
+    // A signature of something else.
+    const std::string token = login.token(good);
+    good["role"] = "admin";
+    const std::string other = login.token(good);
+    EXPECT_EQ(fault_of(other.substr(0, other.rfind('.')) + token.substr(token.rfind('.'))), forged);
+}
+
+// A token with one character changed is refused wherever that is.
+TEST_F(JsonWebToken, no_character_of_it_can_be_changed) {
+    const std::string token = login.token(good);
+    ASSERT_EQ(fault_of(token), "");
+    for (std::size_t at = 0; at < token.size(); ++at) {
+        std::string changed = token;
+        changed[at] = changed[at] == 'A' ? 'B' : 'A';
+        EXPECT_NE(fault_of(changed), "") << at;
+    }
+}
+
+TEST_F(JsonWebToken, only_keys_of_the_set_count) {
+    const std::string unknown = "the token is signed with a key that is not known here";
+    Json header = login.header();
+    header["kid"] = "second";
+    EXPECT_EQ(fault_of(login.token(header, good)), unknown);
+    header["kid"] = 1;
+    EXPECT_EQ(fault_of(login.token(header, good)), "the token's header names no key (kid)");
+    header.erase("kid");
+    EXPECT_EQ(fault_of(login.token(header, good)), "the token's header names no key (kid)");
+    // A key that the token brings along is not looked at.
+    const test::SigningKey stranger;
+    header["jwk"] = stranger.public_key("mine");
+    header["kid"] = "mine";
+    const auto sign = [&](const std::string& text) { return stranger.sign(text); };
+    EXPECT_EQ(fault_of(test::assemble(header.dump(), good.dump(), sign)), unknown);
+    keys.clear();
+    EXPECT_EQ(fault_of(login.token(good)), unknown);
+}
+
+TEST_F(JsonWebToken, extensions_and_other_types_are_refused) {
+    Json header = login.header();
+    header["crit"] = {"exp"};
+    EXPECT_NE(fault_of(login.token(header, good)), "");
+    header.erase("crit");
+    header["typ"] = "at+jwt";
+    EXPECT_EQ(fault_of(login.token(header, good)), "");
+    header["typ"] = "logout+jwt";
+    EXPECT_NE(fault_of(login.token(header, good)), "");
+}
+
+TEST_F(JsonWebToken, what_is_no_token_is_refused) {
+    const auto sign = [&](const std::string& text) { return login.key.sign(text); };
+    const std::string head = login.header().dump();
+    for (const std::string& token :
+         {std::string(), std::string("."), std::string(".."), std::string("a.b"),
+          std::string("a.b.c.d.e"), std::string(100000, 'A'), login.token(good) + "=",
+          login.token(good) + "\n", " " + login.token(good), login.token(good) + ".",
+          test::assemble("[]", good.dump(), sign), test::assemble("null", good.dump(), sign),
+          test::assemble(head, "[]", sign), test::assemble(head, "", sign),
+          test::assemble(head, good.dump() + "{}", sign)}) {
+        EXPECT_NE(fault_of(token), "") << token.substr(0, 80);
+    }
+}
+
+TEST_F(JsonWebToken, a_claim_that_stands_twice_is_refused_though_it_was_signed) {
+    std::string claims = good.dump();
+    claims.insert(1, R"("role":"admin",)");
+    const auto sign = [&](const std::string& text) { return login.key.sign(text); };
+    EXPECT_EQ(fault_of(test::assemble(login.header().dump(), claims, sign)),
+              "the token's claims cannot be read: a key stands twice in one object");
+}
+
+TEST_F(JsonWebToken, eight_kibibytes_are_the_most_that_is_looked_at) {
+    good["note"] = std::string(5500, 'x');
+    const std::string token = login.token(good);
+    ASSERT_LT(token.size(), token_bytes_max);
+    EXPECT_EQ(fault_of(token), "");
+    good["note"] = std::string(7000, 'x');
+    ASSERT_GT(login.token(good).size(), token_bytes_max);
+    EXPECT_EQ(fault_of(login.token(good)), "the token is longer than 8192 bytes");
+}
+
+// Every fault has words of its own, and none of them holds a piece of the token.
+TEST_F(JsonWebToken, refusals_differ_and_give_nothing_away) {
+    const Json deep = Json::parse(R"({"a": {"b": {"c": {"d": {}}}}})");
+    std::set<std::string> messages;
+    const Json changes[] = {{{"iss", nullptr}},
+                            {{"iss", "evil-issuer"}},
+                            {{"aud", nullptr}},
+                            {{"aud", "evil-audience"}},
+                            {{"sub", nullptr}},
+                            {{"sub", std::string(200, 'e')}},
+                            {{"sub", "anonymous"}},
+                            {{"exp", nullptr}},
+                            {{"exp", 1}},
+                            {{"exp", "evil-time"}},
+                            {{"exp", seconds + 90000}},
+                            {{"iat", seconds - 86400}},
+                            {{"iat", seconds + 600}},
+                            {{"nbf", seconds + 600}},
+                            {{"role", "evil-role"}},
+                            {{"world", 1}},
+                            {{"jti", 1}},
+                            deep};
+    for (const Json& change : changes) {
+        const std::string message = fault_with(change);
+        EXPECT_TRUE(messages.insert(message).second) << message;
+        EXPECT_EQ(message.find("evil"), std::string::npos) << message;
+        EXPECT_EQ(message.find("anna"), std::string::npos) << message;
+    }
+    EXPECT_FALSE(messages.contains(""));
+}
+
+}  // namespace
+}  // namespace jostle::server

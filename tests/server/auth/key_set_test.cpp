@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/key_set.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/support/error_of.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/tokens.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Json;
+using test::SigningKey;
+
+std::string fault_of(const std::string& text) {
+    const auto read = read_key_set(text);
+    return read.ok() ? "" : read.error().message;
+}
+
+TEST(KeySet, keys_of_other_kinds_are_left_out_and_named) {
+    Json for_encryption = SigningKey().public_key("e"), of_p384 = SigningKey().public_key("p"),
+         without_id = SigningKey().public_key(""), secret = SigningKey().public_key("s"),
+         off_curve = SigningKey().public_key("o"), other_algorithm = SigningKey().public_key("a");
+    for_encryption["use"] = "enc";
+    of_p384["crv"] = "P-384";
+    secret["d"] = "AAAA";
+    off_curve["y"] = off_curve["x"];
+    other_algorithm["alg"] = "ES384";
+    const Json rsa = {{"kty", "RSA"}, {"kid", "r"}, {"n", "AQAB"}, {"e", "AQAB"}};
+    const auto read = read_key_set(
+        test::key_set(Json::array({rsa, SigningKey().public_key("good"), for_encryption, of_p384,
+                                   without_id, secret, off_curve, other_algorithm, 7})));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read->keys.size(), 1u);
+    EXPECT_TRUE(read->keys.contains("good"));
+    ASSERT_EQ(read->warnings.size(), 8u);
+    EXPECT_EQ(read->warnings[0], "key 1 is left out: it is no EC key on the curve P-256");
+    EXPECT_EQ(read->warnings[4],
+              "key 6 is left out: it is a private key, which belongs with the issuer alone");
+}
+
+TEST(KeySet, what_is_no_key_set_is_refused) {
+    EXPECT_EQ(fault_of("{"), "it cannot be read: it is no JSON");
+    EXPECT_EQ(fault_of("[]"), "it is no JSON object with an array \"keys\"");
+    EXPECT_EQ(fault_of("{\"keys\": {}}"), "it is no JSON object with an array \"keys\"");
+    EXPECT_EQ(fault_of("{\"keys\": []}"), "it holds no EC key on P-256 with a kid");
+    EXPECT_EQ(fault_of(test::key_set(Json(std::vector<int>(101)))), "it holds more than 100 keys");
+    EXPECT_EQ(fault_of(test::key_set(
+                  Json::array({SigningKey().public_key("a"), SigningKey().public_key("a")}))),
+              "key 2 has the kid of one before it");
+}
+
+TEST(KeySet, the_first_file_must_be_good) {
+    const test::TempFolder folder;
+    EXPECT_NE(KeySet::open(folder / "missing.json").error().message.find("missing.json"),
+              std::string::npos);
+    EXPECT_FALSE(KeySet::open(folder.write("broken.json", "{")).ok());
+    EXPECT_FALSE(KeySet::open(folder.write("huge.json", std::string(1 << 20, ' '))).ok());
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_FALSE(KeySet::open(folder / "pipe").ok()) << "and is not waited for";
+}
+
+TEST(KeySet, a_new_file_takes_over_and_a_broken_one_does_not) {
+    const test::TempFolder folder;
+    const auto put = [&](const std::string& text) { folder.write("keys.json", text); };
+    const auto set_of = [](const char* id) {
+        return test::key_set(Json::array({SigningKey().public_key(id)}));
+    };
+    put(set_of("a"));
+    const auto keys = KeySet::open(folder / "keys.json").value();
+    const auto in_force = [&] { return keys->keys()->begin()->first; };
+    Clock::time_point now{};
+    EXPECT_TRUE(keys->poll(now));
+    put(set_of("b"));
+    EXPECT_TRUE(keys->poll(now + 900ms));
+    EXPECT_EQ(in_force(), "a") << "the next look is after a second";
+    EXPECT_TRUE(keys->poll(now += 1s));
+    EXPECT_EQ(in_force(), "b");
+    put("{\"keys\": [");
+    EXPECT_FALSE(keys->poll(now += 1s));
+    EXPECT_TRUE(keys->poll(now += 1s)) << "said once";
+    EXPECT_EQ(in_force(), "b");
+    EXPECT_FALSE(keys->reload()) << "who asks is told";
+    std::filesystem::remove(folder / "keys.json");
+    EXPECT_FALSE(keys->poll(now += 1s));
+    EXPECT_EQ(in_force(), "b");
+    put(set_of("c"));
+    EXPECT_TRUE(keys->reload());
+    EXPECT_EQ(in_force(), "c");
+}
+
+// Fifty new files under a reader that never sees anything but a whole set.
+TEST(KeySet, of_fifty_files_ten_are_broken_and_the_last_good_one_is_always_in_force) {
+    const test::TempFolder folder;
+    folder.write("keys.json", test::key_set(Json::array({SigningKey().public_key("0")})));
+    const auto keys = KeySet::open(folder / "keys.json").value();
+    std::string expected = "0";
+    int refused = 0;
+    Clock::time_point now{};
+    for (int i = 1; i <= 50; ++i) {
+        const std::string id = std::to_string(i);
+        std::string text = test::key_set(Json::array({SigningKey().public_key(id)}));
+        if (i % 5 == 0) {
+            text.resize(text.size() / 2);
+        } else {
+            expected = id;
+        }
+        folder.write("keys.json", text);
+        if (!keys->poll(now += 1s)) ++refused;
+        ASSERT_EQ(keys->keys()->size(), 1u);
+        ASSERT_TRUE(keys->keys()->contains(expected)) << i;
+    }
+    EXPECT_EQ(refused, 10);
+}
+
+}  // namespace
+}  // namespace jostle::server

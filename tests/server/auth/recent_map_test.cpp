@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/recent_map.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+namespace {
+
+TEST(RecentMap, what_was_not_asked_for_longest_goes) {
+    RecentMap<int> map(3);
+    int made = 0;
+    const auto ask = [&](const char* key) { return map.find_or_make(key, [&] { return ++made; }); };
+    EXPECT_EQ(ask("a"), 1);
+    EXPECT_EQ(ask("b"), 2);
+    EXPECT_EQ(ask("c"), 3);
+    EXPECT_EQ(ask("a"), 1);
+    EXPECT_EQ(ask("d"), 4) << "b goes";
+    EXPECT_EQ(ask("a"), 1);
+    EXPECT_EQ(ask("c"), 3);
+    EXPECT_EQ(ask("b"), 5);
+    EXPECT_EQ(map.size(), 3u);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "server/auth/tickets.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Identity anna{.subject = "anna", .role = Role::player, .anonymous = false};
+const Identity nobody{.role = Role::viewer};
+
+TEST(Tickets, a_ticket_stands_for_who_asked_for_it_once) {
+    Tickets tickets;
+    const Clock::time_point now{};
+    const std::string ticket = tickets.issue(anna, "anna", "w1", now).value();
+    EXPECT_EQ(ticket.size(), 32u) << "128 bits";
+    const Tickets::Redeemed first = tickets.redeem(ticket, now + 29s);
+    EXPECT_EQ(first.fate, TicketFate::good);
+    EXPECT_EQ(first.who.subject, "anna");
+    EXPECT_EQ(first.who.role, Role::player);
+    EXPECT_EQ(first.world_id, "w1");
+    EXPECT_EQ(tickets.redeem(ticket, now + 29s).fate, TicketFate::used);
+}
+
+TEST(Tickets, used_expired_and_unknown_ones_are_told_apart_for_a_minute) {
+    Tickets tickets;
+    const Clock::time_point now{};
+    const std::string used = tickets.issue(anna, "anna", "w1", now).value(),
+                      old = tickets.issue(anna, "anna", "w1", now).value();
+    EXPECT_EQ(tickets.redeem(used, now).fate, TicketFate::good);
+    EXPECT_EQ(tickets.redeem(old, now + 30s).fate, TicketFate::expired);
+    EXPECT_EQ(tickets.redeem(used, now + 59s).fate, TicketFate::used);
+    EXPECT_EQ(tickets.redeem(used, now + 60s).fate, TicketFate::unknown);
+    EXPECT_EQ(tickets.redeem(old, now + 89s).fate, TicketFate::expired);
+    EXPECT_EQ(tickets.redeem(old, now + 90s).fate, TicketFate::unknown);
+}
+
+TEST(Tickets, what_is_no_ticket_is_unknown) {
+    Tickets tickets;
+    const std::string real = tickets.issue(anna, "anna", "w1", {}).value();
+    std::string upper = real;
+    for (char& c : upper) c = static_cast<char>(std::toupper(c));
+    for (const std::string& text :
+         {std::string(), std::string(32, '0'), std::string(32, 'g'), std::string(1 << 20, 'a'),
+          real.substr(1), real + "0", upper + " ", std::string(32, '\0')}) {
+        EXPECT_EQ(tickets.redeem(text, {}).fate, TicketFate::unknown) << text.substr(0, 40);
+    }
+    EXPECT_EQ(tickets.redeem(real, {}).fate, TicketFate::good);
+}
+
+TEST(Tickets, no_two_are_alike) {
+    Tickets tickets;
+    std::set<std::string> seen;
+    for (int i = 0; i < 10000; ++i)
+        EXPECT_TRUE(seen.insert(tickets.issue(nobody, "a", "w1", {}).value()).second);
+}
+
+TEST(Tickets, of_too_many_of_one_holder_his_own_oldest_goes) {
+    Tickets tickets({.subject_max = 3, .address_max = 5});
+    const std::string other = tickets.issue(anna, "berta", "w1", {}).value();
+    std::vector<std::string> own;
+    for (int i = 0; i < 10; ++i) own.push_back(tickets.issue(anna, "anna", "w1", {}).value());
+    EXPECT_EQ(tickets.waiting(), 4u);
+    EXPECT_EQ(tickets.redeem(other, {}).fate, TicketFate::good);
+    EXPECT_EQ(tickets.redeem(own[6], {}).fate, TicketFate::unknown);
+    for (int i = 7; i < 10; ++i) EXPECT_EQ(tickets.redeem(own[i], {}).fate, TicketFate::good);
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(tickets.issue(nobody, "192.0.2.1", "w1", {}).ok());
+    EXPECT_EQ(tickets.waiting(), 5u) << "an address holds several people";
+}
+
+// A flood from one holder costs the others nothing; a flood of holders is refused.
+TEST(Tickets, nobody_pushes_out_who_has_fewer) {
+    Tickets tickets({.total_max = 100, .subject_max = 1000});
+    std::vector<std::string> of_others;
+    for (int i = 0; i < 10; ++i)
+        of_others.push_back(tickets.issue(anna, "h" + std::to_string(i), "w1", {}).value());
+    for (int i = 0; i < 1000; ++i) EXPECT_TRUE(tickets.issue(anna, "flood", "w1", {}).ok());
+    EXPECT_EQ(tickets.waiting(), 100u);
+    // Newcomers take the places of the one with most, until nobody has two more than they.
+    int let_in = 0;
+    Result<std::string> last = std::string();
+    for (int i = 0; i < 200; ++i) {
+        last = tickets.issue(anna, "n" + std::to_string(i), "w1", {});
+        if (last.ok()) ++let_in;
+    }
+    EXPECT_EQ(let_in, 89) << "100, less 10 of others, less one of the flood";
+    ASSERT_FALSE(last.ok());
+    EXPECT_EQ(last.error().code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(last.error().retry_after_ms, 30000);
+    for (const std::string& ticket : of_others)
+        EXPECT_EQ(tickets.redeem(ticket, {}).fate, TicketFate::good);
+    const Clock::time_point later = Clock::time_point{} + 30s;
+    EXPECT_TRUE(tickets.issue(anna, "later", "w1", later).ok());
+    EXPECT_EQ(tickets.waiting(), 1u);
+}
+
+TEST(Tickets, what_is_remembered_is_bounded_too) {
+    Tickets tickets({.total_max = 10});
+    std::vector<std::string> used;
+    for (int i = 0; i < 25; ++i) {
+        used.push_back(tickets.issue(anna, "anna", "w1", {}).value());
+        EXPECT_EQ(tickets.redeem(used.back(), {}).fate, TicketFate::good);
+    }
+    EXPECT_EQ(tickets.redeem(used[14], {}).fate, TicketFate::unknown);
+    EXPECT_EQ(tickets.redeem(used[15], {}).fate, TicketFate::used);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+//
+// C++ clients that take datagrams, at a server in this process: over a way that loses packets, that
+// is blocked from the beginning, or that becomes so.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "jostle/client/client.h"
+#include "jostle/client/predictor.h"
+#include "jostle/scenes/catalog.h"
+#include "server/grpc/grpc_server.h"
+#include "server/services/world_control.h"
+#include "tests/server/grpc/udp_proxy.h"
+#include "tests/support/wait_until.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using client::Client;
+using test::wait_until;
+
+v1::Input ball_at(double height) {
+    v1::Input input;
+    input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.2);
+    input.mutable_spawn()->mutable_position()->set_y(height);
+    return input;
+}
+
+class DatagramsTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(port.start().ok());
+        proxy.start(port.port());
+        ASSERT_TRUE(server.start().ok());
+        scenes::SceneDescription scene = *scenes::find_scene("stack");
+        scenes::SceneBody top = scene.bodies[1];  // so that something always moves
+        top.body.pose.position = {0, 30, 0};
+        top.body.angular_velocity = {0, 2, 1};
+        top.body.gravity_scale = 0;
+        top.body.sleep_allowed = false;
+        scene.bodies.push_back(top);
+        ASSERT_TRUE(worlds.create("", scene).ok());
+    }
+    void TearDown() override {
+        worlds.stop_all();  // before whom they wake
+        port.stop();
+        context.closing = true;
+        server.drain({});
+        server.wake();
+        server.stop();
+    }
+    std::shared_ptr<Client> join(bool events = false) {
+        return Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port()),
+                                      .events = events,
+                                      .datagrams = true});
+    }
+    static bool goes_by_datagrams(const Client& client) {
+        const std::uint64_t before = client.stats().datagram_snapshots;
+        return wait_until([&] { return client.stats().datagram_snapshots > before + 20; });
+    }
+    // Sends so many balls, a few at a time, and waits for their results.
+    std::vector<v1::InputResult> spawn(Client& client, std::size_t count) {
+        std::vector<v1::InputResult> results;
+        std::size_t sent = 0;
+        EXPECT_TRUE(wait_until([&] {
+            if (sent < count && client.send(ball_at(3 + 0.5 * static_cast<double>(sent))) != 0)
+                sent++;
+            std::this_thread::sleep_for(8ms);
+            for (v1::InputResult& result : client.take_results()) results.push_back(result);
+            return results.size() >= count;
+        }));
+        return results;
+    }
+
+    Config config;
+    SessionDirectory sessions{4};
+    test::UdpProxy proxy;
+    DatagramPort port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
+    GrpcServer* woken = &server;
+    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config,
+                        .worlds = worlds,
+                        .sessions = sessions,
+                        .gate = *gate,
+                        .datagrams = &port};
+    WorldControl control{context};
+    GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
+    client::Loop loop;
+};
+
+}  // namespace
+
+TEST_F(DatagramsTest, snapshots_come_by_datagrams_and_each_input_is_applied_once) {
+    const auto player = join();
+    ASSERT_TRUE(goes_by_datagrams(*player));
+    const auto results = spawn(*player, 20);
+    ASSERT_EQ(results.size(), 20u);
+    for (std::size_t k = 0; k < results.size(); k++) {
+        EXPECT_EQ(results[k].sequence(), k + 1);
+        EXPECT_EQ(results[k].code(), v1::INPUT_CODE_APPLIED) << results[k].message();
+    }
+    EXPECT_EQ(player->stats().inputs_sent, 20u) << "said again is not sent again";
+    EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
+}
+
+// What it drives comes by the stream, before or after the frame of its tick.
+TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
+    ASSERT_TRUE(worlds.create("course", *scenes::find_scene("parkour")).ok());
+    client::ClientOptions options{.target = "127.0.0.1:" + std::to_string(server.port())};
+    options.world = "course";
+    options.channels = {client::motion_channel};
+    options.timed_inputs = options.datagrams = true;
+    const auto walker = Client::connect(loop, options);
+    ASSERT_TRUE(goes_by_datagrams(*walker));
+    client::Predictor predictor;
+    v1::Welcome welcome;
+    welcome.set_tick_hz(60);
+    welcome.mutable_gravity()->set_y(-9.81);
+    predictor.begin(welcome);
+    std::uint32_t body = 0;
+    walker->read([&](const client::WorldView& view) {
+        for (const auto& [id, entity] : view.entities())
+            if (entity.name() == "walker5") body = id;
+    });
+    const auto send = [&](v1::Input input) {
+        input.set_tick(walker->input_tick(client::Clock::now()));
+        predictor.add_input(walker->send(input), input);
+    };
+    v1::Input possess, walk;
+    possess.mutable_possess()->set_entity(body);
+    walk.mutable_control()->add_axes(0);
+    walk.mutable_control()->add_axes(1000);
+    send(possess);
+    send(walk);
+    predictor.follow(body);
+    EXPECT_TRUE(wait_until([&] {
+        std::this_thread::sleep_for(4ms);
+        predictor.on_results(walker->take_results());
+        walker->read([&](const client::WorldView& view) { predictor.on_frame(view); });
+        const auto now = client::Clock::now();
+        predictor.sample(walker->input_position(now), static_cast<std::int64_t>(client::to_us(now)),
+                         walker->interpolated(now));
+        return predictor.stats().drives >= 30;
+    }));
+    EXPECT_GT(walker->stats().datagram_snapshots, 60u);
+    EXPECT_LT(predictor.stats().drive_corrections, 10u) << "of 30, on a machine that is busy";
+}
+
+TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots) {
+    proxy.up_loss_percent = proxy.down_loss_percent = 20;
+    const auto player = join(true);
+    const auto results = spawn(*player, 40);
+    EXPECT_TRUE(goes_by_datagrams(*player));
+    ASSERT_EQ(results.size(), 40u);
+    std::uint32_t tick = 0;
+    for (std::size_t k = 0; k < results.size(); k++) {
+        EXPECT_EQ(results[k].sequence(), k + 1) << "in order, each once";
+        EXPECT_EQ(results[k].code(), v1::INPUT_CODE_APPLIED) << results[k].message();
+        EXPECT_GE(results[k].tick(), tick);
+        tick = results[k].tick();
+    }
+    EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
+    std::uint32_t events_tick = 0;
+    for (const v1::Events& events : player->take_events()) {
+        EXPECT_GT(events.tick(), events_tick) << "events go by the stream, in order";
+        EXPECT_EQ(events.missed(), 0u);
+        events_tick = events.tick();
+    }
+    EXPECT_GT(events_tick, 0u);
+    EXPECT_GT(proxy.up, 30);
+}
+
+TEST_F(DatagramsTest, a_view_never_has_an_entity_that_no_roster_told_of) {
+    proxy.down_loss_percent = 10;
+    const auto spawner = join(), watcher = join();
+    ASSERT_TRUE(wait_until([&] { return watcher->stats().datagrams; }));
+    std::size_t looks = 0, unknown = 0;
+    std::thread looker([&] {
+        for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
+            watcher->read([&](const client::WorldView& view) {
+                looks++;
+                for (const wire::EntityState& entity : view.frame().entities)
+                    unknown += view.entities().contains(entity.id) ? 0 : 1;
+            });
+            std::this_thread::sleep_for(1ms);
+        }
+    });
+    EXPECT_EQ(spawn(*spawner, 45).size(), 45u);
+    looker.join();
+    EXPECT_GT(looks, 20u);
+    EXPECT_EQ(unknown, 0u);
+    EXPECT_TRUE(wait_until([&] {
+        std::size_t seen = 0;
+        watcher->read([&](const client::WorldView& view) { seen = view.frame().entities.size(); });
+        return seen == worlds.find("")->frame()->entities.size();
+    })) << "and has them all in the end";
+}
+
+TEST_F(DatagramsTest, a_way_that_is_blocked_costs_nothing_and_is_told_of) {
+    proxy.up_loss_percent = 100;
+    const auto player = join();
+    EXPECT_EQ(spawn(*player, 10).size(), 10u);
+    EXPECT_TRUE(wait_until([&] {
+        return player->stats().last_error.find("datagrams do not get through") != std::string::npos;
+    }));
+    EXPECT_FALSE(player->stats().datagrams);
+    EXPECT_GT(player->stats().snapshots, 10u);
+    EXPECT_EQ(player->stats().datagram_snapshots, 0u);
+    EXPECT_GT(proxy.up, 10) << "it is tried";
+    EXPECT_EQ(proxy.down, 0) << "nobody is told anything who was not heard";
+}
+
+TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) {
+    const auto player = join();
+    ASSERT_TRUE(goes_by_datagrams(*player));
+    const auto without_datagrams_within = [&](Clock::duration patience) {
+        const auto cut = Clock::now();
+        const auto comes_by_stream = [&] {
+            const auto before = player->stats();
+            std::this_thread::sleep_for(100ms);
+            const auto now = player->stats();
+            return !now.datagrams && now.datagram_snapshots == before.datagram_snapshots &&
+                   now.snapshots > before.snapshots + 3;
+        };
+        return wait_until(comes_by_stream) && Clock::now() - cut < patience;
+    };
+    proxy.down_loss_percent = 100;
+    EXPECT_TRUE(without_datagrams_within(10s)) << "there";
+    proxy.down_loss_percent = 0;
+    ASSERT_TRUE(goes_by_datagrams(*player)) << "again";
+    proxy.up_loss_percent = 100;
+    EXPECT_TRUE(without_datagrams_within(10s)) << "back";
+    EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
+}
+
+TEST_F(DatagramsTest, who_does_not_ask_gets_no_ticket_and_nobody_who_sees_a_part) {
+    const auto plain =
+        Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
+    const auto partial =
+        Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port()),
+                               .sight = client::Sight{.x = 0, .z = 0, .radius = 50},
+                               .datagrams = true});
+    ASSERT_TRUE(
+        wait_until([&] { return plain->stats().snapshots > 3 && partial->stats().snapshots > 3; }));
+    EXPECT_EQ(port.paths(), 0u);
+    const auto taker = join();
+    EXPECT_TRUE(wait_until([&] { return port.paths() == 1; }));
+    taker->leave();
+    EXPECT_TRUE(wait_until([&] { return port.paths() == 0; }));
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// A C++ client and a server in this process, and between them a relay that is taken away and comes
+// back: real sockets break.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "jostle/client/client.h"
+#include "server/grpc/grpc_server.h"
+#include "tests/support/small_scene.h"
+#include "tests/support/wait_until.h"
+#include "tools/network_emulator/link_relay.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using client::Client;
+using test::wait_until;
+
+// Hands on bytes for as long as it is there.
+class Line {
+public:
+    Line(int server_port, int port)
+        : relay_({.target = "127.0.0.1:" + std::to_string(server_port)}) {
+        relay_.listen("127.0.0.1:" + std::to_string(port)).expect();
+        thread_ = std::thread([this] { relay_.run(stop_); });
+    }
+    ~Line() {
+        stop_ = true;
+        thread_.join();
+    }
+    int port() const { return relay_.port(); }
+
+private:
+    relay::LinkRelay relay_;
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+v1::Input small_ball(int number) {
+    v1::Input input;
+    input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.2);
+    input.mutable_spawn()->mutable_position()->set_x(number % 5);
+    input.mutable_spawn()->mutable_position()->set_y(10 + number / 5);
+    return input;
+}
+
+class ResumeOverSocketsTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(worlds.create("yard", test::small_scene()).ok());
+        ASSERT_TRUE(server.start().ok());
+    }
+    void TearDown() override {
+        worlds.stop_all();
+        context.closing = true;
+        server.drain({});
+        server.wake();
+        server.stop();
+    }
+
+    Config config;
+    SessionDirectory sessions{4};
+    GrpcServer* woken = &server;
+    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
+    client::Loop loop;
+};
+
+TEST_F(ResumeOverSocketsTest, a_client_whose_line_breaks_three_times_loses_nothing) {
+    auto line = std::make_unique<Line>(server.port(), 0);
+    const int port = line->port();
+    const auto player =
+        Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(port), .name = "player"});
+    ASSERT_TRUE(wait_until([&] { return player->stats().snapshots > 5; }));
+    const ClientId id = player->stats().client_id;
+    std::uint32_t sent = 0;
+    for (int round = 1; round <= 3; round++) {
+        for (int i = 0; i < 8; i++) {
+            sent = player->send(small_ball(static_cast<int>(sent)));
+            if (i == 3) line.reset();  // in the midst of it
+            std::this_thread::sleep_for(5ms);
+        }
+        line = std::make_unique<Line>(server.port(), port);
+        ASSERT_TRUE(wait_until([&] {
+            return player->stats().connected &&
+                   player->stats().resumed == static_cast<unsigned>(round);
+        })) << player->stats().last_error;
+    }
+    std::set<std::uint32_t> answered;
+    EXPECT_TRUE(wait_until([&] {
+        for (const v1::InputResult& result : player->take_results()) {
+            EXPECT_EQ(result.code(), v1::INPUT_CODE_APPLIED) << result.message();
+            EXPECT_TRUE(answered.insert(result.sequence()).second);
+        }
+        return answered.size() == 24;
+    })) << answered.size();
+    EXPECT_EQ(sent, 24u);
+    EXPECT_EQ(player->stats().client_id, id);
+    EXPECT_EQ(player->stats().decode_errors, 0u);
+    const auto list = worlds.find("yard")->frame()->entity_list;
+    EXPECT_EQ(std::ranges::count_if(*list, [&](const auto& e) { return e->owner == id; }), 24);
+    player->leave();
+    EXPECT_TRUE(wait_until([&] { return sessions.clients() == 0; }));
+}
+
+TEST_F(ResumeOverSocketsTest, a_client_that_is_destroyed_has_left) {
+    auto player = Client::connect(
+        loop, {.target = "127.0.0.1:" + std::to_string(server.port()), .name = "player"});
+    ASSERT_TRUE(wait_until([&] { return player->stats().connected; }));
+    player.reset();
+    EXPECT_TRUE(wait_until([&] { return sessions.clients() == 0; }));
+    EXPECT_EQ(context.resumes.lost(), 0u);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc_proxy/connection_table.h"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+
+#include <vector>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Refusal = ConnectionTable::Refusal;
+
+sockaddr_storage from(const char* address, std::uint16_t port) {
+    sockaddr_storage peer{};
+    auto& four = reinterpret_cast<sockaddr_in&>(peer);
+    four.sin_family = AF_INET;
+    four.sin_port = htons(port);
+    inet_pton(AF_INET, address, &four.sin_addr);
+    return peer;
+}
+
+const Clock::time_point now = Clock::now();
+
+TEST(ConnectionTable, more_than_the_limit_of_one_address_are_refused_until_one_goes) {
+    ConnectionTable table({.total_max = 4, .per_address_max = 3});
+    std::vector<std::shared_ptr<Connection>> open;
+    for (std::uint16_t port = 1; port <= 3; port++) {
+        ASSERT_FALSE(table.refuses(from("192.0.2.1", port), now));
+        open.push_back(table.admit(from("192.0.2.1", port)));
+    }
+    EXPECT_EQ(table.refuses(from("192.0.2.1", 4), now), Refusal::address_full);
+    EXPECT_FALSE(table.refuses(from("192.0.2.2", 4), now));
+    open.push_back(table.admit(from("192.0.2.2", 4)));
+    EXPECT_EQ(table.refuses(from("192.0.2.3", 5), now), Refusal::full);
+    table.forget(*open[1]);
+    EXPECT_FALSE(table.refuses(from("192.0.2.1", 4), now));
+    EXPECT_EQ(table.size(), 3u);
+}
+
+TEST(ConnectionTable, finds_a_connection_by_the_name_that_grpc_gives_it) {
+    ConnectionTable table({});
+    const auto one = table.admit(from("192.0.2.1", 4711)), two = table.admit(from("192.0.2.1", 1));
+    EXPECT_EQ(table.of("unix-abstract:" + one->name), one);
+    EXPECT_EQ(table.of(two->grpc_name())->peer, "192.0.2.1:1");
+    table.forget(*two);
+    EXPECT_EQ(table.of(two->grpc_name())->address, "") << "gone: from nowhere";
+    EXPECT_EQ(table.of("inproc")->peer, "inproc");
+}
+
+TEST(ConnectionTable, an_attackers_address_waits_a_second_then_two_then_four_up_to_a_minute) {
+    ConnectionTable table({});
+    const auto attacker = table.admit(from("192.0.2.1", 1));
+    Clock::time_point t = now;
+    for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
+        table.punish(*attacker, t);
+        table.punish(*attacker, t + wait / 2);  // its other connections: the same attack
+        EXPECT_EQ(table.refuses(from("192.0.2.1", 2), t + wait - 1ms), Refusal::address_waits);
+        EXPECT_FALSE(table.refuses(from("192.0.2.2", 2), t)) << "nobody else does";
+        t += wait;
+        EXPECT_FALSE(table.refuses(from("192.0.2.1", 2), t));
+    }
+    t += 11min;
+    table.punish(*attacker, t);
+    EXPECT_FALSE(table.refuses(from("192.0.2.1", 2), t + 1s)) << "long ago is forgotten";
+}
+
+}  // namespace
+}  // namespace jostle::server

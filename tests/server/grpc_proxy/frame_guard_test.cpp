@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "server/grpc_proxy/frame_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view client_preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
+enum Type : char { data, headers, priority, reset, settings, push, ping, goaway, window, more };
+constexpr char end_headers = 4, end_stream = 1;
+
+std::string frame(char type, char flags, std::uint32_t stream, std::size_t length) {
+    std::string out;
+    for (const int shift : {16, 8, 0}) out += static_cast<char>(length >> shift);
+    out += type;
+    out += flags;
+    for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(stream >> shift);
+    return out + std::string(length, 'x');
+}
+
+class FrameGuardTest : public testing::Test {
+protected:
+    Status take(std::string_view bytes) {
+        return guard.take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, now);
+    }
+    // Error message of `frames` of a kind a second for ten seconds; empty: none.
+    std::string flood(const std::string& one, int a_second) {
+        for (int i = 0; i < 10 * a_second; i++) {
+            now += 1000000us / a_second;
+            if (const Status s = take(one); !s.ok()) return s.error().message;
+        }
+        return {};
+    }
+    void greet() {
+        ASSERT_TRUE(take(std::string(client_preface) + frame(settings, 0, 0, 36)).ok());
+    }
+
+    Clock::time_point now = Clock::now();
+    FrameGuard guard{now};
+};
+
+TEST_F(FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
+    greet();
+    ASSERT_TRUE(take(frame(headers, end_headers, 1, 300)).ok());
+    // Sixty times a second an input, a window update and a ping answered, however they are cut.
+    for (int tick = 0; tick < 60 * 3600; tick++) {
+        now += 16667us;
+        const std::string sent = frame(data, 0, 1, 40) + frame(window, 0, 0, 4) +
+                                 frame(window, 0, 1, 4) + frame(ping, 1, 0, 8);
+        const std::size_t cut = static_cast<std::size_t>(tick) % sent.size();
+        ASSERT_TRUE(take(sent.substr(0, cut)).ok() && take(sent.substr(cut)).ok());
+        ASSERT_EQ(guard.pause(now), Clock::duration::zero());
+    }
+    EXPECT_EQ(guard.streams_opened(), 1u);
+}
+
+TEST_F(FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {
+    greet();
+    std::string sent = frame(headers, end_headers, 1, 300);
+    for (int i = 0; i < 256; i++) sent += frame(data, 0, 1, 16384);
+    ASSERT_TRUE(take(sent).ok());
+    EXPECT_EQ(guard.pause(now), Clock::duration::zero());
+}
+
+TEST_F(FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
+    EXPECT_EQ(take("GET / HTTP/1.1\r\n").error().message, "this is not HTTP/2");
+    FrameGuard other(now);
+    guard = other;
+    EXPECT_TRUE(take(client_preface.substr(0, 23)).ok());
+    EXPECT_FALSE(guard.has_preface());
+    EXPECT_TRUE(take(client_preface.substr(23)).ok());
+    EXPECT_TRUE(guard.has_preface());
+}
+
+// CVE-2023-44487.
+TEST_F(FrameGuardTest, streams_that_are_reset_at_once_end_the_connection) {
+    greet();
+    int begun = 0;
+    Status status;
+    for (std::uint32_t stream = 1; status.ok(); stream += 2, begun++)
+        status =
+            take(frame(headers, end_headers | end_stream, stream, 60) + frame(reset, 0, stream, 4));
+    EXPECT_EQ(status.error().message, "too many RST_STREAM frames");
+    EXPECT_EQ(begun, 101);
+}
+
+TEST_F(FrameGuardTest, ten_calls_a_second_may_be_cancelled_for_ever) {
+    greet();
+    for (std::uint32_t i = 0; i < 36000; i++) {
+        now += 100ms;
+        ASSERT_TRUE(
+            take(frame(headers, end_headers, 2 * i + 1, 60) + frame(reset, 0, 2 * i + 1, 4)).ok());
+    }
+    EXPECT_EQ(guard.streams_opened(), 36000u);
+}
+
+// CVE-2024-27316.
+TEST_F(FrameGuardTest, a_header_block_ends_within_eight_frames_and_32_kilobytes) {
+    greet();
+    ASSERT_TRUE(take(frame(headers, 0, 1, 16000) + frame(more, 0, 1, 16000)).ok());
+    EXPECT_FALSE(take(frame(more, 0, 1, 16000)).ok());
+    guard = FrameGuard(now);
+    greet();
+    std::string sent = frame(headers, 0, 1, 1);
+    for (int i = 0; i < 7; i++) sent += frame(more, 0, 1, 0);
+    ASSERT_TRUE(take(sent).ok());
+    EXPECT_EQ(take(frame(more, 0, 1, 0)).error().message,
+              "a header block of more than 32768 bytes or 8 frames");
+    guard = FrameGuard(now);
+    greet();
+    ASSERT_TRUE(take(frame(headers, 0, 1, 9) + frame(more, end_headers, 1, 9)).ok());
+    EXPECT_TRUE(take(frame(data, 0, 1, 9)).ok()) << "the block has ended";
+    EXPECT_FALSE(take(frame(more, 0, 1, 9)).ok());
+    guard = FrameGuard(now);
+    greet();
+    EXPECT_FALSE(take(frame(headers, 0, 1, 9) + frame(data, 0, 1, 9)).ok());
+}
+
+TEST_F(FrameGuardTest, what_nobody_sends_often_ends_the_connection) {
+    greet();
+    EXPECT_EQ(flood(frame(settings, 0, 0, 0), 100), "too many SETTINGS frames");
+    EXPECT_EQ(flood(frame(ping, 0, 0, 8), 1000), "too many PING frames");
+    EXPECT_EQ(flood(frame(data, 0, 1, 0), 100), "too many empty DATA frames");
+    EXPECT_EQ(flood(frame(priority, 0, 1, 5), 100), "too many PRIORITY or GOAWAY frames");
+    EXPECT_EQ(flood(frame(77, 0, 1, 5), 100), "too many unknown frames");
+    EXPECT_FALSE(take(frame(push, 0, 1, 9)).ok());
+}
+
+TEST_F(FrameGuardTest, a_frame_larger_than_our_settings_allow_ends_the_connection) {
+    greet();
+    EXPECT_EQ(take(frame(data, 0, 1, 16385).substr(0, 9)).error().message,
+              "a frame of 16385 bytes; at most 16384 are allowed");
+}
+
+// What clients need, too, but not so much of it, has to wait.
+TEST_F(FrameGuardTest, who_floods_with_window_updates_gets_four_thousand_a_second) {
+    greet();
+    std::string many;
+    for (int i = 0; i < 1000; i++) many += frame(window, 0, 0, 4);
+    int taken = 0;
+    for (const auto end = now + 10s; now < end; now += guard.pause(now)) {
+        ASSERT_TRUE(take(many).ok());
+        taken += 1000;
+    }
+    EXPECT_NEAR(taken, 44000, 1500);
+}
+
+}  // namespace
+}  // namespace jostle::server

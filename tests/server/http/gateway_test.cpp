@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/gateway.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "server/http/http_routes.h"
+
+namespace jostle::server {
+
+// A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its
+// period is 20 ms: these stops fall all around it.
+TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
+    const Config config;
+    SessionDirectory sessions(10);
+    WorldDirectory worlds({}, 1);
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    WorldControl control(context);
+    const QueryControl queries(context);
+    const HttpRoutes routes(control, queries,
+                            {.web_root = ".",
+                             .allowed_origins = {},
+                             .why_not_ready = [] { return std::optional<std::string>(); },
+                             .trouble = [] { return std::nullopt; }});
+    for (int i = 0; i < 60; i++) {
+        Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
+        ASSERT_TRUE(gateway.start().ok());
+        EXPECT_GT(gateway.port(), 0);
+        std::this_thread::sleep_for(std::chrono::microseconds(19'000 + 50 * i));
+        gateway.stop();
+    }
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "server/http/web_files.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+// root/ with a viewer in it, beside a secret that no request may reach.
+class WebFilesTest : public testing::Test {
+protected:
+    void SetUp() override {
+        fs::create_directories(folder_ / "root/assets");
+        fs::create_directories(folder_ / "root2");
+        write("secret.txt", "secret");
+        write("root2/secret.txt", "secret");
+        write("root/index.html", "<title>viewer</title>");
+        write("root/assets/main-abc.js", "run()");
+        write("root/.hidden", "secret");
+        fs::create_symlink(folder_ / "secret.txt", folder_ / "root/link.txt");
+    }
+    void write(const std::string& name, const std::string& text) {
+        std::ofstream(folder_ / name) << text;
+    }
+    HttpResponse get(const std::string& target, const std::string& if_none_match = {}) const {
+        HttpRequest request;
+        request.method = "GET";
+        request.target = target;
+        request.if_none_match = if_none_match;
+        return WebFiles(folder_ / "root").serve(request);
+    }
+    static std::string header(const HttpResponse& response, const std::string& name) {
+        for (const auto& [key, value] : response.headers) {
+            if (key == name) return value;
+        }
+        return {};
+    }
+
+    const test::TempFolder temporary_;
+    const fs::path folder_ = temporary_ / "";
+};
+
+TEST_F(WebFilesTest, serves_the_viewer_with_type_and_cache_headers) {
+    const HttpResponse page = get("/");
+    EXPECT_EQ(page.status, 200);
+    EXPECT_EQ(page.body, "<title>viewer</title>");
+    EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
+    EXPECT_EQ(header(page, "Cache-Control"), "no-cache");
+    const HttpResponse script = get("/assets/main-abc.js?v=1");
+    EXPECT_EQ(script.status, 200);
+    EXPECT_EQ(script.content_type, "text/javascript; charset=utf-8");
+    EXPECT_EQ(header(script, "Cache-Control"), "public, max-age=31536000, immutable");
+}
+
+TEST_F(WebFilesTest, a_current_copy_is_not_sent_again) {
+    const std::string etag = header(get("/"), "ETag");
+    ASSERT_FALSE(etag.empty());
+    const HttpResponse again = get("/", etag);
+    EXPECT_EQ(again.status, 304);
+    EXPECT_TRUE(again.body.empty());
+    write("root/index.html", "<title>a longer viewer</title>");
+    EXPECT_EQ(get("/", etag).status, 200);
+}
+
+TEST_F(WebFilesTest, nothing_outside_the_folder_can_be_reached) {
+    const char* targets[] = {"/../secret.txt",
+                             "/%2e%2e/secret.txt",
+                             "/%2e%2e%2fsecret.txt",
+                             "/assets/../../secret.txt",
+                             "/assets/..%2f..%2fsecret.txt",
+                             "//secret.txt",
+                             "/..\\secret.txt",
+                             "/..%5csecret.txt",
+                             "/link.txt",
+                             "/.hidden",
+                             "/assets/../.hidden",
+                             "/../root2/secret.txt",
+                             "/%",
+                             "/%zz",
+                             "/%00",
+                             "/index.html%00.png",
+                             "secret.txt",
+                             "",
+                             "http://x/secret.txt",
+                             "/%252e%252e/secret.txt"};
+    for (const char* target : targets) {
+        const HttpResponse response = get(target);
+        EXPECT_TRUE(response.status == 400 || response.status == 404) << target;
+        EXPECT_EQ(response.body.find("secret"), std::string::npos) << target;
+    }
+    EXPECT_EQ(get("/" + std::string(2000, 'x')).status, 400);
+}
+
+TEST_F(WebFilesTest, only_reading_is_allowed) {
+    HttpRequest request;
+    request.method = "PUT";
+    request.target = "/index.html";
+    const HttpResponse response = WebFiles(folder_ / "root").serve(request);
+    EXPECT_EQ(response.status, 405);
+    EXPECT_EQ(header(response, "Allow"), "GET, HEAD");
+}
+
+TEST_F(WebFilesTest, a_missing_viewer_is_explained) {
+    HttpRequest request;
+    request.method = "GET";
+    request.target = "/";
+    const HttpResponse response = WebFiles(folder_ / "nowhere").serve(request);
+    EXPECT_EQ(response.status, 404);
+    EXPECT_NE(response.body.find("--web-root"), std::string::npos);
+    EXPECT_EQ(get("/no_such_file.js").body, "There is no such file.\n");
+}
+
+}  // namespace
+}  // namespace jostle::server

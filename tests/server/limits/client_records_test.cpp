@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/client_records.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/error_of.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+using test::error_of;
+
+namespace {
+
+const Clock::time_point arrival{100s};
+
+ClientIdentity client(ClientId id) {
+    return {.id = id,
+            .name = "ann",
+            .subject = {},
+            .world_id = "w1",
+            .world_name = "arena",
+            .address = "ipv4:10.0.0.1:4000",
+            .since = arrival};
+}
+
+// 60 messages of 250 bytes a second are 120 kbit/s, whenever one looks.
+TEST(ClientRecordsTest, the_rate_is_that_of_the_last_second) {
+    ClientRecords records;
+    const auto record = records.add(client(7));
+    Clock::time_point now = arrival;
+    for (int i = 1; i <= 600; i++) {
+        now = arrival + i * 16667us;
+        record->count_sent(250, now);
+        if (i < 30) continue;
+        EXPECT_NEAR(records.look(now)[0].kbit_per_second, 120, 6) << i;
+    }
+    // It is sent nothing any more: the rate falls to what it is.
+    EXPECT_LT(records.look(now + 60s)[0].kbit_per_second, 2);
+    EXPECT_NEAR(records.look(now + 60s)[0].seconds, 70, 0.1);
+}
+
+TEST(ClientRecordsTest, those_who_are_there_are_listed_by_id) {
+    ClientRecords records;
+    const auto nine = records.add(client(9)), two = records.add(client(2));
+    nine->set_flow(14, 0.025);
+    const auto sights = records.look(arrival + 3s);
+    ASSERT_EQ(sights.size(), 2u);
+    EXPECT_EQ(sights[0].who.id, 2u);
+    EXPECT_EQ(sights[1].who.id, 9u);
+    EXPECT_EQ(sights[1].skipped, 14u);
+    EXPECT_DOUBLE_EQ(sights[1].round_trip_ms, 25);
+    records.remove(9);
+    EXPECT_EQ(records.look(arrival).size(), 1u);
+}
+
+TEST(ClientRecordsTest, one_who_is_kicked_learns_why) {
+    ClientRecords records;
+    const auto record = records.add(client(3));
+    EXPECT_FALSE(record->kicked());
+    EXPECT_TRUE(records.kick(3, "flooding").ok());
+    EXPECT_EQ(record->kicked(), "flooding");
+    records.remove(3);
+    EXPECT_EQ(error_of(records.kick(3, "again")).code, ErrorCode::not_found);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/flow_control.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double rate_hz = 60;
+
+// A client behind buffers without end: a message takes `way_s` there, waits until those before it
+// were read, and is acknowledged as play.proto tells a client to. Time is in seconds.
+class Reader {
+public:
+    // `read_s`: how long it takes to read one message that is begun at that time.
+    Reader(double way, std::function<double(double)> read_s, int divider = 1)
+        : way_s(way), flow_({}, rate_hz, divider), read_s_(std::move(read_s)) {}
+
+    void play_until(double end_s) {
+        for (; now_s() < end_s; tick_++) {
+            deliver_acks(now_s());
+            if (flow_.may_send(tick_, at(now_s()))) send();
+            for (int k = 0; k < others_a_tick; k++) send_other();
+        }
+        deliver_acks(end_s);
+    }
+    void send_others(int count) {
+        for (int k = 0; k < count; k++) send_other();
+    }
+    // Ages when they were read, in ms, of snapshots read between two times; sorted.
+    std::vector<double> ages_ms(double from_s, double until_s) const {
+        std::vector<double> ages;
+        for (const Seen& seen : seen_)
+            if (seen.read_s >= from_s && seen.read_s < until_s)
+                ages.push_back((seen.read_s - seen.sent_s) * 1000);
+        std::ranges::sort(ages);
+        return ages;
+    }
+    double age_p99_ms(double from_s, double until_s) const {
+        const auto ages = ages_ms(from_s, until_s);
+        return ages.empty() ? 0 : ages[ages.size() * 99 / 100];
+    }
+    int read_between(double from_s, double until_s) const {
+        return static_cast<int>(ages_ms(from_s, until_s).size());
+    }
+    const FlowControl& flow() const { return flow_; }
+    double now_s() const { return tick_ / rate_hz; }
+
+    double way_s;  // there and back each
+    int others_a_tick = 0;
+
+private:
+    struct Seen {
+        double sent_s, read_s;
+    };
+    struct Ack {
+        std::uint32_t frame;
+        double at_s;
+        double held_s = 0;
+    };
+    static Clock::time_point at(double seconds) {
+        return Clock::time_point{} + 1h + from_seconds(seconds);
+    }
+    double read_next() {
+        const double begun = std::max(now_s() + way_s, free_s_);
+        free_s_ = begun + read_s_(begun);
+        return free_s_;
+    }
+    void send() {
+        flow_.on_sent(tick_, at(now_s()));
+        seen_.push_back({now_s(), read_next()});
+        to_acknowledge_.push_back({.frame = tick_, .at_s = seen_.back().read_s});
+    }
+    void send_other() {
+        flow_.on_other_sent();
+        read_next();
+    }
+    // The client acknowledges what it reads when the last time was 100 ms ago, or as soon as it is.
+    void deliver_acks(double now) {
+        while (!to_acknowledge_.empty()) {
+            const double due = std::max(to_acknowledge_.front().at_s, last_ack_s_ + 0.1);
+            if (due > now) break;
+            Ack ack{};
+            while (!to_acknowledge_.empty() && to_acknowledge_.front().at_s <= due) {
+                ack = {to_acknowledge_.front().frame, due + way_s,
+                       due - to_acknowledge_.front().at_s};
+                to_acknowledge_.pop_front();
+            }
+            last_ack_s_ = due;
+            acks_.push_back(ack);
+        }
+        while (!acks_.empty() && acks_.front().at_s <= now) {
+            flow_.on_ack(acks_.front().frame, from_seconds(acks_.front().held_s),
+                         at(acks_.front().at_s));
+            acks_.pop_front();
+        }
+    }
+
+    FlowControl flow_;
+    std::function<double(double)> read_s_;
+    std::uint32_t tick_ = 1;
+    double free_s_ = 0, last_ack_s_ = -1;
+    std::deque<Ack> to_acknowledge_, acks_;
+    std::vector<Seen> seen_;
+};
+
+std::function<double(double)> messages_a_second(double rate) {
+    return [rate](double) { return 1 / rate; };
+}
+
+std::function<double(double)> at_once() {
+    return [](double) { return 0.0; };
+}
+
+TEST(FlowControl, a_good_client_gets_every_tick_near_and_far) {
+    for (const double way_s : {0.0, 0.005, 0.05, 0.15}) {
+        Reader reader(way_s, at_once());
+        reader.play_until(20);
+        EXPECT_EQ(reader.read_between(2, 18), 16 * 60) << way_s << " s of way";
+        EXPECT_EQ(reader.flow().slowed(), 0u);
+    }
+}
+
+TEST(FlowControl, without_acks_no_more_than_the_window_is_on_the_way) {
+    FlowControl flow({}, rate_hz, 1);
+    int sent = 0;
+    for (std::uint32_t tick = 1; tick <= 600; tick++) {
+        const Clock::time_point now = Clock::time_point{} + 1h + from_seconds(tick / rate_hz);
+        if (!flow.may_send(tick, now)) continue;
+        flow.on_sent(tick, now);
+        sent++;
+    }
+    EXPECT_EQ(sent, 4) << "more when the first are acknowledged";
+    EXPECT_EQ(flow.skipped(), 596u);
+    EXPECT_EQ(flow.round_trip_s(), 0) << "nothing was acknowledged yet";
+}
+
+// The bound: in every ten seconds after the first five, 99 of 100 snapshots are read within 250 ms
+// and the time that one read takes.
+TEST(FlowControl, readers_of_every_pace_stay_fresh_for_two_minutes) {
+    for (const double pace : {60.0, 55.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0})
+        for (const double way_s : {0.0005, 0.04}) {
+            Reader reader(way_s, messages_a_second(pace));
+            reader.play_until(120);
+            double worst_ms = 0;
+            for (double from = 5; from < 110; from += 10)
+                worst_ms = std::max(worst_ms, reader.age_p99_ms(from, from + 10));
+            const int read = reader.read_between(5, 115);
+            RecordProperty("worst_p99_ms_" + std::to_string(static_cast<int>(pace)),
+                           std::to_string(worst_ms));
+            EXPECT_LE(worst_ms, 250 + 1000 / pace + 1000 * way_s) << pace << " a second, " << way_s;
+            EXPECT_GE(read, 0.85 * std::min(pace, rate_hz) * 110)
+                << pace << " a second: most of what it can take, " << way_s;
+        }
+}
+
+// The welcome and the entities come before the first snapshot, and a slow reader reads them first.
+TEST(FlowControl, what_comes_before_the_first_snapshot_is_no_part_of_the_way) {
+    for (const double pace : {20.0, 12.0, 8.0}) {
+        Reader reader(0.0005, messages_a_second(pace));
+        reader.send_others(4);
+        reader.play_until(60);
+        for (double from = 5; from < 50; from += 10)
+            EXPECT_LE(reader.age_p99_ms(from, from + 10), 250 + 1000 / pace)
+                << pace << ", " << from;
+    }
+}
+
+TEST(FlowControl, a_reader_with_jitter_stays_fresh_and_loses_little) {
+    std::mt19937 random(7);
+    std::exponential_distribution<double> jitter(1 / 0.002);
+    Reader reader(0.02, [&](double) { return jitter(random); });
+    reader.play_until(60);
+    EXPECT_LE(reader.age_p99_ms(5, 60), 60);
+    EXPECT_GE(reader.read_between(5, 60), 0.98 * 55 * rate_hz);
+}
+
+TEST(FlowControl, other_messages_count) {
+    // Twenty a second: each snapshot has another message beside it.
+    Reader reader(0.0005, messages_a_second(100));
+    reader.others_a_tick = 1;
+    reader.play_until(60);
+    EXPECT_LE(reader.age_p99_ms(5, 60), 260);
+    EXPECT_LE(reader.read_between(5, 60), 40 * 55) << "sixty of a hundred are others";
+    EXPECT_GE(reader.read_between(5, 60), 28 * 55);
+}
+
+TEST(FlowControl, a_reader_that_becomes_slow_is_fresh_again_within_three_seconds) {
+    Reader reader(0.001, [](double t) { return t > 20 && t < 40 ? 1 / 10.0 : 0.001; });
+    reader.play_until(60);
+    EXPECT_EQ(reader.read_between(10, 20), 600);
+    EXPECT_LE(reader.age_p99_ms(23, 40), 250 + 100);
+    EXPECT_GE(reader.read_between(44, 54), 590) << "and gets every tick when it can take them";
+}
+
+TEST(FlowControl, a_stall_of_a_second_is_forgiven_at_once) {
+    // At 10 s it reads nothing for a second.
+    Reader reader(0.005, [](double t) { return t > 10 && t < 11 ? 11 - t : 0.0001; });
+    reader.play_until(20);
+    EXPECT_EQ(reader.flow().slowed(), 0u);
+    EXPECT_EQ(reader.read_between(11.5, 19), 450);
+}
+
+TEST(FlowControl, a_crowd_that_joins_slows_it_for_less_than_three_seconds) {
+    // For a second everything takes 60 ms.
+    Reader reader(0.001, [](double t) { return t > 5 && t < 6 ? 0.06 : 0.0005; });
+    reader.play_until(20);
+    EXPECT_GE(reader.read_between(9, 19), 597) << "all of them, three seconds later";
+}
+
+TEST(FlowControl, a_way_that_becomes_longer_is_believed) {
+    Reader reader(0.01, at_once());
+    reader.play_until(10);
+    reader.way_s = 0.13;
+    reader.play_until(40);
+    EXPECT_EQ(reader.read_between(25, 39), 14 * 60) << "every tick again";
+}
+
+TEST(FlowControl, a_wanted_divider_is_kept) {
+    Reader reader(0.01, at_once(), 3);
+    reader.play_until(10);
+    EXPECT_EQ(reader.read_between(2, 8), 120);
+    EXPECT_EQ(reader.flow().slowed() + reader.flow().skipped(), 0u) << "it is what it asked for";
+}
+
+TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
+    FlowControl flow({}, rate_hz, 1);
+    const Clock::time_point sent = Clock::time_point{} + 1h;
+    for (std::uint32_t tick = 1; tick <= 3; ++tick) flow.on_sent(tick, sent);
+    flow.on_ack(77, {}, sent);
+    flow.on_ack(0, {}, sent);
+    EXPECT_EQ(flow.in_flight(), 3);
+    flow.on_ack(2, {}, sent + 10ms);
+    EXPECT_EQ(flow.in_flight(), 1);
+    flow.on_ack(1, {}, sent + 20ms);
+    EXPECT_EQ(flow.in_flight(), 1);
+    EXPECT_NEAR(flow.round_trip_s(), 0.010, 1e-6);
+}
+
+TEST(FlowControl, what_was_lost_does_not_fill_the_window_for_ever) {
+    FlowControl flow({}, rate_hz, 1);
+    const Clock::time_point begin = Clock::time_point{} + 1h;
+    std::uint32_t tick = 1;
+    for (; flow.may_send(tick, begin + tick * 16ms); ++tick)
+        flow.on_sent(tick, begin + tick * 16ms);
+    EXPECT_EQ(flow.in_flight(), 4) << "nothing was acknowledged";
+    flow.forget_sent_before(begin + 3 * 16ms);
+    EXPECT_EQ(flow.in_flight(), 2);
+    EXPECT_TRUE(flow.may_send(tick, begin + tick * 16ms));
+    flow.forget_sent_before(begin + 1s);
+    EXPECT_EQ(flow.in_flight(), 0);
+    flow.on_ack(2, {}, begin + 1s);
+    EXPECT_EQ(flow.in_flight(), 0) << "an ack that comes late after all";
+}
+
+}  // namespace
+}  // namespace jostle::server

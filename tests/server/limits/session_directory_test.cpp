@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "server/limits/session_directory.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+namespace {
+
+TEST(SessionDirectory, counts_clients_and_says_when_it_is_full) {
+    SessionDirectory sessions(2);
+    const auto one = sessions.enter("w1", "192.0.2.1"), two = sessions.enter("w2", "192.0.2.2");
+    ASSERT_TRUE(one.ok() && two.ok());
+    EXPECT_NE(*one, *two);
+    EXPECT_NE(*one, 0u) << "0 is the scene";
+    EXPECT_FALSE(sessions.enter("w1", "192.0.2.1").ok());
+    EXPECT_EQ(sessions.clients(), 2);
+    EXPECT_EQ(sessions.clients_in("w1"), 1);
+    sessions.leave(*one);
+    sessions.leave(*one);
+    EXPECT_EQ(sessions.clients(), 1);
+    EXPECT_EQ(sessions.clients_in("w1"), 0);
+    EXPECT_NE(*sessions.enter("w1", "192.0.2.1"), *one) << "ids are not used again";
+}
+
+TEST(SessionDirectory, one_address_does_not_fill_the_server) {
+    SessionDirectory sessions(100, 3);
+    const auto first = sessions.enter("w1", "192.0.2.1");
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok() && sessions.enter("w2", "192.0.2.1").ok());
+    EXPECT_EQ(sessions.enter("w1", "192.0.2.1").error().message,
+              "your address has 3 clients here, the most allowed");
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.2").ok());
+    sessions.leave(*first);
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok());
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/client_message.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::server {
+namespace {
+
+template <class Message>
+Message decode_as(const v1::ClientMessage& message) {
+    const auto decoded = decode_client_message(message.SerializeAsString());
+    EXPECT_TRUE(decoded.ok()) << decoded.error().message;
+    return std::get<Message>(*decoded);
+}
+
+std::string refusal_of(const v1::ClientMessage& message) {
+    const auto decoded = decode_client_message(message.SerializeAsString());
+    return decoded.ok() ? "" : decoded.error().message;
+}
+
+TEST(ClientMessage, reads_each_kind_of_input) {
+    v1::ClientMessage message;
+    v1::InputBatch& batch = *message.mutable_input();
+    batch.set_first_sequence(7);
+    batch.set_client_time_us(99);
+    batch.mutable_ack()->set_frame(5);
+    v1::SpawnInput& spawn = *batch.add_inputs()->mutable_spawn();
+    spawn.mutable_shape()->mutable_capsule()->set_radius(0.25);
+    spawn.mutable_shape()->mutable_capsule()->set_half_length(0.5);
+    spawn.mutable_shape()->set_density(300);
+    spawn.mutable_position()->set_y(2);
+    spawn.mutable_rotation()->set_z(2);  // not of unit length
+    spawn.set_color(0x12345678);
+    v1::ImpulseInput& push = *batch.add_inputs()->mutable_impulse();
+    push.set_entity(3);
+    push.mutable_impulse()->set_x(-1);
+    batch.mutable_inputs(1)->set_tick(70);
+    batch.add_inputs()->mutable_grab()->set_entity(4);
+    batch.add_inputs()->mutable_drag()->mutable_target()->set_z(6);
+    batch.add_inputs()->mutable_release();
+    batch.add_inputs()->mutable_delete_()->set_entity(8);
+    batch.add_inputs()->mutable_explode()->set_radius(2.5);
+    batch.add_inputs()->mutable_possess()->set_entity(9);
+    v1::ControlInput& control = *batch.add_inputs()->mutable_control();
+    control.add_axes(-1000);
+    control.add_axes(250);
+    control.set_buttons(5);
+    for (int k = 0; k < 9; k++) {
+        if (k == 0) batch.add_inputs();
+        batch.mutable_inputs(9)->mutable_control()->add_axes(k);
+    }
+    batch.add_inputs();  // of no kind
+
+    const auto decoded = decode_as<InputBatch>(message);
+    EXPECT_EQ(decoded.first_sequence, 7u);
+    EXPECT_EQ(decoded.client_time_us, 99u);
+    EXPECT_EQ(decoded.ack->frame, 5u);
+    ASSERT_EQ(decoded.inputs.size(), 11u);
+    ASSERT_EQ(decoded.ticks.size(), 11u);
+    EXPECT_EQ(decoded.ticks[0], 0u) << "the next";
+    EXPECT_EQ(decoded.ticks[1], 70u);
+    const auto& spawned = std::get<SpawnCommand>(*decoded.inputs[0]);
+    EXPECT_EQ(spawned.shape.geometry, physics::Geometry(physics::Capsule{0.25, 0.5}));
+    EXPECT_EQ(spawned.shape.density, 300);
+    EXPECT_EQ(spawned.shape.material, physics::Material{}) << "what is absent has its default";
+    EXPECT_EQ(spawned.pose.position, (physics::Vec3{0, 2, 0}));
+    EXPECT_EQ(spawned.pose.rotation, (physics::Quat{0, 0, 1, 0}));
+    EXPECT_EQ(spawned.color, 0x345678u);
+    const auto& pushed = std::get<ImpulseCommand>(*decoded.inputs[1]);
+    EXPECT_EQ(pushed.entity, 3u);
+    EXPECT_EQ(pushed.impulse.x, -1);
+    EXPECT_FALSE(pushed.point) << "absent: the centre of mass";
+    EXPECT_EQ(std::get<GrabCommand>(*decoded.inputs[2]).entity, 4u);
+    EXPECT_EQ(std::get<DragCommand>(*decoded.inputs[3]).target.z, 6);
+    EXPECT_TRUE(std::holds_alternative<ReleaseCommand>(*decoded.inputs[4]));
+    EXPECT_EQ(std::get<DeleteCommand>(*decoded.inputs[5]).entity, 8u);
+    EXPECT_EQ(std::get<ExplodeCommand>(*decoded.inputs[6]).radius, 2.5);
+    EXPECT_EQ(std::get<PossessCommand>(*decoded.inputs[7]).entity, 9u);
+    const physics::Controls& held = std::get<ControlCommand>(*decoded.inputs[8]).controls;
+    EXPECT_EQ(held, (physics::Controls{.axes = {-1, 0.25}, .buttons = 5}));
+    EXPECT_FALSE(decoded.inputs[9].ok()) << "nine axes";
+    EXPECT_FALSE(decoded.inputs[10].ok()) << "one bad input refuses itself alone";
+}
+
+TEST(ClientMessage, refuses_what_is_no_message) {
+    EXPECT_FALSE(decode_client_message("\xff\xff\xff").ok());
+    EXPECT_FALSE(decode_client_message("").ok());
+    v1::ClientMessage long_name;
+    long_name.mutable_hello()->set_name(std::string(33, 'x'));
+    EXPECT_NE(refusal_of(long_name).find("hello.name has 33 bytes"), std::string::npos);
+    v1::ClientMessage from_zero;
+    from_zero.mutable_input()->add_inputs()->mutable_release();
+    EXPECT_NE(refusal_of(from_zero).find("first_sequence is 0"), std::string::npos);
+    v1::ClientMessage beyond;
+    beyond.mutable_input()->set_first_sequence(0xffffffff);
+    beyond.mutable_input()->add_inputs()->mutable_release();
+    EXPECT_NE(refusal_of(beyond).find("no numbers"), std::string::npos);
+}
+
+TEST(ClientMessage, a_rotation_that_is_no_number_refuses_its_input) {
+    for (const double bad :
+         {std::nan(""), std::numeric_limits<double>::infinity(), 1e200, 1e-200}) {
+        v1::ClientMessage message;
+        message.mutable_input()->set_first_sequence(1);
+        v1::SpawnInput& spawn = *message.mutable_input()->add_inputs()->mutable_spawn();
+        spawn.mutable_shape()->mutable_sphere()->set_radius(1);
+        spawn.mutable_rotation()->set_x(bad);
+        const auto decoded = decode_as<InputBatch>(message);
+        // 1e-200 squared is zero: no rotation, which is fine.
+        EXPECT_EQ(decoded.inputs[0].ok(), bad == 1e-200) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace jostle::server

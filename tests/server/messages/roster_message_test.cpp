@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/roster_message.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
+#include "jostle/v1/play.pb.h"
+#include "server/messages/server_message.h"
+
+namespace jostle::server {
+namespace {
+
+v1::ServerMessage parse(const SharedBytes& bytes) {
+    v1::ServerMessage message;
+    EXPECT_TRUE(message.ParseFromString(*bytes));
+    return message;
+}
+
+std::shared_ptr<const EntityDescription> entity_with(EntityId id,
+                                                     const physics::Geometry& geometry) {
+    EntityDescription entity{.id = id, .shapes = {}, .color = {}, .name = {}};
+    entity.shapes.emplace_back();
+    entity.shapes.back().geometry = geometry;
+    return std::make_shared<const EntityDescription>(entity);
+}
+
+// A flat grid of `side` x `side` squares.
+physics::Geometry mesh_of(int side, double height = 0) {
+    std::vector<physics::Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (int i = 0; i <= side; i++)
+        for (int k = 0; k <= side; k++) vertices.push_back({i * 0.5, height, k * 0.5});
+    const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * (side + 1) + k); };
+    for (int i = 0; i < side; i++)
+        for (int k = 0; k < side; k++) {
+            triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k)});
+            triangles.push_back({at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
+        }
+    return physics::Mesh{physics::build_mesh(vertices, triangles).value()};
+}
+
+TEST(RosterMessage, carries_what_a_viewer_draws) {
+    EntityDescription box{.id = 9,
+                          .type = physics::BodyType::kinematic,
+                          .shapes = {},
+                          .owner = 4,
+                          .color = 0xff8800,
+                          .name = "lift",
+                          .mass = 12};
+    physics::ShapeState shape;
+    shape.geometry = physics::Box{{1, 2, 3}};
+    shape.pose.position = {0, 5, 0};
+    box.shapes.push_back(shape);
+    const EntityList before{entity_with(2, physics::Box{}), entity_with(3, physics::Box{})};
+    GeometryTable table;
+    const auto messages =
+        roster_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
+    EXPECT_TRUE(messages.geometry.empty());
+    ASSERT_EQ(messages.rosters.size(), 1u);
+    const v1::Roster roster = parse(messages.rosters[0]).roster();
+    ASSERT_EQ(roster.added_size(), 1);
+    const v1::Entity& entity = roster.added(0);
+    EXPECT_EQ(entity.id(), 9u);
+    EXPECT_EQ(entity.type(), v1::BODY_TYPE_KINEMATIC);
+    EXPECT_EQ(entity.owner(), 4u);
+    EXPECT_EQ(entity.color(), 0xff8800u);
+    EXPECT_EQ(entity.name(), "lift");
+    EXPECT_EQ(entity.mass(), 12);
+    EXPECT_EQ(entity.shapes(0).box().half_extents().z(), 3);
+    EXPECT_EQ(entity.shapes(0).position().y(), 5);
+    ASSERT_EQ(roster.removed_size(), 2);
+    EXPECT_EQ(roster.removed(1), 3u);
+}
+
+// For those who simulate: numbers that are as usual are not told.
+TEST(RosterMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
+    EntityDescription plain = *entity_with(1, physics::Box{}),
+                      odd = *entity_with(2, physics::Box{});
+    odd.jointed = true;
+    odd.linear_damping = 0.05;
+    odd.angular_damping = 0.2;
+    odd.gravity_scale = 0;
+    odd.locks = physics::lock_x | physics::lock_rotation_y;
+    odd.shapes.push_back(odd.shapes.front());
+    odd.shapes[0].density = 100;
+    odd.shapes[1].mass = 7;
+    GeometryTable table;
+    const auto messages = roster_messages({},
+                                          {std::make_shared<const EntityDescription>(plain),
+                                           std::make_shared<const EntityDescription>(odd)},
+                                          table);
+    const v1::Roster roster = parse(messages.rosters[0]).roster();
+    EXPECT_EQ(roster.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
+    const v1::Entity& told = roster.added(1);
+    EXPECT_TRUE(told.jointed());
+    EXPECT_EQ(told.linear_damping(), 0.05);
+    EXPECT_EQ(told.angular_damping(), 0.2);
+    EXPECT_TRUE(told.has_gravity_scale());
+    EXPECT_EQ(told.gravity_scale(), 0);
+    EXPECT_TRUE(told.locks().x() && told.locks().turn_y() && !told.locks().turn_x());
+    EXPECT_EQ(told.shapes(0).density(), 100);
+    EXPECT_EQ(told.shapes(1).mass(), 7);
+}
+
+TEST(RosterMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
+    const physics::Geometry mesh = mesh_of(100);  // 0.6 MB as bytes
+    EntityList entities;
+    for (EntityId id = 1; id <= 2000; id++) entities.push_back(entity_with(id, mesh));
+    GeometryTable table;
+    const auto messages = roster_messages({}, entities, table);
+    ASSERT_EQ(messages.geometry.size(), 1u);
+    std::size_t bytes = 0;
+    std::string content;
+    for (const SharedBytes& part : messages.geometry[0]->messages) {
+        EXPECT_LE(part->size(), part_bytes_max + 64);
+        bytes += part->size();
+        content += parse(part).geometry().data();
+    }
+    EXPECT_GT(messages.geometry[0]->messages.size(), 1u);
+    for (const SharedBytes& roster : messages.rosters) bytes += roster->size();
+    EXPECT_LT(bytes, 900'000u) << "2,000 copies would be a gigabyte";
+    v1::Shape shape;
+    ASSERT_TRUE(shape.ParseFromString(content));
+    EXPECT_EQ(shape.mesh().vertices_size(), 101 * 101);
+    EXPECT_EQ(parse(messages.rosters[0]).roster().added(7).shapes(0).geometry(),
+              messages.geometry[0]->id);
+}
+
+TEST(RosterMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have_others) {
+    GeometryTable table;
+    const EntityList entities{entity_with(1, mesh_of(10)), entity_with(2, mesh_of(10)),
+                              entity_with(3, mesh_of(10, 1))};
+    const auto messages = roster_messages({}, entities, table);
+    EXPECT_EQ(messages.geometry.size(), 2u);
+    const v1::Roster roster = parse(messages.rosters[0]).roster();
+    EXPECT_EQ(roster.added(0).shapes(0).geometry(), roster.added(1).shapes(0).geometry());
+    EXPECT_NE(roster.added(0).shapes(0).geometry(), roster.added(2).shapes(0).geometry());
+}
+
+TEST(RosterMessage, what_a_client_may_spawn_is_told_with_its_body) {
+    std::vector<physics::Vec3> points;
+    for (int i = 0; i < 32; i++)
+        points.push_back({std::cos(i * 0.7), i / 16.0 - 1, std::sin(i * 0.7)});
+    GeometryTable table;
+    const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
+    const auto messages = roster_messages({}, {entity_with(1, hull)}, table);
+    EXPECT_TRUE(messages.geometry.empty());
+    EXPECT_GT(parse(messages.rosters[0]).roster().added(0).shapes(0).hull().points_size(), 20);
+}
+
+TEST(RosterMessage, a_long_list_comes_in_messages_of_bounded_size) {
+    EntityList entities;
+    for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
+    GeometryTable table;
+    const auto messages = roster_messages({}, entities, table);
+    EXPECT_GT(messages.rosters.size(), 2u);
+    int told = 0;
+    for (const SharedBytes& bytes : messages.rosters) {
+        EXPECT_LE(bytes->size(), part_bytes_max + 1024);
+        told += parse(bytes).roster().added_size();
+    }
+    EXPECT_EQ(told, 20'000);
+    EXPECT_TRUE(roster_messages(entities, entities, table).rosters.empty());
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "server/messages/server_message.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::server {
+namespace {
+
+v1::ServerMessage parse(const std::string& bytes) {
+    v1::ServerMessage message;
+    EXPECT_TRUE(message.ParseFromString(bytes));
+    return message;
+}
+
+TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
+    const EncodedSnapshot encoded{.frame = 300,
+                                  .bases = {299, 298, 297},
+                                  .packed = {std::byte{1}, std::byte{0}, std::byte{255}},
+                                  .crc = 0xdeadbeef,
+                                  .late_us = -123456,
+                                  .still = 3};
+    const std::string shared = encode_shared_snapshot(encoded);
+    for (const Private own :
+         {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
+        const auto message = parse(encode_snapshot_head(own, "", shared.size()) + shared);
+        ASSERT_TRUE(message.has_snapshot());
+        const v1::Snapshot& snapshot = message.snapshot();
+        EXPECT_EQ(snapshot.frame(), 300u);
+        EXPECT_EQ(snapshot.bases(), 1u) << "each one before the other";
+        EXPECT_EQ(snapshot.packed(), std::string("\x01\x00\xff", 3));
+        EXPECT_EQ(snapshot.crc(), 0xdeadbeef);
+        EXPECT_EQ(snapshot.late_us(), -123456);
+        EXPECT_EQ(snapshot.still(), 3u);
+        EXPECT_EQ(snapshot.own().input_sequence(), own.input_sequence);
+        EXPECT_EQ(snapshot.own().echo_client_time_us(), own.echo_client_time_us);
+        EXPECT_EQ(snapshot.own().snapshots_skipped(), own.snapshots_skipped);
+        EXPECT_EQ(snapshot.own().input_margin_us(), own.input_margin_us);
+    }
+}
+
+TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seventeen_bytes) {
+    const EncodedSnapshot encoded{
+        .frame = 1'000'000, .bases = {999'999, 999'998, 999'997}, .packed = {}, .crc = 0xdeadbeef};
+    EncodedSnapshot with_body = encoded;
+    with_body.packed.resize(1000, std::byte{7});
+    const auto size = [](const EncodedSnapshot& snapshot) {
+        const std::string shared = encode_shared_snapshot(snapshot);
+        return encode_snapshot_head({}, "", shared.size()).size() + shared.size();
+    };
+    EXPECT_EQ(size(with_body) - 1000, 17u);
+    EXPECT_EQ(size(encoded), 13u) << "nothing moved";
+}
+
+TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
+    Frame frame;
+    frame.tick = 77;
+    const std::string shared = encode_shared_snapshot({.frame = 77});
+    const auto message =
+        parse(encode_snapshot_head({}, encode_stats_field(frame, 3), shared.size()) + shared);
+    EXPECT_EQ(message.snapshot().stats().tick(), 77u);
+    EXPECT_EQ(message.snapshot().stats().clients(), 3u);
+    EXPECT_EQ(message.snapshot().frame(), 77u);
+    EXPECT_FALSE(message.snapshot().has_own()) << "nothing to tell";
+}
+
+TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
+    EncodedSnapshot encoded{.frame = 300};
+    const std::string without = encode_shared_snapshot(encoded);
+    encoded.channels = {.bytes = {std::byte{0}, std::byte{255}}, .crc = 0xdeadbeef};
+    const std::string shared = encode_shared_snapshot(encoded);
+    EXPECT_EQ(shared.substr(0, without.size()), without) << "all else has the bytes that it had";
+    const auto message = parse(encode_snapshot_head({}, "", shared.size()) + shared);
+    EXPECT_EQ(message.snapshot().channels(), std::string("\x00\xff", 2));
+    EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
+}
+
+TEST(ServerMessage, welcome_lists_the_kinds_of_channels) {
+    const auto message = parse(encode_welcome(
+        {.channels = {{"craft"}, {"fields.waves", physics::ChannelForm::seed, 60}}}));
+    ASSERT_EQ(message.welcome().channels_size(), 2);
+    EXPECT_EQ(message.welcome().channels(0).form(), v1::CHANNEL_FORM_PARAMS);
+    EXPECT_EQ(message.welcome().channels(1).name(), "fields.waves");
+    EXPECT_EQ(message.welcome().channels(1).form(), v1::CHANNEL_FORM_SEED);
+    EXPECT_EQ(message.welcome().channels(1).divisor(), 60u);
+}
+
+TEST(ServerMessage, welcome_tells_those_who_simulate_how_the_world_steps) {
+    const auto message =
+        parse(encode_welcome({.tick_hz = 50, .gravity = {0, -1.6, 0}, .substeps = 12}));
+    EXPECT_EQ(message.welcome().tick_hz(), 50);
+    EXPECT_EQ(message.welcome().gravity().y(), -1.6);
+    EXPECT_EQ(message.welcome().substeps(), 12u);
+}
+
+TEST(ServerMessage, results_and_notices_keep_code_and_text) {
+    const InputResult refused{.sequence = 5,
+                              .status = Error{ErrorCode::permission_denied, "not yours"},
+                              .tick = 77,
+                              .entity = 6};
+    const auto told = parse(encode_snapshot_head({.results = std::span(&refused, 1)}, "", 0));
+    const v1::InputResult& result = told.snapshot().own().results(0);
+    EXPECT_EQ(result.sequence(), 5u);
+    EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);
+    EXPECT_EQ(result.tick(), 77u);
+    EXPECT_EQ(result.entity(), 6u);
+    EXPECT_EQ(result.message(), "not yours");
+    const auto notice = parse(encode_notice(NoticeKind::world_closed, "bye"));
+    EXPECT_EQ(notice.notice().code(), v1::NOTICE_CODE_WORLD_CLOSED);
+    EXPECT_EQ(notice.notice().message(), "bye");
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+//
+// What Prometheus reads: every series that has fixed labels is there from the start, a world's come
+// and go with it, and no stranger makes one.
+#include "server/metrics/metrics.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <memory>
+#include <regex>
+#include <sstream>
+
+#include "server/metrics/metrics_text.h"
+#include "server/metrics/rpc_metrics.h"
+#include "server/metrics/world_metrics.h"
+
+namespace jostle::server {
+namespace {
+
+class MetricsTest : public testing::Test {
+protected:
+    // The value of a series as Prometheus reads it; -1: there is none.
+    double value(const std::string& series) {
+        std::istringstream lines(metrics_text(metrics));
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with(series + " ")) return std::stod(line.substr(series.size() + 1));
+        return -1;
+    }
+    bool mentions(const std::string& text) {
+        return metrics_text(metrics).find(text) != std::string::npos;
+    }
+
+    Metrics metrics{"1.2.3", {"update_pairs", "solve"}};
+};
+
+TEST_F(MetricsTest, what_has_fixed_labels_is_there_from_the_start) {
+    EXPECT_EQ(value("jostle_build_info{version=\"1.2.3\"}"), 1);
+    for (const char* series :
+         {"jostle_inputs_total{code=\"applied\"}", "jostle_inputs_total{code=\"limit\"}",
+          "jostle_snapshots_skipped_total{reason=\"window\"}",
+          "jostle_snapshots_skipped_total{reason=\"rate\"}",
+          "jostle_refusals_total{reason=\"resource_exhausted\"}",
+          "jostle_step_stage_seconds_total{stage=\"solve\"}",
+          "jostle_connections{listener=\"admin\"}",
+          "jostle_connections_refused_total{listener=\"http\",reason=\"limit\"}",
+          "jostle_snapshots_sent_total", "jostle_snapshot_bytes_total", "jostle_log_dropped_total",
+          "jostle_world_restarts_total"})
+        EXPECT_EQ(value(series), 0) << series;
+}
+
+TEST_F(MetricsTest, each_label_counts_by_itself) {
+    metrics.inputs[InputOutcome::limit].Increment(3);
+    metrics.refusals[ErrorCode::unauthenticated].Increment();
+    metrics.listener(Listener::http).open.Set(7);
+    metrics.listener(Listener::http).refused(ConnectionRefusal::address_limit).Increment();
+    EXPECT_EQ(value("jostle_inputs_total{code=\"limit\"}"), 3);
+    EXPECT_EQ(value("jostle_inputs_total{code=\"applied\"}"), 0);
+    EXPECT_EQ(value("jostle_refusals_total{reason=\"unauthenticated\"}"), 1);
+    EXPECT_EQ(value("jostle_connections{listener=\"http\"}"), 7);
+    EXPECT_EQ(value("jostle_connections_refused_total{listener=\"http\",reason=\"address_limit\"}"),
+              1);
+}
+
+TEST_F(MetricsTest, a_counter_is_raised_to_a_total_and_never_lowered) {
+    raise_to(metrics.log_dropped, 5);
+    raise_to(metrics.log_dropped, 3);
+    EXPECT_EQ(value("jostle_log_dropped_total"), 5);
+}
+
+TEST_F(MetricsTest, a_world_has_its_series_for_as_long_as_somebody_holds_them) {
+    {
+        WorldMetrics world(metrics, "arena \"one\"\n");
+        const std::vector<double> stage_ms{0.5, 1.5};
+        world.count_tick({.seconds = 0.003,
+                          .stage_ms = stage_ms,
+                          .bodies = 40,
+                          .awake = 12,
+                          .queued = 5,
+                          .late_ticks = 2});
+        world.count_tick({.seconds = 0.0001, .bodies = 41, .late_ticks = 3});
+        world.clients().Increment();
+        const std::string label = "{world=\"arena \\\"one\\\"\\n\"";
+        EXPECT_EQ(value("jostle_world_bodies" + label + "}"), 41);
+        EXPECT_EQ(value("jostle_world_awake_bodies" + label + "}"), 0);
+        EXPECT_EQ(value("jostle_late_ticks_total" + label + "}"), 3);
+        EXPECT_EQ(value("jostle_world_paused" + label + "}"), 1) << "the last one took no step";
+        EXPECT_EQ(value("jostle_clients" + label + "}"), 1);
+        EXPECT_EQ(value("jostle_tick_duration_seconds_count" + label + "}"), 2);
+        EXPECT_EQ(value("jostle_tick_duration_seconds_bucket" + label + ",le=\"0.001\"}"), 1);
+        EXPECT_NEAR(value("jostle_tick_duration_seconds_sum" + label + "}"), 0.0031, 1e-9);
+        // The step's own parts stay when the world goes: they are of all worlds.
+        EXPECT_DOUBLE_EQ(value("jostle_step_stage_seconds_total{stage=\"solve\"}"), 0.0015);
+    }
+    EXPECT_FALSE(mentions("arena")) << "a deleted world leaves nothing behind";
+    EXPECT_DOUBLE_EQ(value("jostle_step_stage_seconds_total{stage=\"solve\"}"), 0.0015);
+}
+
+// A world is deleted and made anew under its name while clients of the old one still hold it.
+TEST_F(MetricsTest, a_name_that_is_used_again_keeps_its_series_until_the_last_holder_goes) {
+    auto old_one = std::make_unique<WorldMetrics>(metrics, "arena");
+    auto new_one = std::make_unique<WorldMetrics>(metrics, "arena");
+    old_one.reset();
+    new_one->count_tick({.seconds = 0.001, .bodies = 3});
+    EXPECT_EQ(value("jostle_world_bodies{world=\"arena\"}"), 3);
+    new_one.reset();
+    EXPECT_FALSE(mentions("arena"));
+}
+
+TEST_F(MetricsTest, calls_are_counted_by_method_and_code_and_strangers_make_no_series) {
+    RpcMetrics rpcs(metrics);
+    rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);
+    rpcs.add("/jostle.v1.PlayService/Play", RpcMetrics::Kind::streaming);
+    const auto series = [](const char* service, const char* method, const char* code) {
+        return std::string("grpc_server_handled_total{grpc_code=\"") + code + "\",grpc_method=\"" +
+               method + "\",grpc_service=\"" + service + "\"}";
+    };
+    EXPECT_EQ(value(series("jostle.v1.PlayService", "Play", "OK")), 0) << "there from the start";
+    rpcs.handled("/jostle.v1.WorldService/ListWorlds", 0, 0.002);
+    rpcs.handled("/jostle.v1.WorldService/ListWorlds", 5, 0.002);
+    rpcs.handled("/jostle.v1.PlayService/Play", 1, 3600);
+    for (int i = 0; i < 100; i++) rpcs.handled("/evil/" + std::to_string(i), 12, 0.001);
+    rpcs.handled("", 99, 0.001);
+    EXPECT_EQ(value(series("jostle.v1.WorldService", "ListWorlds", "OK")), 1);
+    EXPECT_EQ(value(series("jostle.v1.WorldService", "ListWorlds", "NOT_FOUND")), 1);
+    EXPECT_EQ(value(series("jostle.v1.PlayService", "Play", "CANCELLED")), 1);
+    EXPECT_EQ(value(series("unknown", "unknown", "UNIMPLEMENTED")), 100);
+    EXPECT_EQ(value(series("unknown", "unknown", "UNKNOWN")), 1) << "no such code";
+    EXPECT_FALSE(mentions("evil"));
+    EXPECT_EQ(value("grpc_server_handling_seconds_count{grpc_method=\"ListWorlds\",grpc_service="
+                    "\"jostle.v1.WorldService\"}"),
+              2);
+    EXPECT_FALSE(mentions("grpc_server_handling_seconds_count{grpc_method=\"Play\""))
+        << "a stream lasts as long as a client stays";
+}
+
+TEST_F(MetricsTest, the_process_is_described_as_it_is_now) {
+    const double before = value("process_open_fds");
+    const int fds[] = {dup(0), dup(0), dup(0)};
+    EXPECT_EQ(value("process_open_fds"), before + 3);
+    for (const int fd : fds) close(fd);
+    EXPECT_GE(value("process_max_fds"), before + 3);
+    EXPECT_GT(value("process_resident_memory_bytes"), 1e6);
+    EXPECT_GT(value("process_virtual_memory_bytes"), value("process_resident_memory_bytes"));
+    EXPECT_NEAR(value("process_start_time_seconds"), static_cast<double>(time(nullptr)), 600);
+    EXPECT_GE(value("process_cpu_seconds_total"), 0);
+}
+
+// promtool's rules, which it checks in scripts/observe-check: base units, counters end in _total.
+TEST_F(MetricsTest, names_and_help_are_what_promtool_wants) {
+    const WorldMetrics world(metrics, "arena");
+    RpcMetrics rpcs(metrics);
+    rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);
+    metrics.certificate_expiry.Add({{"listener", "http"}}).Set(2e9);
+    std::istringstream lines(metrics_text(metrics));
+    const std::regex name("(jostle|grpc_server|process)_[a-z_]+");
+    int families = 0;
+    std::string help_of;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string hash, kind, family, type;
+        words >> hash >> kind >> family >> type;
+        if (hash != "#") continue;
+        EXPECT_TRUE(std::regex_match(family, name)) << family;
+        if (kind == "HELP") {
+            help_of = family;
+            EXPECT_GT(line.size(), 20 + family.size()) << "a help that helps: " << line;
+        } else {
+            families++;
+            EXPECT_EQ(help_of, family) << "every family has a help";
+            EXPECT_EQ(type == "counter", family.ends_with("_total")) << family;
+        }
+    }
+    EXPECT_EQ(families, 31) << "those of the table, each with a series";
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/crash_marks.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "tests/support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+// A process that is in tick 7 of the yard, and between two of the field, when that signal ends it.
+void end_by(const std::string& path, int signal) {
+    const pid_t child = fork();
+    if (child == 0) {
+        auto marks = CrashMarks::open(path).value();
+        CrashMarks::count_fatal_signals(marks.get());
+        marks->of("field").begin(7);
+        marks->of("field").end();
+        marks->of("yard").begin(7);
+        raise(signal);
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), signal) << "the process ends as it would have";
+}
+
+TEST(CrashMarks, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db.marks";
+    end_by(path, SIGKILL);
+    EXPECT_EQ(CrashMarks::open(path).value()->of("yard").crashes(), 0u);
+    end_by(path, SIGSEGV);
+    end_by(path, SIGKILL);
+    end_by(path, SIGABRT);
+    const auto marks = CrashMarks::open(path).value();
+    EXPECT_EQ(marks->of("yard").crashes(), 2u);
+    EXPECT_EQ(marks->of("yard").crashed_tick(), 7u);
+    EXPECT_EQ(marks->of("field").crashes(), 0u);
+}
+
+TEST(CrashMarks, a_crash_in_another_tick_is_the_first_one_in_a_row) {
+    const test::TempFolder folder;
+    const auto marks = CrashMarks::open(folder / "marks").value();
+    const CrashMark mark = marks->of("yard");
+    for (const std::uint32_t tick : {5u, 5u, 6u}) {
+        mark.begin(tick);
+        marks->on_crash();
+    }
+    EXPECT_EQ(mark.crashed_tick(), 6u);
+    EXPECT_EQ(mark.crashes(), 1u);
+    marks->drop("yard");
+    EXPECT_EQ(marks->of("yard").crashes(), 0u);
+}
+
+TEST(CrashMarks, a_file_that_is_something_else_becomes_an_empty_one) {
+    const test::TempFolder folder;
+    const std::string path = folder.write("marks", "not of ours");
+    EXPECT_EQ(CrashMarks::open(path).value()->of("yard").crashes(), 0u);
+    EXPECT_FALSE(CrashMarks::open(folder / "no/such/folder").ok());
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// A world at its own rate whose disk fails: it runs on, refuses what it could not keep, and goes on
+// keeping by itself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <thread>
+
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+#include "server/recovery/recover_world.h"
+#include "server/recovery/world_archive.h"
+#include "server/storage/sqlite_store.h"
+#include "server/world/world_directory.h"
+#include "tests/server/storage/failing_disk.h"
+#include "tests/support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::DiskFault;
+
+class FailingStore : public testing::TestWithParam<DiskFault> {
+protected:
+    void TearDown() override { test::set_disk_fault(DiskFault::none); }
+
+    // One push every 5 ms for so long; until `done` says so.
+    template <class Done>
+    bool play(WorldHost& world, Clock::duration patience, Done&& done) {
+        for (const auto end = Clock::now() + patience; Clock::now() < end;) {
+            world.push({.client = 1,
+                        .sequence = ++sequence_,
+                        .action = ImpulseCommand{2, {0, 1, 0}, {}},
+                        .reply = results_,
+                        .received = Clock::now()});
+            std::this_thread::sleep_for(5ms);
+            for (const InputResult& result : results_->take()) {
+                const bool unkept =
+                    !result.status.ok() && result.status.error().code == ErrorCode::unavailable;
+                (unkept ? refused_ : told_).insert(result.sequence);
+            }
+            if (done()) return true;
+        }
+        return false;
+    }
+
+    std::uint32_t sequence_ = 0;
+    std::shared_ptr<ResultQueue> results_ = std::make_shared<ResultQueue>();
+    std::set<std::uint32_t> told_, refused_;
+};
+
+TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    const HostLimits limits{.scene = {.bodies_max = 400}};
+    {
+        auto archive =
+            WorldArchive::open({.store = path}, limits, 1, nullptr, test::failing_disk()).value();
+        WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
+        const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
+        ASSERT_TRUE(play(*world, 20s, [&] { return told_.size() > 20; }));
+        EXPECT_TRUE(refused_.empty());
+
+        test::set_disk_fault(GetParam());
+        ASSERT_TRUE(play(*world, 20s, [&] { return refused_.size() > 50; }))
+            << "who would not be kept is told so";
+        EXPECT_TRUE(archive->trouble().has_value());
+        const std::uint32_t tick = world->frame()->tick;
+        EXPECT_TRUE(play(*world, 10s, [&] { return world->frame()->tick > tick + 20; }))
+            << "ticks do not wait for a disk";
+
+        if (GetParam() != DiskFault::slow) test::set_disk_fault(DiskFault::none);
+        const std::size_t before = told_.size();
+        const auto mended = Clock::now();
+        EXPECT_TRUE(play(*world, 20s, [&] { return told_.size() > before + 20; }))
+            << "it goes on by itself";
+        // A third of a second where the machine has nothing else to do.
+        RecordProperty("ms_until_kept_again", static_cast<int>(to_ms(Clock::now() - mended)));
+        EXPECT_FALSE(archive->trouble().has_value());
+        world->forget();  // as when it is killed
+        worlds.stop_all();
+        ASSERT_TRUE(archive->flush(5s));
+    }
+    // What was told as applied is there, and what was refused is not.
+    for (const InputResult& result : results_->take()) told_.insert(result.sequence);
+    auto store = SqliteStore::open(path, {}).value();
+    const StoredWorld stored = store->worlds().value().at(0);
+    const auto record = decode_world_record(stored.settings).value();
+    std::set<std::uint32_t> kept;
+    const auto collect = [&](const JournaledTick& tick) {
+        for (const JournaledCommand& command : tick.commands) kept.insert(command.sequence);
+        return true;
+    };
+    const auto found = recover_world(*store, stored, record, {.admits = collect}).value();
+    EXPECT_TRUE(found.remarks.empty());
+    EXPECT_TRUE(std::ranges::includes(kept, told_));
+    for (const std::uint32_t sequence : refused_) EXPECT_FALSE(kept.contains(sequence));
+}
+
+std::string name_of_fault(const testing::TestParamInfo<DiskFault>& fault) {
+    static constexpr std::array<const char*, 5> names = {"none", "error", "full", "torn", "slow"};
+    return names[static_cast<std::size_t>(fault.param)];
+}
+INSTANTIATE_TEST_SUITE_P(Faults, FailingStore,
+                         testing::Values(DiskFault::error, DiskFault::full, DiskFault::torn,
+                                         DiskFault::slow),
+                         name_of_fault);
+
+}  // namespace
+}  // namespace jostle::server

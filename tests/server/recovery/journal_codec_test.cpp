@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/journal_codec.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/physics/hull.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/shape_message.h"
+#include "server/world/hosted_world.h"
+#include "tests/support/error_of.h"
+#include "tests/support/random.h"
+#include "tests/support/step_time.h"
+
+namespace jostle::server {
+namespace {
+
+using test::dt;
+using test::error_of;
+
+HostedWorld sandbox() {
+    return std::move(*HostedWorld::create(
+        *scenes::find_scene("sandbox"),
+        {.scene = {.bodies_max = 400}, .bodies_owned_max = 30, .past_ms_max = 250}, 1));
+}
+
+// As a client sends it: the shape by its message.
+SpawnCommand stone(test::Random& random) {
+    std::vector<physics::Vec3> points;
+    for (int k = 0; k < 14; k++) points.push_back(random.vector(0.4));
+    SpawnCommand spawn;
+    const physics::ShapeDef def{.geometry = physics::Hull{*physics::build_hull(points)}};
+    spawn.shape_bytes = scenes::shape_bytes(def);
+    spawn.shape = *scenes::shape_from_bytes(spawn.shape_bytes, "shape");
+    spawn.pose = {random.vector(4) + physics::Vec3{0, 7, 0}, random.rotation()};
+    spawn.angular_velocity = random.vector(5);
+    spawn.color = 0x806040;
+    return spawn;
+}
+
+Action any_action(test::Random& random) {
+    const auto entity = static_cast<EntityId>(1 + random.below(120));
+    const Aim aim{random.vector(9) + physics::Vec3{0, 9, 0}, random.vector(20)};
+    const Action actions[] = {stone(random),
+                              ImpulseCommand{entity, random.vector(30), random.vector(3)},
+                              ImpulseCommand{0, random.vector(30), {}, aim},
+                              GrabCommand{entity, random.vector(3)},
+                              GrabCommand{0, {}, aim},
+                              DragCommand{random.vector(5)},
+                              ReleaseCommand{},
+                              DeleteCommand{entity},
+                              ExplodeCommand{random.vector(6), 4, 6},
+                              ExplodeCommand{{}, 4, 6, aim},
+                              PossessCommand{entity},
+                              ControlCommand{{.axes = {0.5, -1}, .buttons = 3}},
+                              LoseCommand{},
+                              LeaveCommand{random.below(2) == 0}};
+    return actions[random.below(std::size(actions))];
+}
+
+// Four players for so many ticks; what they did, as it is kept.
+JournalBatch play(HostedWorld& world, std::uint32_t ticks) {
+    world.keep_journal();
+    test::Random random(77);
+    JournalBatch journal{{}, {{3, 3}, {90, 94}}};
+    for (std::uint32_t tick = 1; tick <= ticks; tick++) {
+        for (ClientId client = 1; client <= 4; client++)
+            world.apply(
+                {.client = client, .sequence = tick, .action = any_action(random), .reply = {}},
+                tick);
+        journal.ticks.push_back({tick, world.take_journal()});
+        EXPECT_TRUE(world.step(dt, tick).ok());
+    }
+    return journal;
+}
+
+TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
+    HostedWorld world = sandbox();
+    const JournalBatch journal = play(world, 150);
+    const std::string bytes = encode_journal(journal);
+    const auto kept = decode_journal(bytes);
+    ASSERT_TRUE(kept.ok()) << kept.error().message;
+
+    HostedWorld again = sandbox();
+    std::size_t aimed = 0, missed = 0;
+    EXPECT_EQ(kept->stood, journal.stood);
+    for (const JournaledTick& tick : kept->ticks) {
+        for (const JournaledCommand& command : tick.commands) {
+            again.apply_again(command);
+            (command.action ? aimed : missed)++;
+        }
+        ASSERT_TRUE(again.step(dt, tick.tick).ok());
+    }
+    EXPECT_EQ(physics::state_hash(again.world()), physics::state_hash(world.world()));
+    EXPECT_EQ(encode_host_image(again.image(150)), encode_host_image(world.image(150)));
+    EXPECT_GT(aimed, 400u);
+    EXPECT_GT(missed, 10u) << "rays that met nothing count, too";
+    EXPECT_LT(bytes.size(), 600u * 200) << "two hundred bytes a command at most";
+}
+
+TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_knew_of_none) {
+    const std::string bytes =
+        encode_journal({.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 90, .to = 30}});
+    EXPECT_EQ(decode_journal(bytes).value().rewind, (Rewind{.tick = 90, .to = 30}));
+    EXPECT_EQ(error_of(decode_journal(encode_journal(
+                           {.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
+                  .message,
+              "what is kept of the commands of a world goes back from tick 9 to 9");
+    EXPECT_EQ(error_of(decode_journal(encode_journal(
+                           {.ticks = {}, .stood = {{8, 9}}, .rewind = Rewind{9, 3}})))
+                  .code,
+              ErrorCode::corrupt_data);
+    const char before[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 stood still
+    const JournalBatch old = decode_journal({before, sizeof before}).value();
+    EXPECT_EQ(old.stood, (std::vector<TickRange>{{3, 4}}));
+    EXPECT_FALSE(old.rewind);
+}
+
+TEST(JournalCodec, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
+    HostedWorld world = sandbox();
+    const std::string whole = encode_journal(play(world, 12));
+    for (std::size_t size = 0; size < whole.size(); size++)
+        EXPECT_EQ(error_of(decode_journal(whole.substr(0, size))).code, ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
+              "what is kept of the commands of a world goes on after its end");
+    EXPECT_EQ(error_of(decode_journal("\x07")).message,
+              "what is kept of the commands of a world is of version 7; this server reads 2 to 3");
+    test::Random random(5);
+    int read = 0;
+    for (int k = 0; k < 2000; k++) {
+        std::string bytes = whole;
+        for (int flips = 0; flips < 3; flips++)
+            bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+        const auto journal = decode_journal(bytes);
+        if (journal.ok())
+            read++;
+        else
+            EXPECT_EQ(journal.error().code, ErrorCode::corrupt_data);
+    }
+    EXPECT_GT(read, 0) << "a flipped bit of a number is another number";
+}
+
+}  // namespace
+}  // namespace jostle::server

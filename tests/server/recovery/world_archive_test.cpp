@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#include "server/recovery/world_archive.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+#include "server/recovery/journal_codec.h"
+#include "server/recovery/recover_world.h"
+#include "server/storage/sqlite_store.h"
+#include "server/world/world_directory.h"
+#include "tests/support/error_of.h"
+#include "tests/support/random.h"
+#include "tests/support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::error_of;
+
+HostLimits limits() {
+    return {.scene = {.bodies_max = 400}, .bodies_owned_max = 30};
+}
+
+// What a server is to its worlds: an archive and a directory, ticked by hand.
+class Process {
+public:
+    explicit Process(std::string path, PersistenceSettings settings = {}) {
+        settings.store = std::move(path);
+        settings.level = "process";
+        auto opened = WorldArchive::open(settings, limits(), 1, [this] { told++; });
+        archive = std::move(opened).value();
+        hosts.limits = limits();
+        hosts.own_thread = false;
+        hosts.keepers = archive.get();
+        worlds.emplace(hosts, 8, "test");
+        for (KeptWorld& kept : archive->take_worlds()) {
+            absent = kept.absent;
+            worlds->adopt(std::move(kept.start));
+        }
+    }
+    std::shared_ptr<WorldHost> create(const std::string& name) {
+        return worlds->create(name, *scenes::find_scene("stack")).value();
+    }
+    // Two players for so many ticks; what they do follows from the tick.
+    static void play(WorldHost& world, int ticks, const std::shared_ptr<ResultQueue>& reply) {
+        for (int k = 0; k < ticks; k++) {
+            const std::uint32_t tick = world.frame()->tick + 1;
+            test::Random random(tick);
+            for (ClientId client = 1; client <= 2; client++) {
+                SpawnCommand ball;
+                ball.shape.geometry = physics::Sphere{0.3};
+                ball.pose.position = random.vector(3) + physics::Vec3{0, 8, 0};
+                const auto any = static_cast<EntityId>(1 + random.below(14));
+                const Action actions[] = {ball, ImpulseCommand{any, random.vector(20), {}},
+                                          GrabCommand{any, random.vector(1)},
+                                          DragCommand{random.vector(6)}, DeleteCommand{any}};
+                world.push({.client = client,
+                            .sequence = tick,
+                            .action = actions[random.below(5)],
+                            .reply = reply});
+            }
+            world.tick(Clock::now());
+        }
+    }
+    // As when it is killed: what waits is written or not, and nobody says goodbye.
+    void die() {
+        for (const auto& world : worlds->list()) world->forget();
+        worlds->stop_all();
+        worlds.reset();
+        archive.reset();
+    }
+
+    std::atomic<int> told = 0;
+    std::unique_ptr<WorldArchive> archive;
+    WorldHostSettings hosts;
+    std::optional<WorldDirectory> worlds;
+    std::vector<AbsentClient> absent;
+};
+
+// Of a world that is ticked by hand; it takes no step for that.
+std::uint64_t hash_of(WorldHost& world) {
+    std::uint64_t hash = 0;
+    world.pause("to be looked at");
+    std::jthread visitor([&] {
+        world.visits()
+            .make([&](HostedWorld& hosted) { hash = state_hash(hosted.world()); })
+            .expect();
+    });
+    while (hash == 0) {
+        world.tick(Clock::now());
+        std::this_thread::sleep_for(1ms);
+    }
+    return hash;
+}
+
+struct Ended {
+    std::uint32_t tick = 0;
+    std::uint64_t hash = 0;
+};
+// Of a world as it is in the store, gone on with to that tick.
+Ended kept_in(const std::string& path, std::uint32_t tick) {
+    auto store = SqliteStore::open(path, {}).value();
+    const StoredWorld stored = store->worlds().value().at(0);
+    const WorldRecord record = decode_world_record(stored.settings).value();
+    RecoveredWorld found = recover_world(*store, stored, record, {.last_tick = tick}).value();
+    EXPECT_TRUE(found.remarks.empty());
+    return {found.tick, state_hash(found.world.world())};
+}
+
+TEST(WorldArchive, a_world_goes_on_to_the_bit_after_its_process_was_killed_three_times) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    // What it would have been without interruption.
+    const auto alone = WorldHost::start("w1", "alone", *scenes::find_scene("stack"),
+                                        {.limits = limits(), .own_thread = false})
+                           .value();
+    for (int life = 0; life < 4; life++) {
+        Process process(folder / "worlds.db");
+        const auto world = life == 0 ? process.create("yard") : process.worlds->find("yard");
+        ASSERT_NE(world, nullptr);
+        EXPECT_EQ(world->frame()->tick, 1u + 50u * static_cast<unsigned>(life));
+        if (life > 0) {
+            EXPECT_EQ(process.absent.size(), 2u) << "those who played may come back";
+            EXPECT_EQ(process.absent[0].last_sequence, world->frame()->tick);
+        }
+        Process::play(*world, 50, reply);
+        Process::play(*alone, 50, std::make_shared<ResultQueue>());
+        EXPECT_TRUE(process.archive->flush(5s));
+        EXPECT_EQ(reply->take().size(), 100u) << "each input is told of once";
+        process.die();
+    }
+    const std::uint32_t tick = alone->frame()->tick;
+    EXPECT_EQ(kept_in(folder / "worlds.db", tick).hash, hash_of(*alone));
+}
+
+TEST(WorldArchive, an_orderly_end_leaves_a_checkpoint_and_nothing_to_do_again) {
+    const test::TempFolder folder;
+    std::uint32_t tick = 0;
+    {
+        Process process(folder / "worlds.db");
+        const auto world = process.create("yard");
+        Process::play(*world, 30, std::make_shared<ResultQueue>());
+        tick = world->frame()->tick;
+        process.worlds->stop_all();
+        EXPECT_TRUE(process.archive->flush(5s));
+    }
+    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    const std::string id = store->worlds().value().at(0).id;
+    EXPECT_EQ(store->checkpoint_ticks(id).value().front(), tick);
+}
+
+TEST(WorldArchive, a_deleted_world_does_not_come_back_and_its_clients_ids_are_not_given_again) {
+    const test::TempFolder folder;
+    ClientId first = 0;
+    {
+        Process process(folder / "worlds.db");
+        process.create("yard");
+        process.create("field");
+        process.worlds->remove("yard");
+        first = process.archive->first_client();
+        process.die();
+    }
+    Process process(folder / "worlds.db");
+    EXPECT_EQ(process.worlds->find("yard"), nullptr);
+    EXPECT_NE(process.worlds->find("field"), nullptr);
+    EXPECT_GT(process.archive->first_client(), first + 1000);
+    EXPECT_EQ(process.create("yard")->id(), "w3-test") << "numbers go on";
+}
+
+TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two_are_kept) {
+    const test::TempFolder folder;
+    Process process(folder / "worlds.db", {.replay_seconds = 0.01});
+    const auto world = process.create("yard");
+    for (int k = 0; k < 60; k++) {
+        Process::play(*world, 10, std::make_shared<ResultQueue>());
+        ASSERT_TRUE(process.archive->flush(5s));
+    }
+    const std::string id = world->id();
+    auto copy = process.archive->copy_of(id, 0xffffffff).value();
+    const auto ticks = copy->checkpoint_ticks(id).value();
+    EXPECT_EQ(ticks.size(), 2u);
+    EXPECT_GT(ticks.back(), 300u);
+    process.die();
+    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    EXPECT_EQ(store->checkpoint_ticks(id).value(), ticks);
+    EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
+}
+
+TEST(WorldArchive, a_moment_of_a_world_that_runs_can_be_had_as_a_scene) {
+    const test::TempFolder folder;
+    Process process(folder / "worlds.db");
+    const auto world = process.create("yard");
+    Process::play(*world, 40, std::make_shared<ResultQueue>());
+    ASSERT_TRUE(process.archive->flush(5s));
+    const std::size_t now = world->frame()->entities.size();
+    const auto then = process.worlds->scene_at(*world, 11).value();
+    EXPECT_LT(then.scene.bodies.size(), now);
+    EXPECT_EQ(process.worlds->scene_at(*world, 41).value().scene.bodies.size(), now);
+    EXPECT_TRUE(process.worlds->create("what-if", then.scene).ok());
+    EXPECT_EQ(error_of(process.worlds->scene_at(*world, 900)).message,
+              "tick 900 is not kept; the last one is 41");
+}
+
+// Two players, 80 ticks, taken back to tick 41 and played on: ticks, ids and inputs count on.
+TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    std::uint64_t at_the_end = 0;
+    std::uint32_t last_tick = 0;
+    {
+        Process process(folder / "worlds.db", {.history_hours = 1});
+        const auto first = process.create("yard");
+        Process::play(*first, 40, reply);
+        const std::uint64_t then = hash_of(*first);
+        const std::uint32_t back_to = first->frame()->tick;
+        const EntityId then_id = first->frame()->entities.back().id;
+        first->resume();
+        Process::play(*first, 40, reply);
+        const std::uint32_t played = first->frame()->tick;
+        const EntityId last_id = first->frame()->entities.back().id;
+        const std::uint64_t later = hash_of(*first);
+        const std::uint32_t newest = first->frame()->tick;
+        first->resume();
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_EQ(error_of(process.worlds->rewind(first, 900)).code, ErrorCode::not_found);
+        EXPECT_FALSE(first->stopped()) << "it goes on when that is not kept";
+
+        std::vector<ClientId> told;
+        process.worlds->on_goes_on(
+            [&](const auto&, const std::vector<ClientId>& clients) { told = clients; });
+        const auto again = process.worlds->rewind(first, back_to).value();
+        EXPECT_EQ(told, (std::vector<ClientId>{1, 2}));
+        EXPECT_TRUE(first->goes_on_elsewhere());
+        EXPECT_EQ(process.worlds->find("yard"), again);
+        EXPECT_EQ(again->id(), first->id());
+        EXPECT_EQ(again->first_tick(), newest + 1);
+        EXPECT_EQ(hash_of(*again), then);
+        again->resume();
+        EXPECT_EQ(error_of(process.worlds->rewind(first, back_to)).code, ErrorCode::aborted)
+            << "of a host that runs no more";
+
+        const auto late = std::make_shared<ResultQueue>();
+        again->push({.client = 1, .sequence = played, .action = ReleaseCommand{}, .reply = late});
+        again->tick(Clock::now());
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_FALSE(late->take().at(0).status.ok()) << "it was counted before";
+        Process::play(*again, 30, reply);
+        EXPECT_GT(again->frame()->entities.back().id, last_id);
+        for (const auto& entity : again->frame()->entities)
+            EXPECT_TRUE(entity.id <= then_id || entity.id > last_id) << entity.id;
+        last_tick = again->frame()->tick;
+        at_the_end = hash_of(*again);
+        again->resume();
+        ASSERT_TRUE(process.archive->flush(5s));
+        // What was done in between is still there, and so one can come back to it.
+        const auto undone = process.worlds->rewind(again, newest).value();
+        EXPECT_EQ(hash_of(*undone), later);
+        undone->resume();
+        const auto redone = process.worlds->rewind(undone, last_tick).value();
+        EXPECT_EQ(hash_of(*redone), at_the_end);
+        process.die();
+    }
+    // From the first checkpoint, through all three, as from the last.
+    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    const StoredWorld stored = store->worlds().value().at(0);
+    const WorldRecord record = decode_world_record(stored.settings).value();
+    for (const std::uint32_t checkpoint : store->checkpoint_ticks(stored.id).value()) {
+        const RecoveredWorld found =
+            recover_world(*store, stored, record, {.checkpoint = checkpoint}).value();
+        EXPECT_TRUE(found.remarks.empty()) << found.remarks.front();
+        EXPECT_EQ(state_hash(found.world.world()), at_the_end) << "from " << checkpoint;
+    }
+}
+
+TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
+    const test::TempFolder folder;
+    std::string id;
+    std::uint64_t hash = 0;
+    std::uint32_t tick = 0;
+    {
+        Process process(folder / "worlds.db");
+        const auto yard = process.create("yard");
+        Process::play(*yard, 40, std::make_shared<ResultQueue>());
+        ASSERT_TRUE(process.archive->flush(5s));
+        EXPECT_EQ(yard->kept_since(), 1u);
+        EXPECT_EQ(error_of(process.worlds->create_from("yard", *yard, 31)).code,
+                  ErrorCode::already_exists);
+        const auto what_if = process.worlds->create_from("what-if", *yard, 31, "ada").value();
+        EXPECT_EQ(what_if->frame()->tick, 31u);
+        EXPECT_EQ(what_if->owner(), "ada");
+        EXPECT_TRUE(process.worlds->remove("yard"));
+        Process::play(*what_if, 10, std::make_shared<ResultQueue>());
+        id = what_if->id();
+        tick = what_if->frame()->tick;
+        hash = hash_of(*what_if);
+        ASSERT_TRUE(process.archive->flush(5s));
+        process.die();
+    }
+    EXPECT_EQ(kept_in(folder / "worlds.db", tick).hash, hash);
+    Process process(folder / "worlds.db");
+    EXPECT_NE(process.worlds->find(id), nullptr);
+}
+
+TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    std::string id;
+    {
+        Process process(path);
+        const auto world = process.create("yard");
+        id = world->id();
+        Process::play(*world, 20, std::make_shared<ResultQueue>());
+        ASSERT_TRUE(process.archive->flush(5s));
+        process.die();
+    }
+    {
+        const auto marks = CrashMarks::open(path + ".marks").value();
+        for (int crash = 0; crash < 2; crash++) {
+            marks->of(id).begin(15);
+            marks->on_crash();
+        }
+    }
+    {
+        Process process(path);
+        EXPECT_EQ(process.worlds->find("yard")->frame()->tick, 21u);
+        process.die();
+    }
+    auto store = SqliteStore::open(path, {}).value();
+    const auto aside = store->note("aside " + id + " 15").value();
+    ASSERT_TRUE(aside.has_value());
+    EXPECT_EQ(decode_journal(*aside).value().ticks.at(0).commands.size(), 2u);
+    EXPECT_EQ(store->note("aside " + id + " 14").value(), std::nullopt);
+}
+
+TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
+    const test::TempFolder folder;
+    std::string id;
+    std::uint32_t tick = 0;
+    {
+        Process process(folder / "worlds.db", {.replay_seconds = 0.01});
+        const auto world = process.create("yard");
+        id = world->id();
+        for (int k = 0; k < 20; k++) {
+            Process::play(*world, 10, std::make_shared<ResultQueue>());
+            ASSERT_TRUE(process.archive->flush(5s));
+        }
+        tick = world->frame()->tick;
+        process.die();
+    }
+    const Ended whole = kept_in(folder / "worlds.db", tick);
+    EXPECT_EQ(whole.tick, tick);
+    {
+        auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+        Checkpoint newest =
+            store->checkpoint(id, store->checkpoint_ticks(id).value().front()).value();
+        newest.exact[newest.exact.size() / 2] ^= 1;
+        const StoreChange change[] = {PutCheckpoint{id, newest}};
+        store->write(change).expect();
+        const StoredWorld stored = store->worlds().value().at(0);
+        const auto record = decode_world_record(stored.settings).value();
+        RecoveredWorld found = recover_world(*store, stored, record, {}).value();
+        EXPECT_EQ(state_hash(found.world.world()), whole.hash);
+        ASSERT_EQ(found.remarks.size(), 1u);
+        EXPECT_NE(found.remarks[0].find("the checkpoint of tick"), std::string::npos);
+    }
+    Process process(folder / "worlds.db");
+    EXPECT_EQ(process.worlds->find("yard")->frame()->tick, tick);
+}
+
+}  // namespace
+}  // namespace jostle::server

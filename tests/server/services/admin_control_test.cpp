@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+//
+// What an operator may ask, of worlds that run and a client that plays in one.
+#include "server/services/admin_control.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
+#include "jostle/v1/admin.pb.h"
+#include "jostle/v1/play.pb.h"
+#include "server/session/client_link.h"
+#include "tests/support/error_of.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+using test::error_of;
+
+namespace {
+
+class AdminControlTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(worlds.create("arena", *scenes::find_scene("stack")).ok());
+        ASSERT_TRUE(worlds.create("other", *scenes::find_scene("dominoes")).ok());
+    }
+    // A client in "arena" that takes what it is sent.
+    struct Player {
+        explicit Player(PlayContext& context)
+            : link(context,
+                   Peer{.name = "10.0.0.1:4000",
+                        .address = "10.0.0.1",
+                        .call = "jostle.v1.PlayService/Play",
+                        .who = context.gate.identify({.address = "10.0.0.1"})},
+                   Clock::now()) {
+            v1::ClientMessage hello;
+            hello.mutable_hello()->set_protocol(1);
+            hello.mutable_hello()->set_name("ann");
+            hello.mutable_hello()->set_world("arena");
+            link.receive(hello.SerializeAsString(), Clock::now());
+            listen();
+        }
+        void listen() {
+            while (const auto message = link.take_message(Clock::now())) {
+                v1::ServerMessage parsed;
+                ASSERT_TRUE(parsed.ParseFromString(message->head +
+                                                   (message->shared ? *message->shared : "")));
+                if (parsed.has_notice()) notice = parsed.notice().message();
+            }
+        }
+        ClientLink link;
+        std::string notice;
+    };
+
+    Config config;
+    SessionDirectory sessions{2};
+    WorldDirectory worlds{{}, 4};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    AdminControl control{context};
+};
+
+TEST_F(AdminControlTest, lists_who_is_connected_and_where) {
+    Player player(context);
+    std::this_thread::sleep_for(50ms);
+    player.listen();
+    v1::ListClientsRequest request;
+    v1::ListClientsResponse response;
+    ASSERT_TRUE(control.list_clients(request, response).ok());
+    ASSERT_EQ(response.clients_size(), 1);
+    EXPECT_EQ(response.clients(0).name(), "ann");
+    EXPECT_EQ(response.clients(0).world_name(), "arena");
+    EXPECT_EQ(response.clients(0).address(), "10.0.0.1:4000");
+    EXPECT_GT(response.clients(0).kbit_per_second(), 0);
+    response.Clear();
+    request.set_world("other");
+    ASSERT_TRUE(control.list_clients(request, response).ok());
+    EXPECT_EQ(response.clients_size(), 0);
+    request.set_world("nowhere");
+    EXPECT_EQ(error_of(control.list_clients(request, response)).code, ErrorCode::not_found);
+}
+
+TEST_F(AdminControlTest, a_client_that_is_kicked_is_told_why_and_ends) {
+    Player player(context);
+    v1::KickRequest request;
+    v1::KickResponse response;
+    request.set_client(1);
+    request.set_reason(std::string(101, 'x'));
+    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::invalid_argument);
+    request.set_reason("please be kind");
+    ASSERT_TRUE(control.kick(request, response).ok());
+    player.listen();
+    ASSERT_TRUE(player.link.end());
+    EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
+    EXPECT_EQ(player.notice, "you were removed: please be kind");
+    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::not_found);
+}
+
+TEST_F(AdminControlTest, a_world_is_paused_stepped_and_resumed) {
+    v1::StepWorldRequest step;
+    v1::StepWorldResponse stepped;
+    step.set_world("arena");
+    step.set_steps(5);
+    EXPECT_EQ(error_of(control.step_world(step, stepped)).code, ErrorCode::failed_precondition);
+    v1::SetPausedRequest pause;
+    v1::SetPausedResponse paused;
+    pause.set_world("arena");
+    pause.set_paused(true);
+    ASSERT_TRUE(control.set_paused(pause, paused).ok());
+    EXPECT_EQ(worlds.find("arena")->paused(), "by an operator");
+    ASSERT_TRUE(control.step_world(step, stepped).ok());
+    EXPECT_EQ(stepped.taken(), 5u);
+    EXPECT_GT(stepped.tick(), paused.tick());
+    for (const std::uint32_t steps : {0u, 1001u}) {
+        step.set_steps(steps);
+        EXPECT_EQ(error_of(control.step_world(step, stepped)).code, ErrorCode::invalid_argument);
+    }
+    pause.set_paused(false);
+    ASSERT_TRUE(control.set_paused(pause, paused).ok());
+    EXPECT_FALSE(worlds.find("arena")->paused());
+    pause.clear_world();
+    EXPECT_EQ(error_of(control.set_paused(pause, paused)).code, ErrorCode::invalid_argument)
+        << "the first world is not a good guess";
+}
+
+// What is exported is a scene as anybody's: it is read as strictly.
+TEST_F(AdminControlTest, a_world_is_exported_as_a_scene_that_is_good) {
+    v1::ExportWorldRequest request;
+    v1::ExportWorldResponse response;
+    request.set_world("other");
+    ASSERT_TRUE(control.export_world(request, response).ok());
+    const auto scene = scenes::from_message(response.scene());
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->bodies.size(), scenes::find_scene("dominoes")->bodies.size());
+    EXPECT_GT(response.tick(), 0u);
+    request.set_world("nowhere");
+    EXPECT_EQ(error_of(control.export_world(request, response)).code, ErrorCode::not_found);
+}
+
+TEST_F(AdminControlTest, a_profile_is_a_trace_of_so_many_seconds) {
+    v1::ProfileRequest request;
+    v1::ProfileResponse response;
+    request.set_world("arena");
+    for (const double seconds : {0.0, 0.5, 31.0, std::nan("")}) {
+        request.set_seconds(seconds);
+        EXPECT_EQ(error_of(control.profile(request, response)).code, ErrorCode::invalid_argument);
+    }
+    request.set_seconds(1);
+    ASSERT_TRUE(control.profile(request, response).ok());
+    EXPECT_GE(response.ticks(), 20u);
+    EXPECT_NE(response.trace().find("\"name\":\"update_pairs\""), std::string::npos);
+}
+
+TEST_F(AdminControlTest, few_may_wait_for_worlds_at_a_time) {
+    std::vector<std::thread> waiting;
+    std::atomic<int> refused{0};
+    for (int i = 0; i < 12; i++)
+        waiting.emplace_back([&, i] {
+            v1::ProfileRequest request;
+            v1::ProfileResponse response;
+            request.set_world(i % 2 ? "arena" : "other");
+            request.set_seconds(1);
+            const Status status = control.profile(request, response);
+            if (!status.ok() && status.error().code == ErrorCode::resource_exhausted) refused++;
+        });
+    for (std::thread& thread : waiting) thread.join();
+    EXPECT_GE(refused, 8) << "two worlds record at a time, and no more than four calls wait";
+}
+
+TEST_F(AdminControlTest, drain_says_who_is_told_and_asks_once) {
+    const Player player(context);
+    v1::DrainResponse response;
+    ASSERT_TRUE(control.drain({}, response).ok());
+    EXPECT_EQ(response.clients(), 1u);
+    EXPECT_EQ(response.seconds(), 5);
+    EXPECT_TRUE(context.drain_asked);
+    EXPECT_TRUE(control.drain({}, response).ok());
+}
+
+}  // namespace
+}  // namespace jostle::server

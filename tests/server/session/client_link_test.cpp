@@ -1,0 +1,724 @@
+// SPDX-License-Identifier: MIT
+//
+// Conversations with real worlds over a transport in memory. The link's clock is an argument, so
+// silences of many seconds take no time; the worlds tick in real time.
+#include "server/session/client_link.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
+#include "tests/system/play_state.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::PlayState;
+
+class ClientLinkTest : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok()); }
+
+    Config config;
+    SessionDirectory sessions{2};
+    WorldDirectory worlds{{}, 4};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+};
+
+// One client: what it says goes straight to its link, what the link says to a PlayState.
+struct TestClient {
+    explicit TestClient(PlayContext& context)
+        : link(context,
+               Peer{.name = "test",
+                    .address = "127.0.0.1",
+                    .call = "jostle.v1.PlayService/Play",
+                    .who = context.gate.identify({.address = "127.0.0.1"})},
+               Clock::now()) {}
+
+    void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
+        link.receive(message.SerializeAsString(), Clock::now() + later);
+    }
+    void hello(const std::function<void(v1::Hello&)>& change = [](v1::Hello&) {}) {
+        v1::ClientMessage message;
+        message.mutable_hello()->set_protocol(1);
+        change(*message.mutable_hello());
+        state.wants_events = message.hello().events();
+        send(message);
+    }
+    void ack(std::uint32_t frame, bool need_keyframe = false) {
+        v1::ClientMessage message;
+        message.mutable_ack()->set_frame(frame);
+        message.mutable_ack()->set_need_keyframe(need_keyframe);
+        send(message);
+    }
+    void inputs(std::uint32_t first, std::vector<v1::Input> list) {
+        v1::ClientMessage message;
+        message.mutable_input()->set_first_sequence(first);
+        for (v1::Input& input : list) *message.mutable_input()->add_inputs() = std::move(input);
+        send(message);
+    }
+    // Takes all that the link has to say.
+    void listen(Clock::duration later = 0s) {
+        while (std::optional<OutMessage> out = link.take_message(Clock::now() + later)) {
+            v1::ServerMessage message;
+            const std::string bytes = out->in_one();
+            ASSERT_TRUE(message.ParseFromString(bytes));
+            bytes_taken += bytes.size();
+            kinds.push_back(message.message_case());
+            if (message.has_snapshot()) {
+                newest_shared = out->shared;
+                newest_bases = message.snapshot().bases();
+            }
+            state.take(message);
+        }
+    }
+    // As a transport does while time passes; the client says nothing.
+    void stay_silent(Clock::duration from, Clock::duration until) {
+        for (auto later = from; later <= until; later += 100ms) listen(later);
+    }
+    bool listen_until(const std::function<bool()>& condition, bool acknowledge = true) {
+        for (const auto end = Clock::now() + 5s; Clock::now() < end;) {
+            listen();
+            if (condition()) return true;
+            if (acknowledge && state.newest_frame != 0) link.receive(ack_bytes(), Clock::now());
+            std::this_thread::sleep_for(10ms);
+        }
+        return false;
+    }
+    std::string ack_bytes() const {
+        v1::ClientMessage message;
+        message.mutable_ack()->set_frame(state.newest_frame);
+        return message.SerializeAsString();
+    }
+
+    ClientLink link;
+    PlayState state;
+    std::vector<v1::ServerMessage::MessageCase> kinds;
+    SharedBytes newest_shared;
+    std::size_t bytes_taken = 0;
+    std::uint32_t newest_bases = 0;
+};
+
+v1::Input ball(double radius) {
+    v1::Input input;
+    input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(radius);
+    input.mutable_spawn()->mutable_position()->set_y(20);
+    return input;
+}
+
+v1::Input removal(std::uint32_t entity) {
+    v1::Input input;
+    input.mutable_delete_()->set_entity(entity);
+    return input;
+}
+
+TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_snapshot) {
+    TestClient client(context);
+    client.listen();
+    EXPECT_TRUE(client.kinds.empty()) << "the client speaks first";
+    client.hello();
+    client.listen();
+    ASSERT_GE(client.kinds.size(), 3u);
+    EXPECT_EQ(client.kinds[0], v1::ServerMessage::kWelcome);
+    EXPECT_EQ(client.kinds[1], v1::ServerMessage::kRoster);
+    EXPECT_EQ(client.kinds[2], v1::ServerMessage::kSnapshot);
+    EXPECT_EQ(client.newest_bases, 0u);
+    EXPECT_EQ(client.state.welcome.world_name(), "stack");
+    EXPECT_EQ(client.state.welcome.tick_hz(), 60);
+    EXPECT_EQ(client.state.entities.size(), worlds.find("")->frame()->entities.size());
+    EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
+    EXPECT_NE(client.newest_bases, 0u) << "later ones are deltas";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(sessions.clients(), 1);
+}
+
+TEST_F(ClientLinkTest, the_codec_is_the_best_that_both_know) {
+    const auto welcomed = [&](std::uint32_t theirs, int ours) {
+        config.stream.codec = ours;
+        TestClient client(context);
+        client.hello([&](v1::Hello& hello) { hello.set_codec(theirs); });
+        EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
+        EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+        return client.state.welcome.codec();
+    };
+    EXPECT_EQ(welcomed(0, 2), 1u) << "who says nothing knows the first";
+    EXPECT_EQ(welcomed(1, 2), 1u);
+    EXPECT_EQ(welcomed(2, 2), 2u);
+    EXPECT_EQ(welcomed(7, 2), 2u);
+    EXPECT_EQ(welcomed(2, 1), 1u) << "the operator may keep to the first";
+}
+
+TEST_F(ClientLinkTest, clients_on_one_cadence_share_the_same_bytes) {
+    TestClient one(context), two(context);
+    one.hello();
+    two.hello();
+    int shared = 0;
+    ASSERT_TRUE(one.listen_until([&] {
+        two.listen();
+        two.ack(two.state.newest_frame);
+        shared += one.state.newest_frame == two.state.newest_frame &&
+                  one.newest_shared == two.newest_shared;
+        return shared > 5;
+    }));
+    EXPECT_EQ(one.state.broken + two.state.broken, 0);
+}
+
+TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
+    TestClient client(context);
+    client.hello();
+    client.inputs(1, {ball(0.3), ball(0.2)});
+    client.inputs(2, {ball(0.2), ball(99), {}});  // 2 again, then two that cannot be
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 4; }));
+    auto& results = client.state.results;
+    EXPECT_EQ(results[1].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[2].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[3].code(), v1::INPUT_CODE_INVALID);
+    EXPECT_NE(results[3].message().find("sphere.radius is 99"), std::string::npos);
+    EXPECT_EQ(results[4].code(), v1::INPUT_CODE_INVALID);
+    ASSERT_TRUE(
+        client.listen_until([&] { return client.state.entities.contains(results[2].entity()); }));
+    const auto owned = [&] {
+        return std::ranges::count_if(client.state.entities, [&](const auto& entry) {
+            return entry.second.owner() == client.state.client_id;
+        });
+    };
+    EXPECT_EQ(owned(), 2);
+    client.inputs(5, {removal(results[1].entity()), removal(results[1].entity()), removal(1)});
+    ASSERT_TRUE(client.listen_until([&] { return results.size() == 7; }));
+    EXPECT_EQ(results[5].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[6].code(), v1::INPUT_CODE_NOT_FOUND);
+    EXPECT_EQ(results[7].code(), v1::INPUT_CODE_NOT_ALLOWED) << "the scene's";
+    ASSERT_TRUE(client.listen_until([&] { return owned() == 1; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
+    TestClient client(context);
+    client.hello();
+    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
+    v1::Input early = ball(0.2);
+    const FramePtr now = worlds.find("")->frame();
+    const std::uint32_t tick = now->tick + 8;
+    early.set_tick(tick);
+    client.inputs(1, {early});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.input_margin_us != 0; }));
+    ASSERT_EQ(client.state.results.size(), 1u);
+    EXPECT_EQ(client.state.results[1].tick(), tick);
+    // It came seven to eight ticks before; those that a busy machine gave up meanwhile come on top.
+    const std::uint32_t lost = worlds.find("")->frame()->late_ticks - now->late_ticks;
+    EXPECT_GT(client.state.input_margin_us, 50'000);
+    EXPECT_LT(client.state.input_margin_us, (8 + lost) * 16'667);
+}
+
+TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
+    TestClient leaver(context), stayer(context);
+    leaver.hello();
+    stayer.hello();
+    leaver.inputs(1, {ball(0.3)});
+    ASSERT_TRUE(leaver.listen_until([&] { return leaver.state.results.size() == 1; }));
+    const std::uint32_t body = leaver.state.results[1].entity();
+    ASSERT_TRUE(stayer.listen_until([&] { return stayer.state.entities.contains(body); }));
+    v1::ClientMessage leave;
+    leave.mutable_leave();
+    leaver.send(leave);
+    EXPECT_TRUE(leaver.link.end() && leaver.link.end()->ok());
+    EXPECT_EQ(sessions.clients(), 1);
+    EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
+    EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_spectator_sees_and_changes_nothing) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_spectator(true); });
+    client.inputs(1, {ball(0.3)});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 1; }));
+    EXPECT_EQ(client.state.results[1].code(), v1::INPUT_CODE_NOT_ALLOWED);
+    EXPECT_GT(client.state.snapshots, 0);
+}
+
+TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
+    TestClient client(context);
+    client.hello();
+    // Four messages until the first is acknowledged, of which the welcome and the roster are two.
+    EXPECT_FALSE(client.listen_until([&] { return client.state.snapshots > 2; }, false));
+    EXPECT_EQ(client.state.snapshots, 2);
+    EXPECT_EQ(client.state.welcome.ack_ms(), 100u);
+    client.ack(client.state.newest_frame);
+    EXPECT_TRUE(client.listen_until([&] { return client.state.skipped > 0; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
+    TestClient client(context);
+    client.hello();
+    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
+    const int before = client.state.keyframes;
+    client.ack(client.state.newest_frame, true);
+    EXPECT_TRUE(client.listen_until([&] { return client.state.keyframes == before + 1; }));
+    ASSERT_TRUE(client.listen_until(
+        [&, n = client.state.snapshots] { return client.state.snapshots > n + 3; }));
+    EXPECT_EQ(client.state.keyframes, before + 1) << "one, then deltas again";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_wanted_rate_is_rounded_down_to_a_divider) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_snapshot_hz(25); });
+    client.listen();
+    EXPECT_EQ(client.state.welcome.snapshot_hz(), 20u);
+    std::set<std::uint32_t> phases;
+    ASSERT_TRUE(client.listen_until([&] {
+        if (client.state.snapshots > 1) phases.insert(client.state.newest_frame % 3);
+        return client.state.snapshots > 6;
+    }));
+    EXPECT_EQ(phases, std::set<std::uint32_t>{0});
+}
+
+TEST_F(ClientLinkTest, pings_are_answered) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage ping;
+    ping.mutable_ping()->set_client_time_us(42);
+    client.send(ping);
+    client.listen();
+    EXPECT_EQ(client.state.pongs, 1);
+}
+
+TEST_F(ClientLinkTest, refuses_politely) {
+    struct Case {
+        const char* what;
+        std::function<void(TestClient&)> misbehave;
+        ErrorCode code;
+    };
+    v1::ClientMessage second_hello;
+    second_hello.mutable_hello()->set_protocol(1);
+    const Case cases[] = {
+        {"protocol", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_protocol(2); }); },
+         ErrorCode::failed_precondition},
+        {"world", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_world("nowhere"); }); },
+         ErrorCode::not_found},
+        {"ticket", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_ticket("forged"); }); },
+         ErrorCode::unauthenticated},
+        {"ack before hello", [](TestClient& c) { c.ack(1); }, ErrorCode::failed_precondition},
+        {"garbage", [](TestClient& c) { c.link.receive("\xff\xff", Clock::now()); },
+         ErrorCode::invalid_argument},
+        {"size", [](TestClient& c) { c.link.receive(std::string(70000, 'x'), Clock::now()); },
+         ErrorCode::resource_exhausted},
+        {"second hello",
+         [&](TestClient& c) {
+             c.hello();
+             c.send(second_hello);
+         },
+         ErrorCode::failed_precondition},
+        {"batch",
+         [](TestClient& c) {
+             c.hello();
+             c.inputs(1, std::vector<v1::Input>(65));
+         },
+         ErrorCode::invalid_argument},
+    };
+    for (const Case& c : cases) {
+        TestClient client(context);
+        c.misbehave(client);
+        ASSERT_TRUE(client.link.end() && !client.link.end()->ok()) << c.what;
+        EXPECT_EQ(client.link.end()->error().code, c.code) << c.what;
+        client.listen();
+        ASSERT_FALSE(client.state.notices.empty()) << c.what;
+        EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
+        EXPECT_EQ(client.state.notices.back().message(), client.link.end()->error().message)
+            << c.what;
+    }
+    EXPECT_EQ(sessions.clients(), 0);
+}
+
+TEST_F(ClientLinkTest, a_full_server_says_so) {
+    TestClient one(context), two(context), three(context);
+    one.hello();
+    two.hello();
+    three.hello();
+    ASSERT_TRUE(three.link.end() && !three.link.end()->ok());
+    EXPECT_EQ(three.link.end()->error().code, ErrorCode::resource_exhausted);
+    one.link.on_peer_closed(Clock::now());
+    TestClient four(context);
+    four.hello();
+    EXPECT_FALSE(four.link.end());
+}
+
+TEST_F(ClientLinkTest, silence_ends_a_conversation) {
+    TestClient mute(context), quiet(context);
+    quiet.hello();
+    mute.stay_silent(0s, 4s);
+    EXPECT_FALSE(mute.link.end());
+    mute.stay_silent(4s, 6s);
+    ASSERT_TRUE(mute.link.end() && !mute.link.end()->ok());
+    EXPECT_EQ(mute.link.end()->error().code, ErrorCode::deadline_exceeded);
+    quiet.stay_silent(0s, 9s);
+    EXPECT_FALSE(quiet.link.end());
+    for (Clock::duration later = 9s; later <= 11s; later += 100ms)
+        quiet.link.wait_for_write(Clock::now() + later);  // it does not read either
+    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
+    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
+}
+
+TEST_F(ClientLinkTest, a_pause_of_ours_is_not_the_clients_silence) {
+    TestClient mute(context), quiet(context);
+    quiet.hello();
+    for (TestClient* client : {&mute, &quiet}) {
+        client->listen(12s);  // the first look after 12 s
+        EXPECT_FALSE(client->link.end());
+        client->stay_silent(12s, 15s);
+        EXPECT_FALSE(client->link.end());
+    }
+    quiet.stay_silent(15s, 23s);
+    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
+    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
+}
+
+TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
+    TestClient client(context);
+    client.hello();
+    const Clock::time_point now = Clock::now();
+    const std::string message = client.ack_bytes();
+    for (int i = 0; i < 200; ++i) client.link.receive(message, now);
+    EXPECT_FALSE(client.link.end());
+    client.listen();
+    ASSERT_EQ(client.state.notices.size(), 1u) << "told once";
+    EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_RATE_LIMIT);
+    for (int i = 0; i < 1200; ++i) client.link.receive(message, now);
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
+}
+
+TEST_F(ClientLinkTest, an_ack_for_each_snapshot_is_no_flood) {
+    scenes::SceneDescription fast = *scenes::find_scene("stack");
+    fast.name = "fast";
+    fast.hz = 240;
+    ASSERT_TRUE(worlds.create("", fast).ok());
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_world("fast"); });
+    const Clock::time_point now = Clock::now();
+    for (int i = 0; i < 300; ++i) client.link.receive(client.ack_bytes(), now);
+    client.listen();
+    EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
+}
+
+TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage ping;
+    ping.mutable_ping();
+    for (int second = 0; second < 9 && !client.link.end(); ++second) {
+        for (int i = 0; i < 80; ++i) client.send(ping, std::chrono::seconds(second));
+        client.link.wait_for_write(Clock::now() + std::chrono::seconds(second));
+    }
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
+}
+
+TEST_F(ClientLinkTest, draining_and_closing_are_told) {
+    TestClient client(context), late(context);
+    client.hello();
+    context.draining = true;
+    late.hello();
+    ASSERT_TRUE(late.link.end() && !late.link.end()->ok());
+    EXPECT_EQ(late.link.end()->error().code, ErrorCode::unavailable);
+    client.listen();
+    EXPECT_FALSE(client.link.end()) << "may go on until the drain is over";
+    ASSERT_EQ(client.state.notices.size(), 1u);
+    EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_DRAINING);
+    context.closing = true;
+    client.listen();
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::unavailable);
+}
+
+TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
+    TestClient client(context);
+    client.hello();
+    client.listen();
+    worlds.remove("stack");
+    client.listen();
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::aborted);
+    EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_WORLD_CLOSED);
+}
+
+// --- events ---
+
+// A floor of entity 1, a gate of entity 2 above it and a ball of entity 3 that falls through it.
+constexpr const char* gate_scene = R"({
+  "name": "gate", "bodies": [
+    {"name": "floor", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]},
+    {"name": "gate", "type": "BODY_TYPE_STATIC", "position": {"y": 3},
+     "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
+    {"name": "ball", "position": {"y": 6}, "maySleep": false, "shapes": [{"sphere": {"radius": 0.5}, "reportStays": true}]}]})";
+
+class EventsTest : public ClientLinkTest {
+protected:
+    void add_gate(double hz = 60) {
+        scenes::SceneDescription scene = *scenes::read_scene_json(gate_scene);
+        scene.hz = hz;
+        ASSERT_TRUE(worlds.create("", scene).ok());
+    }
+    static void ask_for_events(v1::Hello& hello) {
+        hello.set_world("gate");
+        hello.set_events(true);
+    }
+};
+
+TEST_F(EventsTest, a_ball_enters_a_gate_stays_leaves_and_lands_and_each_is_told_once_in_order) {
+    add_gate();
+    TestClient client(context), deaf(context);
+    client.hello(ask_for_events);
+    deaf.hello([](v1::Hello& hello) { hello.set_world("gate"); });
+    const auto& events = client.state.events;
+    ASSERT_TRUE(client.listen_until([&] {
+        deaf.listen();
+        deaf.ack(deaf.state.newest_frame);
+        return !events.empty() && events.back().contacts_size() > 0 && events.size() > 25;
+    }));
+    std::vector<std::string> story;
+    std::uint32_t entered = 0, left = 0;
+    int stayed = 0;
+    const auto tell = [&](const char* what, std::uint32_t a, std::uint32_t b) {
+        story.push_back(what + std::string(" ") + std::to_string(a) + " " + std::to_string(b));
+    };
+    for (const v1::Events& tick : events) {
+        EXPECT_EQ(tick.missed(), 0u);
+        for (const auto& t : tick.triggers_entered()) {
+            tell("enter", t.trigger(), t.entity());
+            entered = tick.tick();
+        }
+        stayed += tick.triggers_stayed_size();
+        for (const auto& t : tick.triggers_left()) {
+            tell("left", t.trigger(), t.entity());
+            left = tick.tick();
+        }
+        for (const auto& c : tick.contacts_began())
+            tell("touch", std::min(c.entity_a(), c.entity_b()),
+                 std::max(c.entity_a(), c.entity_b()));
+    }
+    EXPECT_EQ(story, (std::vector<std::string>{"enter 2 3", "left 2 3", "touch 1 3"}));
+    EXPECT_EQ(stayed, static_cast<int>(left - entered) - 1) << "in each tick between the two";
+    // From 6 m: in the gate between 4 and 2 m, (sqrt(8) - sqrt(4)) / sqrt(g) seconds.
+    EXPECT_NEAR(left - entered, (std::sqrt(8.0) - std::sqrt(4.0)) / std::sqrt(9.81) * 60, 1.5);
+    const auto& press = events.back().contacts(0);
+    EXPECT_GT(press.impulse(), 0);
+    EXPECT_NEAR(std::abs(press.normal().y()), 1, 1e-3);
+    EXPECT_EQ(client.state.broken + deaf.state.broken, 0)
+        << client.state.first_broken << deaf.state.first_broken;
+}
+
+TEST_F(EventsTest, a_slow_client_misses_whole_ticks_and_is_told_how_many) {
+    add_gate(240);  // the ball lies on the floor after a quarter of a thousand ticks and presses
+    TestClient slow(context), quick(context);
+    slow.hello(ask_for_events);
+    quick.hello(ask_for_events);
+    const auto& events = slow.state.events;
+    ASSERT_TRUE(quick.listen_until([&] {
+        slow.listen();
+        slow.ack(slow.state.newest_frame);
+        return !events.empty() && events.back().contacts_size() > 0;
+    }));
+    const std::uint32_t before = events.back().tick();
+    const std::size_t told = events.size();
+    // It does not read for a while. Meanwhile the other one hears of every tick.
+    const auto world = worlds.find("gate");
+    ASSERT_TRUE(quick.listen_until([&] { return world->frame()->tick > before + 150; }));
+    slow.ack(slow.state.newest_frame);
+    ASSERT_TRUE(slow.listen_until([&] { return events.size() > told + 80; }));
+    const v1::Events& next = events[told];
+    EXPECT_GT(next.missed(), 50u) << "150 ticks and a queue of 64";
+    EXPECT_EQ(next.missed(), next.tick() - before - 1) << "something happened in every tick";
+    for (std::size_t i = told + 1; i < events.size(); i++) {
+        EXPECT_EQ(events[i].missed(), 0u);
+        EXPECT_EQ(events[i].tick(), events[i - 1].tick() + 1);
+    }
+    for (const v1::Events& tick : quick.state.events) EXPECT_EQ(tick.missed(), 0u);
+    EXPECT_EQ(slow.state.broken + quick.state.broken, 0)
+        << slow.state.first_broken << quick.state.first_broken;
+}
+
+TEST_F(EventsTest, a_client_at_a_tenth_of_the_rate_still_hears_of_every_tick) {
+    add_gate();
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) {
+        ask_for_events(hello);
+        hello.set_snapshot_hz(6);
+    });
+    const auto& events = client.state.events;
+    ASSERT_TRUE(client.listen_until([&] { return events.size() > 40; }));
+    for (const v1::Events& tick : events) EXPECT_EQ(tick.missed(), 0u);
+    EXPECT_LT(client.state.snapshots, 20);
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
+    add_gate();
+    const auto world = worlds.find("gate");
+    {
+        TestClient client(context);
+        client.hello(ask_for_events);
+        ASSERT_TRUE(client.listen_until([&] { return client.state.events.size() > 3; }));
+        EXPECT_FALSE(world->frame()->events->ticks.empty());
+    }
+    const std::uint32_t tick = world->frame()->tick;
+    TestClient clock(context);
+    clock.hello();
+    ASSERT_TRUE(clock.listen_until([&] { return world->frame()->tick > tick + 3; }));
+    EXPECT_TRUE(world->frame()->events->ticks.empty());
+}
+
+// A row of 40 balls that roll, ten metres apart.
+class SightTest : public ClientLinkTest {
+protected:
+    void SetUp() override {
+        scenes::SceneDescription row = *scenes::read_scene_json(
+            R"({"name": "row", "bodies": [{"type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]}]})");
+        for (int k = 0; k < 40; k++) {
+            scenes::SceneBody roller;
+            roller.body = {.pose = {{10.0 * k, 0.5, 0}, {}}, .linear_velocity = {0, 0, 0.5}};
+            roller.shapes = {{.geometry = physics::Sphere{0.5}}};
+            row.bodies.push_back(roller);
+        }
+        ASSERT_TRUE(worlds.create("", row).ok());
+    }
+    static void see(v1::Interest& interest, double x, double radius) {
+        interest.mutable_focus()->set_x(x);
+        interest.set_radius(radius);
+    }
+    // The balls that the client sees, by number.
+    static std::set<int> balls(const TestClient& client) {
+        std::set<int> seen;
+        if (const auto* newest = client.state.newest())
+            for (const auto& entity : newest->entities)
+                if (entity.id > 1) seen.insert(static_cast<int>(entity.id) - 2);
+        return seen;
+    }
+};
+
+TEST_F(SightTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    // Cells of 32 m: those that begin within 40 m of x = 16 end at x = 64.
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    EXPECT_TRUE(client.state.welcome.cells());
+    EXPECT_EQ(balls(client), (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_TRUE(client.state.entities.contains(1)) << "the ground is seen from everywhere";
+    EXPECT_EQ(client.state.entities.size(), 8u) << "nobody told it of the others";
+    v1::ClientMessage look;
+    see(*look.mutable_interest(), 300, 40);
+    client.send(look);
+    ASSERT_TRUE(client.listen_until([&] { return !balls(client).contains(0); }));
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).contains(31); }));
+    EXPECT_FALSE(balls(client).contains(5));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, a_budget_bounds_all_that_is_sent) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_max_kbps(40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() == 40; }))
+        << "it comes to know all of the world";
+    const std::size_t before = client.bytes_taken;
+    const auto begun = Clock::now();
+    ASSERT_TRUE(client.listen_until([&] { return Clock::now() - begun > 1s; }));
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    const double kbps = static_cast<double>(client.bytes_taken - before) * 8e-3 / seconds;
+    EXPECT_LE(kbps, 42 + 40 * 0.05);
+    EXPECT_GE(kbps, 20) << "forty balls that roll want more than that";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, who_is_removed_is_gone_and_the_stream_goes_on) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    std::uint32_t sequence = 1;
+    for (int round = 0; round < 3; round++) {
+        client.inputs(sequence++, {ball(0.3)});
+        ASSERT_TRUE(client.listen_until([&] { return client.state.entities.size() == 9; }));
+        const std::uint32_t spawned = client.state.entities.rbegin()->first;
+        client.inputs(sequence++, {removal(spawned)});
+        ASSERT_TRUE(client.listen_until([&] { return client.state.removed.contains(spawned); }));
+        const int so_far = client.state.snapshots;
+        ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > so_far + 5; }));
+    }
+    EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, who_lost_track_gets_every_cell_whole_again) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
+    ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    client.ack(client.state.newest_frame, true);
+    client.state.cells.clear();
+    EXPECT_TRUE(client.listen_until([&] { return client.state.cells.size() >= 3; }))
+        << "the ground's cell too, which does not move";
+    EXPECT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(SightTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage look;
+    see(*look.mutable_interest(), 300, 40);
+    client.send(look);
+    client.listen();
+    ASSERT_EQ(client.state.notices.size(), 1u);
+    EXPECT_EQ(client.state.notices[0].message(),
+              "an interest in a stream without one; name the first in the hello");
+    TestClient other(context);
+    other.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 0, -3); });
+    other.listen();
+    ASSERT_EQ(other.state.notices.size(), 1u);
+    EXPECT_EQ(other.state.notices[0].message(),
+              "hello.interest.radius is not 0, for all of the world, or 1 m or more");
+}
+
+TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {
+    TestClient client(context);
+    client.hello();
+    v1::Input mesh, points;
+    mesh.mutable_spawn()->mutable_shape()->mutable_mesh();
+    for (int i = 0; i < 40; i++)
+        points.mutable_spawn()->mutable_shape()->mutable_hull()->add_points();
+    v1::Input cone = ball(1);
+    cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_radius(0.3);
+    cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_half_length(0.4);
+    client.inputs(1, {mesh, points, cone});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 3; }));
+    EXPECT_EQ(client.state.results[1].message(),
+              std::string("spawn.shape is a mesh; ") + spawned_shapes_allowed);
+    EXPECT_EQ(client.state.results[2].message(),
+              std::string("spawn.shape.hull.points has 40 entries; ") + spawned_shapes_allowed);
+    EXPECT_EQ(client.state.results[3].code(), v1::INPUT_CODE_APPLIED)
+        << client.state.results[3].message();
+}
+
+TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {
+    ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
+    const std::string ticket =
+        gate->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false}, "w2",
+                           "127.0.0.1")
+            .value();
+    TestClient client(context), thief(context);
+    client.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
+    client.listen();
+    EXPECT_EQ(client.state.welcome.world_name(), "second");
+    thief.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
+    ASSERT_TRUE(thief.link.end() && !thief.link.end()->ok());
+    EXPECT_EQ(thief.link.end()->error().code, ErrorCode::unauthenticated);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+//
+// Who aims at what he sees aims at the past. A shooter with 150 ms between him and the server, and
+// a target that runs: does the server hit what was in the picture?
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "jostle/scenes/scene.h"
+#include "jostle/v1/query.pb.h"
+#include "server/services/query_control.h"
+#include "tests/server/session/played_link.h"
+#include "tests/support/error_of.h"
+
+namespace jostle::server {
+namespace {
+
+using physics::Vec3;
+using test::PlayedLink;
+using test::QuietServer;
+
+constexpr EntityId wall = 1, target = 2;
+
+// Entity 2 runs along x at 10 m/s, ten metres before a wall; without weight.
+scenes::SceneDescription range_scene(double target_speed = 10) {
+    scenes::SceneDescription scene{.name = "range"};
+    scene.world.gravity = {};
+    scenes::SceneBody back;
+    back.body.pose.position = {0, 0, -10};
+    back.body.type = physics::BodyType::static_body;
+    back.shapes.push_back({.geometry = physics::Box{{200, 10, 0.5}}});
+    scenes::SceneBody runner;
+    runner.body.linear_velocity = {target_speed, 0, 0};
+    runner.body.sleep_allowed = false;
+    runner.shapes.push_back({.geometry = physics::Sphere{0.3}});
+    scene.bodies = {back, runner};
+    return scene;
+}
+
+// Straight at what is at x in the picture, from ten metres before it.
+v1::Aim shot_at(double x, double length = 15) {
+    v1::Aim aim;
+    aim.mutable_origin()->set_x(x);
+    aim.mutable_origin()->set_z(10);
+    aim.mutable_motion()->set_z(-length);
+    return aim;
+}
+
+v1::Input push_at(double x) {
+    v1::Input input;
+    input.mutable_impulse()->mutable_impulse()->set_z(-1e-6);
+    *input.mutable_impulse()->mutable_aim() = shot_at(x);
+    return input;
+}
+
+std::optional<double> x_of(const std::vector<client::SmoothPose>& picture, EntityId entity) {
+    for (const client::SmoothPose& shown : picture)
+        if (shown.entity == entity) return shown.pose.position[0];
+    return std::nullopt;
+}
+
+struct Round {
+    int shots = 0, hits = 0, misses = 0, clamped = 0;
+    int of_what_was = 0;  // shots while the picture walked off no error: it showed what once was
+};
+
+// Eight seconds of which the last six are shot in, three times a second.
+Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rewind_ms = 400) {
+    Config config;
+    config.tick.rewind_ms_max = rewind_ms;
+    QuietServer server(config);
+    const auto world = server.host(range_scene());
+    PlayedLink shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},
+                       each_way);
+    Round round;
+    test::play(server, *world, {&shooter}, 8 * 60, [&](int tick) {
+        const std::optional<double> seen = x_of(shooter.draw(), target);
+        if (seen && tick > 2 * 60 && tick % 20 == 0 && tick < 460) {
+            shooter.conversation.send(push_at(*seen));
+            round.shots++;
+            const v1::SeenMoment moment = shooter.conversation.shown_moment();
+            const double was =
+                10 * (moment.tick() + static_cast<double>(moment.fraction()) - 1) / 60;
+            round.of_what_was += std::abs(*seen - was) < 0.2 ? 1 : 0;
+        }
+        for (const v1::InputResult& result : shooter.conversation.take_results()) {
+            const bool hit = result.code() == v1::INPUT_CODE_APPLIED && result.entity() == target;
+            round.hits += hit ? 1 : 0;
+            round.misses += result.code() == v1::INPUT_CODE_NOT_FOUND ? 1 : 0;
+            round.clamped += result.moment_clamped() ? 1 : 0;
+        }
+    });
+    return round;
+}
+
+TEST(LagCompensation, a_shooter_150_ms_away_hits_what_he_sees_with_it_and_misses_without) {
+    const client::LinkSettings link{.delay_ms = 75};
+    const Round with = shoot(true, link), without = shoot(false, link);
+    EXPECT_EQ(with.shots, 16);
+    EXPECT_EQ(with.hits, with.shots);
+    EXPECT_EQ(with.clamped, 0);
+    EXPECT_EQ(without.shots, 16);
+    EXPECT_EQ(without.hits, 0) << "the target was two metres further";
+    EXPECT_EQ(without.misses, without.shots);
+}
+
+TEST(LagCompensation, jitter_on_the_way_changes_nothing_where_the_picture_shows_what_was) {
+    const Round round = shoot(true, {.delay_ms = 60, .jitter_ms = 40, .seed = 3});
+    EXPECT_GE(round.of_what_was, 12);
+    EXPECT_EQ(round.hits, round.of_what_was);
+    EXPECT_EQ(round.clamped, 0);
+}
+
+TEST(LagCompensation, who_is_further_away_than_frames_are_kept_is_told_so) {
+    const Round round = shoot(true, {.delay_ms = 75}, 100);
+    EXPECT_EQ(round.hits, 0) << "100 ms of the past are not enough";
+    EXPECT_EQ(round.clamped, round.shots) << "and every answer says so";
+}
+
+TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
+    QuietServer server;
+    const auto world = server.host(range_scene(0));
+    PlayedLink shooter(server, {.name = "shooter"});
+    test::play(server, *world, {&shooter}, 30);
+    const std::uint32_t before = world->frame()->tick;
+    v1::Input ball;
+    ball.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.3);
+    ball.mutable_spawn()->mutable_position()->set_z(5);
+    shooter.conversation.send(ball);
+    test::play(server, *world, {&shooter}, 10);
+    const auto shoot_as_of = [&](std::uint32_t tick) {
+        v1::Input input = push_at(0);
+        input.mutable_impulse()->mutable_aim()->mutable_seen()->set_tick(tick);
+        shooter.conversation.take_results();
+        shooter.conversation.send(input);
+        test::play(server, *world, {&shooter}, 5);
+        const auto results = shooter.conversation.take_results();
+        return results.empty() ? 0u : results.front().entity();
+    };
+    EXPECT_EQ(shoot_as_of(before), target) << "the ball that now hides it was not there";
+    EXPECT_EQ(shoot_as_of(world->frame()->tick), world->frame()->entity_list->back()->id);
+}
+
+TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now) {
+    QuietServer server;
+    const auto world = server.host(range_scene());
+    PlayedLink shooter(server, {.name = "shooter"}, {.delay_ms = 75});
+    v1::Input grab;
+    test::play(server, *world, {&shooter}, 120, [&](int tick) {
+        const std::optional<double> seen = x_of(shooter.draw(), target);
+        if (tick != 100) return;
+        *grab.mutable_grab()->mutable_aim() = shot_at(*seen);
+        shooter.conversation.send(grab);
+    });
+    const auto results = shooter.conversation.take_results();
+    ASSERT_EQ(results.size(), 1u);
+    EXPECT_EQ(results[0].code(), v1::INPUT_CODE_APPLIED) << results[0].message();
+    EXPECT_EQ(results[0].entity(), target);
+    // It is held where it is when the hand comes, and not pulled to where it was seen.
+    const double taken_at = 10.0 * (results[0].tick() - 1) / 60;
+    EXPECT_NEAR(world->frame()->entities[1].pose.position.x, taken_at, 0.7);
+    EXPECT_GT(taken_at - grab.grab().aim().origin().x(), 2);
+}
+
+TEST(LagCompensation, a_question_over_rpc_is_answered_for_the_moment_that_was_seen) {
+    QuietServer server;
+    const auto world = server.host(range_scene());
+    for (int i = 0; i < 60; i++) {
+        server.now += std::chrono::microseconds(16'667);
+        world->tick(server.now);
+    }
+    const QueryControl queries(server.context);
+    const auto ask = [&](double x, std::uint32_t tick, float fraction) {
+        v1::CastRaysRequest request;
+        *request.add_rays()->mutable_origin() = shot_at(x).origin();
+        *request.mutable_rays(0)->mutable_motion() = shot_at(x, 25).motion();
+        request.mutable_seen()->set_tick(tick);
+        request.mutable_seen()->set_fraction(fraction);
+        v1::CastRaysResponse response;
+        const Status asked = queries.cast_rays(request, response);
+        EXPECT_TRUE(asked.ok()) << asked.error().message;
+        return response;
+    };
+    const std::uint32_t then = world->frame()->tick - 10;
+    const double was = 10.0 * (then - 1 + 0.5) / 60;
+    const v1::CastRaysResponse hit = ask(was, then, 0.5f);
+    EXPECT_EQ(hit.tick(), then);
+    EXPECT_FALSE(hit.moment_clamped());
+    ASSERT_EQ(hit.rays(0).hits_size(), 1);
+    EXPECT_EQ(hit.rays(0).hits(0).entity(), target);
+    EXPECT_NEAR(hit.rays(0).hits(0).point().z(), 0.3, 1e-6) << "right through its middle";
+    EXPECT_EQ(ask(was, world->frame()->tick, 0).rays(0).hits(0).entity(), wall) << "it ran on";
+    EXPECT_TRUE(ask(was, 1, 0).moment_clamped());
+    EXPECT_EQ(ask(was, 1, 0).tick(), world->frame()->tick - 24);
+
+    v1::OverlapRequest overlap;
+    overlap.mutable_point()->set_x(was);
+    overlap.mutable_seen()->set_tick(then);
+    overlap.mutable_seen()->set_fraction(0.5f);
+    v1::OverlapResponse inside;
+    ASSERT_TRUE(queries.overlap(overlap, inside).ok());
+    ASSERT_EQ(inside.entities_size(), 1);
+    EXPECT_EQ(inside.entities(0), target);
+    overlap.mutable_seen()->set_fraction(1.5f);
+    EXPECT_EQ(test::error_of(queries.overlap(overlap, inside)).message,
+              "seen.fraction is 1.5; it must be from 0 to 1");
+}
+
+}  // namespace
+}  // namespace jostle::server

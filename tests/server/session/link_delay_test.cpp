@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// A server that makes its links worse on purpose: what its clients see of it.
+#include "server/session/link_delay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/server/session/played_link.h"
+#include "tests/support/small_scene.h"
+
+namespace jostle::server {
+namespace {
+
+using test::PlayedLink;
+using test::QuietServer;
+
+Config with_link(const std::string& link, std::vector<std::string> worlds = {}) {
+    Config config;
+    config.development = {link, std::move(worlds)};
+    EXPECT_TRUE(check(config).ok());
+    return config;
+}
+
+struct Ages {
+    double median_ms = 0, greatest_ms = 0, round_trip_ms = 0;
+    std::uint64_t snapshots = 0;
+};
+
+// Of ten seconds of a world that moves.
+Ages ages_of(const Config& config) {
+    QuietServer server(config);
+    scenes::SceneDescription scene = test::small_scene();
+    scene.world.gravity = {};
+    scene.bodies[3].body.angular_velocity = {1, 2, 3};
+    scene.bodies[3].body.sleep_allowed = false;
+    const auto world = server.host(scene);
+    PlayedLink player(server, {.name = "player"});
+    test::play(server, *world, {&player}, 600);
+    std::vector<float> ages = player.conversation.take_ages_ms();
+    EXPECT_GT(ages.size(), 100u);
+    std::ranges::sort(ages);
+    return {.median_ms = ages[ages.size() / 2],
+            .greatest_ms = ages.back(),
+            .round_trip_ms = player.conversation.stats().rtt_ms,
+            .snapshots = player.conversation.stats().snapshots};
+}
+
+TEST(LinkDelay, a_client_of_a_server_with_100_ms_sees_ages_of_100_ms_more) {
+    const Ages plain = ages_of(Config()), delayed = ages_of(with_link("delay=100"));
+    EXPECT_NEAR(delayed.median_ms - plain.median_ms, 100, 6);
+    EXPECT_NEAR(delayed.round_trip_ms - plain.round_trip_ms, 200, 10) << "both ways";
+    EXPECT_GT(delayed.snapshots, plain.snapshots * 9 / 10) << "the rate is the same";
+}
+
+TEST(LinkDelay, a_stall_holds_back_all_and_loses_nothing) {
+    const Ages stalled = ages_of(with_link("stalls=400,stall_every=2000,seed=2"));
+    EXPECT_GT(stalled.greatest_ms, 300);
+    EXPECT_LT(stalled.median_ms, 20);
+}
+
+TEST(LinkDelay, jitter_makes_snapshots_later_and_never_overtake) {
+    const Ages jittery = ages_of(with_link("jitter=40,tail=10"));
+    EXPECT_GT(jittery.median_ms, 15);
+    EXPECT_LT(jittery.median_ms, 60);
+}
+
+TEST(LinkDelay, is_for_the_worlds_that_are_named) {
+    const std::string link = "delay=5";
+    EXPECT_TRUE(link_delay_for({link, {}}, "yard", 1));
+    EXPECT_TRUE(link_delay_for({link, {"lab", "yard"}}, "yard", 1));
+    EXPECT_FALSE(link_delay_for({link, {"lab"}}, "yard", 1));
+    EXPECT_FALSE(link_delay_for({"", {}}, "yard", 1)) << "off by itself";
+}
+
+TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
+    Config config;
+    config.development.link = "delay=soon";
+    const Status refused = check(config);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().message,
+              "development.link: link setting 'delay=soon': after = comes a number from 0");
+}
+
+TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
+    QuietServer server(with_link("delay=500"));
+    const auto world = server.host(test::small_scene());
+    PlayedLink player(server, {.name = "player"});
+    test::play(server, *world, {&player}, 120);
+    player.conversation.leave();
+    player.exchange();
+    player.link->on_peer_closed(server.now);
+    EXPECT_EQ(server.sessions.clients(), 0);
+    EXPECT_EQ(server.context.resumes.lost(), 0u);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// A real world, a client library's half of a conversation and the server's half, with a bad link
+// between them, in one thread and in no time.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/held_messages.h"
+#include "server/session/client_link.h"
+
+namespace jostle::test {
+
+// Worlds that tick when they are told to, and what their clients need.
+struct QuietServer {
+    explicit QuietServer(server::Config with = {}) : config(std::move(with)) {
+        config.auth.anonymous_role = "player";
+        config.auth.audit_log = "/dev/null";
+    }
+    std::shared_ptr<server::WorldHost> host(const scenes::SceneDescription& scene) {
+        return *worlds.create("yard", scene);
+    }
+
+    server::Config config;
+    const std::unique_ptr<server::Gate> gate = *server::Gate::open(config);
+    server::SessionDirectory sessions{20};
+    server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
+                                              .past_ms_max = config.tick.rewind_ms_max},
+                                   .own_thread = false},
+                                  2};
+    server::PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    server::Clock::time_point now = server::Clock::now();
+};
+
+struct PlayedLink {
+    PlayedLink(QuietServer& at, client::ClientOptions options,
+               const client::LinkSettings& each_way = {})
+        : server(at),
+          conversation(std::move(options)),
+          settings(each_way),
+          outgoing(each_way),
+          incoming(each_way) {
+        connect();
+    }
+    void lose_what_is_on_the_way() {
+        outgoing = client::HeldMessages(settings);
+        incoming = client::HeldMessages(settings);
+    }
+    // A new connection.
+    void connect() {
+        link.emplace(server.context,
+                     server::Peer{.name = "test",
+                                  .address = "127.0.0.1",
+                                  .call = "jostle.v1.PlayService/Play",
+                                  .who = server.gate->identify({.address = "127.0.0.1"})},
+                     server.now);
+        conversation.begin(server.now);
+    }
+    // What either side has to say now, and what has arrived.
+    void exchange() {
+        while (auto said = conversation.take_message(server.now))
+            outgoing.push(*std::move(said), server.now);
+        while (const auto arrived = outgoing.take(server.now)) link->receive(*arrived, server.now);
+        while (const auto out = link->take_message(server.now)) {
+            std::string bytes = out->head + (out->shared ? *out->shared : "");
+            for (const server::SharedBytes& cell : out->cells) bytes += *cell;
+            if (tamper) tamper(bytes);
+            incoming.push(std::move(bytes), server.now);
+        }
+        while (const auto arrived = incoming.take(server.now))
+            conversation.receive(*arrived, server.now);
+    }
+    std::vector<client::SmoothPose> draw() {
+        return conversation.buffer().sample(static_cast<std::int64_t>(client::to_us(server.now)),
+                                            conversation.view().spec());
+    }
+
+    QuietServer& server;
+    client::Conversation conversation;
+    client::LinkSettings settings;
+    client::HeldMessages outgoing, incoming;
+    std::optional<server::ClientLink> link;
+    std::function<void(std::string&)> tamper;  // with what the server says
+};
+
+// Ticks the world and lets the clients talk, four times a tick.
+template <class Each>
+void play(QuietServer& server, server::WorldHost& world, std::vector<PlayedLink*> clients,
+          int ticks, Each&& each) {
+    for (int tick = 0; tick < ticks; tick++) {
+        world.tick(server.now);
+        for (int quarter = 0; quarter < 4; quarter++) {
+            for (PlayedLink* client : clients) client->exchange();
+            if (quarter == 3) each(tick);
+            server.now += std::chrono::nanoseconds(16'666'667 / 4);
+        }
+    }
+}
+inline void play(QuietServer& server, server::WorldHost& world, std::vector<PlayedLink*> clients,
+                 int ticks) {
+    play(server, world, std::move(clients), ticks, [](int) {});
+}
+
+}  // namespace jostle::test

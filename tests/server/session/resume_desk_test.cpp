@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/resume_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Answer = ResumeDesk::Answer;
+
+const Clock::time_point start{1000s};
+
+LostClient lost(ClientId client, std::string network = "192.0.2.7") {
+    LostClient out;
+    out.client = client;
+    out.network = std::move(network);
+    return out;
+}
+
+TEST(ResumeDesk, tokens_are_sixteen_bytes_and_no_two_are_alike) {
+    ResumeDesk desk;
+    std::set<std::string> tokens;
+    for (ClientId client = 1; client <= 1000; client++) tokens.insert(desk.open(client)->token);
+    EXPECT_EQ(tokens.size(), 1000u);
+    for (const std::string& token : tokens) EXPECT_EQ(token.size(), 16u);
+}
+
+TEST(ResumeDesk, who_shows_his_token_gets_back_what_he_left_once) {
+    ResumeDesk desk;
+    const auto seat = desk.open(7);
+    desk.leave_at(*seat, lost(7), start + 30s);
+    EXPECT_EQ(desk.claim("no token").answer, Answer::unknown);
+    EXPECT_EQ(desk.claim({}).answer, Answer::unknown);
+    const ResumeDesk::Claim claim = desk.claim(seat->token);
+    ASSERT_EQ(claim.answer, Answer::here);
+    EXPECT_EQ(claim.client->client, 7u);
+    EXPECT_EQ(claim.seat, seat);
+    EXPECT_EQ(claim.until, start + 30s);
+    EXPECT_EQ(desk.claim(seat->token).answer, Answer::not_yet) << "he has his place now";
+    EXPECT_TRUE(desk.take_expired(start + 60s).empty()) << "and does not lose it";
+    desk.close(*seat);
+    EXPECT_EQ(desk.claim(seat->token).answer, Answer::unknown);
+}
+
+TEST(ResumeDesk, an_old_link_is_told_to_give_way) {
+    ResumeDesk desk;
+    const auto seat = desk.open(7);
+    EXPECT_FALSE(seat->is_wanted);
+    EXPECT_EQ(desk.claim(seat->token).answer, Answer::not_yet);
+    EXPECT_TRUE(seat->is_wanted);
+    desk.leave_at(*seat, lost(7), start + 30s);
+    EXPECT_EQ(desk.claim(seat->token).answer, Answer::here);
+    EXPECT_FALSE(seat->is_wanted) << "the new one keeps it";
+}
+
+TEST(ResumeDesk, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {
+    ResumeDesk desk;
+    const auto a = desk.open(1), b = desk.open(2), c = desk.open(3);
+    desk.leave_at(*a, lost(1, "192.0.2.1"), start + 10s);
+    desk.leave_at(*b, lost(2, "192.0.2.2"), start + 20s);
+    desk.leave_at(*c, lost(3, "192.0.2.2"), start + 30s);
+    EXPECT_EQ(desk.lost(), 3u);
+    EXPECT_EQ(desk.take_oldest("192.0.2.2")->client, 2u);
+    EXPECT_FALSE(desk.take_oldest("192.0.2.9"));
+    EXPECT_TRUE(desk.take_expired(start + 9s).empty());
+    const auto expired = desk.take_expired(start + 10s);
+    ASSERT_EQ(expired.size(), 1u);
+    EXPECT_EQ(expired[0].client, 1u);
+    EXPECT_EQ(desk.claim(a->token).answer, Answer::unknown);
+    EXPECT_EQ(desk.take_oldest({})->client, 3u);
+    EXPECT_EQ(desk.lost(), 0u);
+}
+
+}  // namespace
+}  // namespace jostle::server

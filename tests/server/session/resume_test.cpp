@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+//
+// Connections break in the midst of play, and clients come back: what is still theirs, what they
+// are told again, and what is applied once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "tests/server/session/played_link.h"
+#include "tests/support/small_scene.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::PlayedLink;
+using test::QuietServer;
+
+v1::Input falling_ball(double x, double y = 20) {
+    v1::Input input;
+    input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(0.3);
+    input.mutable_spawn()->mutable_position()->set_x(x);
+    input.mutable_spawn()->mutable_position()->set_y(y);
+    return input;
+}
+
+int bodies_of(const WorldHost& world, ClientId client) {
+    int owned = 0;
+    for (const auto& entity : *world.frame()->entity_list) owned += entity->owner == client ? 1 : 0;
+    return owned;
+}
+
+class ResumeTest : public testing::Test {
+protected:
+    void SetUp() override { world = server.host(test::small_scene()); }
+    // The connection breaks; what was on the way is lost.
+    void cut(PlayedLink& player) {
+        player.link->on_peer_closed(server.now);
+        player.conversation.ended(Error{ErrorCode::unavailable, "the line broke"});
+        player.lose_what_is_on_the_way();
+    }
+    void run(PlayedLink& player, int ticks) { test::play(server, *world, {&player}, ticks); }
+    void run_alone(int ticks) { test::play(server, *world, {}, ticks); }
+    std::set<std::uint32_t> entities_known(const PlayedLink& player) const {
+        std::set<std::uint32_t> ids;
+        for (const auto& [id, entity] : player.conversation.view().entities()) ids.insert(id);
+        return ids;
+    }
+    std::set<std::uint32_t> entities_there() const {
+        std::set<std::uint32_t> ids;
+        for (const auto& entity : *world->frame()->entity_list) ids.insert(entity->id);
+        return ids;
+    }
+
+    QuietServer server;
+    std::shared_ptr<WorldHost> world;
+};
+
+TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bodies) {
+    PlayedLink player(server, {.name = "player"});
+    for (int i = 0; i < 3; i++) player.conversation.send(falling_ball(i));
+    run(player, 30);
+    const ClientId id = player.conversation.stats().client_id;
+    EXPECT_EQ(bodies_of(*world, id), 3);
+    cut(player);
+    EXPECT_EQ(server.context.resumes.lost(), 1u);
+    EXPECT_EQ(server.context.records.look(server.now).size(), 0u) << "he is not connected";
+    run_alone(120);
+    end_lost_clients(server.context, server.now);
+    EXPECT_EQ(bodies_of(*world, id), 3) << "lost, and not left";
+    player.connect();
+    run(player, 30);
+    const client::ClientStats stats = player.conversation.stats();
+    EXPECT_EQ(stats.client_id, id);
+    EXPECT_EQ(stats.resumed, 1u);
+    EXPECT_EQ(stats.decode_errors, 0u) << stats.last_error;
+    EXPECT_EQ(bodies_of(*world, id), 3);
+    EXPECT_EQ(entities_known(player), entities_there());
+    EXPECT_EQ(server.sessions.clients(), 1);
+}
+
+// Another host goes on with a world in which two played; one of them is there no more.
+TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there_stays) {
+    PlayedLink player(server, {.name = "player"});
+    player.conversation.send(falling_ball(0));
+    run(player, 20);
+    const ClientId here = player.conversation.stats().client_id, gone = here + 1;
+    SpawnCommand ball;
+    ball.shape.geometry = physics::Sphere{0.3};
+    ball.pose.position = {3, 9, 3};
+    world->push({.client = gone, .sequence = 1, .action = ball, .reply = nullptr});
+    run(player, 2);
+    ASSERT_EQ(bodies_of(*world, here), 1);
+    ASSERT_EQ(bodies_of(*world, gone), 1);
+    settle_clients(server.context, *world, std::array{here, gone});
+    run(player, 2);
+    EXPECT_EQ(bodies_of(*world, here), 1);
+    EXPECT_EQ(bodies_of(*world, gone), 0);
+}
+
+TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
+    PlayedLink player(server, {.name = "player"});
+    player.conversation.send(falling_ball(0));
+    run(player, 30);
+    const ClientId id = player.conversation.stats().client_id;
+    cut(player);
+    end_lost_clients(server.context, server.now + 29s);
+    run_alone(2);
+    EXPECT_EQ(bodies_of(*world, id), 1);
+    end_lost_clients(server.context, server.now + 31s);
+    run_alone(2);
+    EXPECT_EQ(bodies_of(*world, id), 0);
+    EXPECT_EQ(server.sessions.clients(), 0);
+    player.connect();
+    run(player, 30);
+    EXPECT_NE(player.conversation.stats().client_id, id) << "he is somebody new";
+    EXPECT_EQ(player.conversation.stats().resumed, 0u);
+    EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
+    EXPECT_EQ(entities_known(player), entities_there());
+}
+
+TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once) {
+    PlayedLink polite(server, {.name = "polite"}), old(server, {.name = "old", .resume = false});
+    test::play(server, *world, {&polite, &old}, 30);
+    polite.conversation.leave();
+    test::play(server, *world, {&polite, &old}, 3);
+    EXPECT_EQ(server.sessions.clients(), 1);
+    cut(old);
+    EXPECT_EQ(server.sessions.clients(), 0);
+    EXPECT_EQ(server.context.resumes.lost(), 0u);
+}
+
+TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
+    PlayedLink player(server, {.name = "player"});
+    run(player, 30);
+    server.context.draining = true;
+    cut(player);
+    EXPECT_EQ(server.context.resumes.lost(), 0u);
+    EXPECT_EQ(server.sessions.clients(), 0);
+}
+
+// The link is cut at every phase of a batch: before it came, before its answer came, after both.
+TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks) {
+    for (const double delay_ms : {0.0, 40.0, 120.0}) {
+        PlayedLink player(server, {.name = "player"}, {.delay_ms = delay_ms});
+        run(player, 40);
+        std::set<std::uint32_t> answered;
+        std::uint32_t sent = 0;
+        const auto collect = [&] {
+            for (const v1::InputResult& result : player.conversation.take_results()) {
+                EXPECT_EQ(result.code(), v1::INPUT_CODE_APPLIED) << result.message();
+                EXPECT_TRUE(answered.insert(result.sequence()).second) << "told once";
+            }
+        };
+        for (int i = 0; i < 8; i++) {
+            for (int k = 0; k < 3; k++)
+                sent = player.conversation.send(falling_ball(k, 20 + 2 * i));
+            run(player, 1 + i);
+            collect();
+            cut(player);
+            run_alone(i % 3);
+            player.connect();
+            if (i % 2 == 0) run(player, 20);
+        }
+        run(player, 60);
+        collect();
+        EXPECT_EQ(sent, 24u);
+        EXPECT_EQ(answered.size(), 24u) << "each is answered, though answers were lost";
+        const ClientId id = player.conversation.stats().client_id;
+        EXPECT_EQ(bodies_of(*world, id), 24) << "and none was applied twice";
+        EXPECT_EQ(player.conversation.stats().decode_errors, 0u)
+            << player.conversation.stats().last_error;
+        EXPECT_EQ(entities_known(player), entities_there());
+        player.conversation.leave();
+        run(player, 30);
+    }
+}
+
+TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
+    PlayedLink player(server, {.name = "player"});
+    int absolute = 0, snapshots = 0, roster_entities = 0;
+    player.tamper = [&](std::string& bytes) {
+        v1::ServerMessage message;
+        ASSERT_TRUE(message.ParseFromString(bytes));
+        snapshots += message.has_snapshot() ? 1 : 0;
+        absolute += message.has_snapshot() && message.snapshot().bases() == 0 ? 1 : 0;
+        roster_entities += message.roster().added_size();
+    };
+    player.conversation.send(falling_ball(0));
+    run(player, 20);
+    EXPECT_EQ(absolute, 1);
+    EXPECT_EQ(roster_entities, 5);
+    cut(player);
+    run_alone(10);
+    player.connect();
+    snapshots = absolute = roster_entities = 0;
+    run(player, 20);
+    EXPECT_GT(snapshots, 10);
+    EXPECT_EQ(absolute, 0) << "the base was in the ring";
+    EXPECT_EQ(roster_entities, 0) << "and nobody is introduced twice";
+    EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
+}
+
+TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) {
+    PlayedLink watcher(server, {.name = "watcher"}), maker(server, {.name = "maker"});
+    test::play(server, *world, {&watcher, &maker}, 20);
+    maker.conversation.send(falling_ball(0));
+    test::play(server, *world, {&watcher, &maker}, 5);
+    // The watcher hears of the ball, and no snapshot with it; then his line breaks.
+    const std::set<std::uint32_t> with_ball = entities_known(watcher);
+    cut(watcher);
+    v1::Input removal;
+    removal.mutable_delete_()->set_entity(*with_ball.rbegin());
+    maker.conversation.send(removal);
+    maker.conversation.send(falling_ball(3));
+    test::play(server, *world, {&maker}, 5);
+    watcher.connect();
+    test::play(server, *world, {&watcher, &maker}, 5);
+    EXPECT_EQ(entities_known(watcher), entities_there());
+    EXPECT_EQ(watcher.conversation.stats().decode_errors, 0u);
+}
+
+TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_place_over) {
+    PlayedLink player(server, {.name = "player"});
+    player.conversation.send(falling_ball(0));
+    run(player, 30);
+    const ClientId id = player.conversation.stats().client_id;
+    // The old link is still there, and hears nothing.
+    player.conversation.ended(Error{ErrorCode::unavailable, "another network"});
+    ClientLink& before = *player.link;
+    ClientLink now_on(server.context,
+                      {.name = "test",
+                       .address = "127.0.0.1",
+                       .call = "jostle.v1.PlayService/Play",
+                       .who = server.gate->identify({.address = "127.0.0.1"})},
+                      server.now);
+    player.conversation.begin(server.now);
+    now_on.receive(*player.conversation.take_message(server.now), server.now);
+    EXPECT_FALSE(now_on.take_message(server.now)) << "it waits for the old link to give way";
+    before.take_message(server.now);
+    ASSERT_TRUE(before.end());
+    EXPECT_FALSE(before.end()->ok());
+    server.now += 50ms;
+    const auto welcome = now_on.take_message(server.now);
+    ASSERT_TRUE(welcome);
+    player.conversation.receive(welcome->head, server.now);
+    EXPECT_EQ(player.conversation.stats().client_id, id);
+    EXPECT_EQ(player.conversation.stats().resumed, 1u);
+    EXPECT_EQ(bodies_of(*world, id), 1);
+}
+
+TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
+    PlayedLink player(server, {.name = "player"});
+    run(player, 30);
+    const ClientId id = player.conversation.stats().client_id;
+    cut(player);
+    for (const std::string& token : {std::string(), std::string(16, '\0'), std::string(256, 'x')}) {
+        PlayedLink thief(server, {.name = "thief"});
+        v1::ClientMessage hello;
+        hello.mutable_hello()->set_protocol(1);
+        hello.mutable_hello()->mutable_resume()->set_token(token);
+        ClientLink link(server.context,
+                        {.name = "thief",
+                         .address = "127.0.0.1",
+                         .call = "jostle.v1.PlayService/Play",
+                         .who = server.gate->identify({.address = "127.0.0.1"})},
+                        server.now);
+        link.receive(hello.SerializeAsString(), server.now);
+        v1::ServerMessage welcome;
+        ASSERT_TRUE(welcome.ParseFromString(link.take_message(server.now)->head));
+        EXPECT_FALSE(welcome.welcome().resumed());
+        EXPECT_NE(welcome.welcome().client_id(), id);
+        link.on_peer_closed(server.now);
+    }
+    EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
+}
+
+// By a ticket he comes in once, and again as no more than he was.
+TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
+    const std::string ticket =
+        server.gate
+            ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false},
+                           world->id(), "127.0.0.1")
+            .value();
+    PlayedLink watcher(server, {.ticket = ticket, .name = "watcher", .spectator = true});
+    run(watcher, 30);
+    ASSERT_TRUE(watcher.conversation.stats().connected) << watcher.conversation.stats().last_error;
+    cut(watcher);
+    watcher.connect();
+    run(watcher, 30);
+    EXPECT_EQ(watcher.conversation.stats().resumed, 1u) << watcher.conversation.stats().last_error;
+    cut(watcher);
+    // The same Hello, but for what he wants to be.
+    watcher.link.emplace(server.context,
+                         Peer{.name = "test",
+                              .address = "127.0.0.1",
+                              .call = "jostle.v1.PlayService/Play",
+                              .who = server.gate->identify({.address = "127.0.0.1"})},
+                         server.now);
+    watcher.conversation.begin(server.now);
+    v1::ClientMessage hello;
+    ASSERT_TRUE(hello.ParseFromString(*watcher.conversation.take_message(server.now)));
+    hello.mutable_hello()->set_spectator(false);
+    watcher.link->receive(hello.SerializeAsString(), server.now);
+    ASSERT_TRUE(watcher.link->end());
+    EXPECT_EQ(watcher.link->end()->error().code, ErrorCode::permission_denied);
+    EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
+}
+
+TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
+    PlayedLink player(server, {.name = "player"});
+    run(player, 20);
+    v1::Input grab, drag;
+    grab.mutable_grab()->set_entity(3);
+    grab.mutable_grab()->mutable_point()->set_y(1.5);
+    drag.mutable_drag()->mutable_target()->set_y(4);
+    player.conversation.send(grab);
+    player.conversation.send(drag);
+    run(player, 120);
+    const auto height = [&] { return world->frame()->entities[2].pose.position.y; };
+    EXPECT_GT(height(), 3);
+    cut(player);
+    run_alone(180);
+    EXPECT_LT(height(), 2) << "it fell";
+}
+
+TEST_F(ResumeTest, places_that_are_kept_give_way_to_those_who_are_there) {
+    std::vector<std::unique_ptr<PlayedLink>> lost;
+    for (int i = 0; i < 20; i++) {  // as many as the server takes
+        lost.push_back(std::make_unique<PlayedLink>(server, client::ClientOptions{.name = "lost"}));
+        run(*lost.back(), 5);
+        cut(*lost.back());
+    }
+    EXPECT_EQ(server.context.resumes.lost(), 20u);
+    PlayedLink player(server, {.name = "player"});
+    run(player, 5);
+    EXPECT_TRUE(player.conversation.stats().connected);
+    EXPECT_EQ(server.context.resumes.lost(), 19u);
+    EXPECT_EQ(server.sessions.clients(), 20);
+}
+
+}  // namespace
+}  // namespace jostle::server

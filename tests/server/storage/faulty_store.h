@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// A store in memory that fails or takes its time when told to. Any thread tells it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "server/storage/world_store.h"
+
+namespace jostle::test {
+
+// Shared with the test that gives the store away.
+struct FaultyState {
+    std::atomic<int> delay_ms{0};  // of each write
+    std::mutex mutex;
+    std::optional<Error> error;  // of each write
+    std::vector<server::StoreChange> written;
+    std::vector<std::size_t> groups;  // changes in each successful write
+
+    void fail(std::optional<Error> with) {
+        const std::lock_guard lock(mutex);
+        error = std::move(with);
+    }
+    std::size_t size() {
+        const std::lock_guard lock(mutex);
+        return written.size();
+    }
+};
+
+class FaultyStore : public server::WorldStore {
+public:
+    explicit FaultyStore(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
+
+    Status write(std::span<const server::StoreChange> changes) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(state_->delay_ms.load()));
+        const std::lock_guard lock(state_->mutex);
+        if (state_->error) return *state_->error;
+        for (const server::StoreChange& change : changes)
+            if (std::holds_alternative<server::DropWorld>(change))
+                return Error{ErrorCode::not_found, "there is no such world"};
+        state_->written.insert(state_->written.end(), changes.begin(), changes.end());
+        state_->groups.push_back(changes.size());
+        return {};
+    }
+    Result<std::vector<server::StoredWorld>> worlds() override { return nothing(); }
+    Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string&) override {
+        return nothing();
+    }
+    Result<server::Checkpoint> checkpoint(const std::string&, std::uint32_t) override {
+        return nothing();
+    }
+    Result<std::vector<server::JournalEntry>> entries(const std::string&, std::uint64_t,
+                                                      std::size_t) override {
+        return nothing();
+    }
+    Result<std::optional<std::string>> note(const std::string&) override { return nothing(); }
+
+private:
+    static Error nothing() { return {ErrorCode::unavailable, "this store is only written to"}; }
+
+    std::shared_ptr<FaultyState> state_;
+};
+
+}  // namespace jostle::test

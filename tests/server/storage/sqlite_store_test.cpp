@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "server/storage/sqlite_store.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "server/storage/journal_chain.h"
+#include "tests/server/storage/failing_disk.h"
+#include "tests/server/storage/journals.h"
+#include "tests/support/error_of.h"
+#include "tests/support/random.h"
+#include "tests/support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+using test::error_of;
+using test::JournalMaker;
+using test::stored_world;
+
+std::unique_ptr<SqliteStore> opened(const std::string& path,
+                                    const SqliteStoreOptions& options = {}) {
+    Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(path, options);
+    EXPECT_TRUE(store.ok()) << store.error().message;
+    return store.ok() ? *std::move(store) : nullptr;
+}
+Status write(WorldStore& store, std::vector<StoreChange> changes) {
+    return store.write(changes);
+}
+
+// A world, twelve entries and two checkpoints.
+std::vector<StoreChange> small_history(JournalMaker& journal, const std::string& id) {
+    std::vector<StoreChange> all{PutWorld{stored_world(id)}};
+    for (int k = 0; k < 12; k++)
+        all.push_back(journal.next(id + " was pushed " + std::to_string(k)));
+    all.push_back(
+        PutCheckpoint{id, {60, 0xfedcba9876543210, 6, std::string(500, 'e'), "portable"}});
+    all.push_back(PutCheckpoint{id, {100, 7, 10, std::string(700, 'f'), ""}});
+    return all;
+}
+
+TEST(SqliteStore, what_was_written_is_there_after_a_restart) {
+    const test::TempFolder folder;
+    JournalMaker journal("sea");
+    const std::vector<StoreChange> all = small_history(journal, "sea");
+    ASSERT_TRUE(write(*opened(folder / "worlds.db"), all).ok());
+
+    const auto store = opened(folder / "worlds.db");
+    EXPECT_EQ(*store->worlds(), std::vector{stored_world("sea")});
+    EXPECT_EQ(*store->checkpoint_ticks("sea"), (std::vector<std::uint32_t>{100, 60}));
+    EXPECT_EQ(*store->checkpoint("sea", 60), std::get<PutCheckpoint>(all[13]).checkpoint);
+    const auto entries = store->entries("sea", 6, 1 << 20);
+    ASSERT_EQ(entries->size(), 6u);
+    EXPECT_EQ(entries->front(), std::get<AppendEntry>(all[7]).entry);
+    EXPECT_EQ(error_of(store->checkpoint("sea", 61)).code, ErrorCode::not_found);
+    EXPECT_EQ(std::filesystem::status(folder / "worlds.db").permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+TEST(SqliteStore, a_long_journal_comes_in_pages) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    JournalMaker journal("sea");
+    std::vector<StoreChange> all{PutWorld{stored_world("sea")}};
+    for (int k = 0; k < 100; k++) all.push_back(journal.next(std::string(100, 'x')));
+    ASSERT_TRUE(store->write(all).ok());
+    std::uint64_t after = 0;
+    int pages = 0;
+    for (;; pages++) {
+        const auto page = store->entries("sea", after, 1000);
+        ASSERT_TRUE(page.ok()) << page.error().message;
+        if (page->empty()) break;
+        EXPECT_LE(page->size(), 10u);
+        after = page->back().sequence;
+    }
+    EXPECT_EQ(after, 100u);
+    EXPECT_EQ(pages, 10);
+}
+
+TEST(SqliteStore, changes_are_written_all_or_none) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    JournalMaker journal("sea"), nowhere("nowhere");
+    const Error error = error_of(
+        write(*store, {PutWorld{stored_world("sea")}, journal.next("a"), nowhere.next("b")}));
+    EXPECT_EQ(error.code, ErrorCode::not_found) << error.message;
+    EXPECT_TRUE(store->worlds()->empty());
+}
+
+TEST(SqliteStore, the_same_change_again_is_no_error_and_another_one_is) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    JournalMaker journal("sea");
+    const std::vector<StoreChange> all = small_history(journal, "sea");
+    ASSERT_TRUE(store->write(all).ok());
+    EXPECT_TRUE(store->write(all).ok());
+    AppendEntry other = std::get<AppendEntry>(all[5]);
+    other.entry.data += "?";
+    EXPECT_EQ(error_of(write(*store, {other})).code, ErrorCode::already_exists);
+    journal.next("lost");
+    EXPECT_EQ(error_of(write(*store, {journal.next("too early")})).message,
+              "entry 14 of the journal of world \"sea\" comes after 12");
+}
+
+TEST(SqliteStore, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    JournalMaker journal("sea");
+    ASSERT_TRUE(store->write(small_history(journal, "sea")).ok());
+    ASSERT_TRUE(write(*store, {Trim{"sea", 100}}).ok());
+    EXPECT_EQ(*store->checkpoint_ticks("sea"), std::vector<std::uint32_t>{100});
+    EXPECT_EQ(store->entries("sea", 10, 1 << 20)->size(), 2u);
+    EXPECT_EQ(error_of(store->entries("sea", 5, 1 << 20)).message,
+              "before entry 10 of the journal of world \"sea\" entry 6 is missing");
+    ASSERT_TRUE(write(*store, {journal.next("after")}).ok());
+    ASSERT_TRUE(write(*store, {DropWorld{"sea"}}).ok());
+    EXPECT_TRUE(store->worlds()->empty());
+    EXPECT_TRUE(store->checkpoint_ticks("sea")->empty());
+}
+
+TEST(SqliteStore, two_servers_cannot_have_one_store) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
+    const pid_t child = fork();
+    if (child == 0)  // another process: locks are a process's own
+        _exit(error_of(SqliteStore::open(folder / "worlds.db", {})).code ==
+                      ErrorCode::failed_precondition
+                  ? 0
+                  : 1);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+}
+
+TEST(SqliteStore, files_of_others_are_refused_with_their_names) {
+    const test::TempFolder folder;
+    const std::string path = folder.write("notes.txt", std::string(2000, 'n'));
+    EXPECT_EQ(error_of(SqliteStore::open(path, {})).code, ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(SqliteStore::open(path, {})).message, path + ": file is not a database");
+    EXPECT_EQ(error_of(SqliteStore::open(folder / "no/such/folder.db", {})).code,
+              ErrorCode::unavailable);
+    EXPECT_EQ(folder.read("notes.txt"), std::string(2000, 'n')) << "and are left as they are";
+    const std::string few = folder.write("few.txt", "to do");
+    EXPECT_EQ(error_of(SqliteStore::open(few, {})).message, few + ": file is not a database");
+    EXPECT_EQ(folder.read("few.txt"), "to do") << "also those that SQLite takes for empty";
+
+    sqlite3* other = nullptr;
+    sqlite3_open((folder / "other.db").c_str(), &other);
+    sqlite3_exec(other, "CREATE TABLE poems(text)", nullptr, nullptr, nullptr);
+    sqlite3_close(other);
+    EXPECT_EQ(error_of(SqliteStore::open(folder / "other.db", {})).message,
+              folder / "other.db: it is a database, but not one of Jostle's worlds");
+
+    opened(folder / "later.db");
+    sqlite3_open((folder / "later.db").c_str(), &other);
+    sqlite3_exec(other, "PRAGMA user_version = 9", nullptr, nullptr, nullptr);
+    sqlite3_close(other);
+    EXPECT_EQ(error_of(SqliteStore::open(folder / "later.db", {})).message,
+              folder /
+                  "later.db: it was written by a later version of Jostle (schema 9; this one "
+                  "knows 2)");
+}
+
+TEST(SqliteStore, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
+    const test::TempFolder folder;
+    const std::string path = folder / "old.db";
+    const StoreChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
+    EXPECT_TRUE(opened(path)->write(world).ok());
+    sqlite3* old = nullptr;
+    sqlite3_open(path.c_str(), &old);
+    sqlite3_exec(old, "DROP TABLE note; PRAGMA user_version = 1", nullptr, nullptr, nullptr);
+    sqlite3_close(old);
+
+    const StoreChange note[] = {PutNote{"secret", std::string("a\0b", 3)}};
+    {
+        const auto store = opened(path);
+        EXPECT_EQ(store->worlds().value().at(0).name, "yard");
+        EXPECT_EQ(store->note("secret").value(), std::nullopt);
+        EXPECT_TRUE(store->write(note).ok());
+    }
+    EXPECT_EQ(opened(path)->note("secret").value(), std::string("a\0b", 3));
+}
+
+TEST(SqliteStore, what_is_cut_from_a_journal_can_be_written_otherwise) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db");
+    Chain chain{};
+    const auto entry = [&](std::uint64_t sequence, const std::string& data) {
+        const auto tick = static_cast<std::uint32_t>(sequence);
+        chain = next_chain(chain, data);
+        return AppendEntry{"w1", {sequence, 1, tick, tick, chain, data}};
+    };
+    std::vector<StoreChange> changes{PutWorld{{.id = "w1"}}, entry(1, "a")};
+    const Chain after_one = chain;
+    changes.insert(changes.end(), {entry(2, "b"), entry(3, "c"), PutCheckpoint{"w1", {.tick = 1}},
+                                   PutCheckpoint{"w1", {.tick = 3}}});
+    EXPECT_TRUE(store->write(changes).ok());
+    chain = after_one;
+    const StoreChange other[] = {CutJournal{"w1", 2, 1}, entry(2, "B")};
+    EXPECT_TRUE(store->write(other).ok());
+    EXPECT_EQ(store->checkpoint_ticks("w1").value(), std::vector<std::uint32_t>{1});
+    const auto entries = store->entries("w1", 0, 100).value();
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[1].data, "B");
+}
+
+// All that a store says of a history.
+bool says_all(WorldStore& store, const std::string& id, bool& reported) {
+    const auto worlds = store.worlds();
+    const auto ticks = store.checkpoint_ticks(id);
+    reported = !worlds.ok() || !ticks.ok();
+    if (reported) return false;
+    for (const std::uint32_t tick : *ticks) reported |= !store.checkpoint(id, tick).ok();
+    const auto entries = store.entries(id, 0, 1 << 20);
+    reported |= !entries.ok();
+    return !reported && *worlds == std::vector{stored_world(id)} &&
+           *ticks == std::vector<std::uint32_t>{100, 60} && entries->size() == 12;
+}
+
+TEST(SqliteStore, a_flipped_byte_is_reported_or_changes_nothing) {
+    const test::TempFolder folder;
+    JournalMaker journal("sea");
+    ASSERT_TRUE(write(*opened(folder / "worlds.db"), small_history(journal, "sea")).ok());
+    const std::string whole = folder.read("worlds.db");
+    const char* const wished = std::getenv("JOSTLE_FLIPS");
+    const int flips = wished != nullptr ? std::atoi(wished) : 600;
+    test::Random random(31);
+    int reports = 0, silent = 0;
+    for (int k = 0; k < flips; k++) {
+        std::string bytes = whole;
+        const auto at = random.below(bytes.size());
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
+        const std::string path = folder.write("flipped.db", bytes);
+        const auto store = SqliteStore::open(path, {});
+        bool reported = !store.ok();
+        if (store.ok() && !says_all(**store, "sea", reported) && !reported) silent++;
+        reports += reported ? 1 : 0;
+    }
+    EXPECT_EQ(silent, 0) << "stores that said something else and did not report it";
+    EXPECT_GT(reports, flips / 10);
+    RecordProperty("reports", reports);
+}
+
+// A process that writes without end, and tells which entries are durable.
+void write_without_end(const std::string& path, int to) {
+    const auto store = opened(path, {.durability = Durability::process});
+    JournalMaker journal("sea");
+    if (!write(*store, {PutWorld{stored_world("sea")}}).ok()) _exit(1);
+    for (std::uint64_t sequence = 1;; sequence++) {
+        if (!write(*store, {journal.next(std::string(300, 'w'))}).ok()) _exit(1);
+        if (::write(to, &sequence, sizeof sequence) != sizeof sequence) _exit(1);
+    }
+}
+
+TEST(SqliteStore, thirty_killed_processes_lose_nothing_that_was_durable) {
+    test::Random random(9);
+    for (int kill_number = 0; kill_number < 30; kill_number++) {
+        const test::TempFolder folder;
+        int pipe_ends[2];
+        ASSERT_EQ(pipe(pipe_ends), 0);
+        const pid_t child = fork();
+        if (child == 0) write_without_end(folder / "worlds.db", pipe_ends[1]);
+        close(pipe_ends[1]);
+        std::uint64_t durable = 0, next = 0;
+        const std::uint64_t until = 1 + random.below(60);
+        while (durable < until && read(pipe_ends[0], &next, sizeof next) == sizeof next)
+            durable = next;
+        kill(child, SIGKILL);
+        while (read(pipe_ends[0], &next, sizeof next) == sizeof next) durable = next;
+        close(pipe_ends[0]);
+        waitpid(child, nullptr, 0);
+        const auto entries = opened(folder / "worlds.db")->entries("sea", 0, 1 << 24);
+        ASSERT_TRUE(entries.ok()) << entries.error().message;
+        EXPECT_GE(entries->size(), durable);
+        EXPECT_LE(entries->size(), durable + 1);
+    }
+}
+
+TEST(SqliteStore, a_disk_that_fails_is_told_and_works_again) {
+    const test::TempFolder folder;
+    const auto store = opened(folder / "worlds.db", {.file_system = test::failing_disk()});
+    JournalMaker journal("sea");
+    ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
+    for (const auto& [fault, code] :
+         {std::pair{test::DiskFault::error, ErrorCode::unavailable},
+          std::pair{test::DiskFault::full, ErrorCode::resource_exhausted},
+          std::pair{test::DiskFault::torn, ErrorCode::unavailable}}) {
+        const AppendEntry entry = journal.next(std::string(9000, 'd'));
+        test::set_disk_fault(fault);
+        EXPECT_EQ(error_of(write(*store, {entry})).code, code);
+        test::set_disk_fault(test::DiskFault::none);
+        EXPECT_TRUE(write(*store, {entry}).ok());
+    }
+    EXPECT_EQ(store->entries("sea", 0, 1 << 20)->size(), 3u);
+}
+
+}  // namespace
+}  // namespace jostle::server

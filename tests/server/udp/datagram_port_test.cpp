@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+//
+// Real sockets on the loopback device, and a client made of a seal.
+#include "server/udp/datagram_port.h"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "tests/support/wait_until.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using datagram::Seal;
+using datagram::Side;
+using test::wait_until;
+
+// A socket of its own, connected to the port.
+class End {
+public:
+    explicit End(std::uint16_t port) : descriptor_(socket(AF_INET, SOCK_DGRAM, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(connect(descriptor_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    }
+    ~End() { close(descriptor_); }
+    End(const End&) = delete;
+    End& operator=(const End&) = delete;
+
+    void send(const std::string& packet) const {
+        ASSERT_EQ(::send(descriptor_, packet.data(), packet.size(), 0),
+                  static_cast<ssize_t>(packet.size()));
+    }
+    // Nothing: none came within that time.
+    std::optional<std::string> receive(std::chrono::milliseconds patience = 1000ms) const {
+        pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
+        if (poll(&watched, 1, static_cast<int>(patience.count())) != 1) return std::nullopt;
+        std::string packet(2000, ' ');
+        const ssize_t size = recv(descriptor_, packet.data(), packet.size(), 0);
+        packet.resize(size < 0 ? 0 : static_cast<std::size_t>(size));
+        return packet;
+    }
+
+private:
+    int descriptor_;
+};
+
+std::string message(std::string_view text) {
+    return datagram::encode_message(std::span(&text, 1), 1)[0];
+}
+
+struct DatagramPortTest : testing::Test {
+    void SetUp() override {
+        ASSERT_TRUE(port.start().ok());
+        path = *port.open([this](std::string_view) { messages++; });
+        client = *Seal::make(path->ticket(), Side::client);
+        end = std::make_unique<End>(port.port());
+    }
+    void TearDown() override { port.stop(); }
+
+    // Asks for a question by a packet, and answers it.
+    void be_known(const End& from) {
+        from.send(client->close(message("")));
+        const auto packet = from.receive();
+        ASSERT_TRUE(packet);
+        const auto question = client->open(*packet);
+        ASSERT_TRUE(question);
+        const auto content = *datagram::decode_content(question->content);
+        from.send(client->close(
+            datagram::encode(datagram::Answer{std::get<datagram::Question>(content).word})));
+    }
+    void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
+
+    DatagramPort port{{.host = "127.0.0.1", .port = 0}};
+    std::shared_ptr<DatagramPath> path;
+    std::unique_ptr<Seal> client;
+    std::unique_ptr<End> end;
+    std::atomic<int> messages{0};
+};
+
+}  // namespace
+
+TEST_F(DatagramPortTest, nothing_is_sent_before_the_client_answered_from_where_it_is) {
+    say("lost");
+    EXPECT_FALSE(path->is_open(Clock::now()));
+    end->send(client->close(message("hello")));
+    const auto first = end->receive();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->size(), 41u) << "a question, and no more than came";
+    EXPECT_FALSE(path->is_open(Clock::now()));
+    say("lost, too");
+    EXPECT_FALSE(end->receive(100ms));
+    be_known(*end);
+    ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    say("now");
+    const auto packet = end->receive();
+    ASSERT_TRUE(packet);
+    EXPECT_EQ(client->open(*packet)->content, message("now"));
+}
+
+TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
+    const std::string packet = client->close(message("push"));
+    end->send(packet);
+    end->send(packet);
+    ASSERT_TRUE(wait_until([&] { return messages == 1; }));
+    end->send(client->close(message("pull")));
+    ASSERT_TRUE(wait_until([&] { return messages == 2; }));
+    EXPECT_TRUE(path->has_mail());
+    const auto mail = path->take_mail();
+    ASSERT_EQ(mail.size(), 2u);
+    EXPECT_EQ(mail[0].message, "push");
+    EXPECT_EQ(mail[1].message, "pull");
+    EXPECT_GE(mail[1].at, mail[0].at);
+    EXPECT_FALSE(path->has_mail());
+}
+
+TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
+    datagram::Ticket guessed = path->ticket();
+    guessed.key[0] ^= 1;
+    end->send((*Seal::make(guessed, Side::client))->close(message("let me in")));
+    end->send(std::string(1200, 'x'));
+    end->send("x");
+    end->send(std::string(1400, 'x'));
+    EXPECT_FALSE(end->receive(100ms));
+    be_known(*end);
+    EXPECT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    EXPECT_EQ(path->take_mail().size(), 1u) << "of be_known() alone";
+}
+
+TEST_F(DatagramPortTest, a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
+    be_known(*end);
+    ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    const End elsewhere(port.port());
+    elsewhere.send(client->close(message("I am here now")));
+    ASSERT_TRUE(elsewhere.receive()) << "a question";
+    say("to the old place");
+    EXPECT_TRUE(end->receive());
+    EXPECT_FALSE(elsewhere.receive(50ms));
+    be_known(elsewhere);
+    EXPECT_TRUE(wait_until([&] {
+        say("where are you?");
+        return elsewhere.receive(20ms).has_value();
+    }));
+}
+
+TEST_F(DatagramPortTest, one_that_was_recorded_and_sent_from_elsewhere_moves_nobody) {
+    be_known(*end);
+    ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    const std::string held_back = client->close(message("old"));
+    end->send(client->close(message("new")));
+    ASSERT_TRUE(wait_until([&] { return messages == 2; }));
+    const End elsewhere(port.port());
+    elsewhere.send(held_back);
+    ASSERT_TRUE(wait_until([&] { return messages == 3; }));
+    EXPECT_FALSE(elsewhere.receive(100ms)) << "not even a question: a newer packet came before";
+}
+
+TEST_F(DatagramPortTest, who_says_nothing_for_two_seconds_is_no_longer_sent_to) {
+    be_known(*end);
+    ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    EXPECT_TRUE(path->is_open(Clock::now() + 1900ms));
+    EXPECT_FALSE(path->is_open(Clock::now() + 2100ms));
+}
+
+TEST_F(DatagramPortTest, a_client_that_hears_nothing_else_is_asked_now_and_then) {
+    be_known(*end);
+    ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
+    std::this_thread::sleep_for(300ms);
+    end->send(client->close(message("still there?")));
+    EXPECT_TRUE(end->receive()) << "the way back is open";
+}
+
+TEST_F(DatagramPortTest, mail_that_nobody_takes_is_bounded) {
+    for (std::size_t i = 0; i < DatagramPath::mail_max + 50; i++) {
+        end->send(client->close(message("x")));
+        if (i % 16 == 0) std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramPath::mail_max); }));
+    std::this_thread::sleep_for(50ms);
+    EXPECT_EQ(path->take_mail().size(), DatagramPath::mail_max);
+}
+
+TEST_F(DatagramPortTest, a_closed_path_is_forgotten) {
+    EXPECT_EQ(port.paths(), 1u);
+    port.close(*path);
+    EXPECT_EQ(port.paths(), 0u);
+    end->send(client->close(message("hello")));
+    EXPECT_FALSE(end->receive(100ms));
+    EXPECT_EQ(messages, 0);
+}
+
+TEST(DatagramPort, says_which_address_it_cannot_have) {
+    DatagramPort first{{.host = "127.0.0.1", .port = 0}};
+    ASSERT_TRUE(first.start().ok());
+    DatagramPort second{{.host = "127.0.0.1", .port = first.port()}};
+    const Status taken = second.start();
+    ASSERT_FALSE(taken.ok());
+    EXPECT_NE(taken.error().message.find("127.0.0.1:" + std::to_string(first.port())),
+              std::string::npos);
+    EXPECT_NE(taken.error().message.find("--datagrams"), std::string::npos);
+    first.stop();
+}
+
+}  // namespace jostle::server

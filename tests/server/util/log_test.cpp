@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// The log as a program that reads it sees it: over a pipe.
+#include "server/util/log.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+
+namespace jostle::server {
+namespace {
+
+class LogTest : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_EQ(pipe(ends_), 0); }
+    void TearDown() override {
+        stop_log();
+        close(ends_[0]);
+        close(ends_[1]);
+    }
+    std::string read_all() {
+        fcntl(ends_[0], F_SETFL, O_NONBLOCK);
+        std::string all;
+        char some[4096];
+        for (ssize_t n = 0; (n = read(ends_[0], some, sizeof some)) > 0;)
+            all.append(some, static_cast<std::size_t>(n));
+        return all;
+    }
+    int ends_[2] = {-1, -1};
+};
+
+TEST_F(LogTest, a_line_is_one_event_whatever_a_client_calls_itself) {
+    start_log({.descriptor = ends_[1]});
+    log_info("client 3 {} joined", "eve\n2026-01-01T00:00:00.000 error all is lost");
+    stop_log();
+    const std::string all = read_all();
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 1);
+    EXPECT_NE(all.find("info client 3 eve\\n2026"), std::string::npos) << all;
+}
+
+TEST_F(LogTest, json_says_time_level_and_message) {
+    start_log({.json = true, .descriptor = ends_[1]});
+    log_warn("a \"quoted\" word\t");
+    stop_log();
+    const std::string all = read_all();
+    EXPECT_NE(all.find(R"("level": "warning", "message": "a \"quoted\" word\\t"})"),
+              std::string::npos)
+        << all;
+    EXPECT_NE(all.find("Z\","), std::string::npos) << "UTC";
+}
+
+TEST_F(LogTest, who_logs_never_waits_for_who_reads_and_what_is_lost_is_counted) {
+    start_log({.descriptor = ends_[1]});
+    const auto began = std::chrono::steady_clock::now();
+    for (int i = 0; i < 20'000; i++) log_info("line {} of a pipe that nobody reads", i);
+    const auto took = std::chrono::steady_clock::now() - began;
+    EXPECT_LT(took, std::chrono::seconds(1));
+    stop_log();
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3))
+        << "nor does the end of the program";
+    EXPECT_GT(log_lines_dropped(), 5'000u);
+    EXPECT_NE(read_all().find(" of a pipe that nobody reads\n"), std::string::npos)
+        << "what had room was written";
+}
+
+TEST_F(LogTest, a_reader_that_goes_away_ends_nothing) {
+    start_log({.descriptor = ends_[1]});
+    close(ends_[0]);
+    for (int i = 0; i < 10; i++) log_info("line {}", i);
+    stop_log();
+    EXPECT_EQ(log_lines_dropped(), 10u);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "server/util/token_bucket.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(TokenBucket, gives_its_store_at_once_and_then_as_it_flows_in) {
+    const Clock::time_point now{};
+    TokenBucket bucket(2, 10, now);
+    EXPECT_TRUE(bucket.take(10, now));
+    EXPECT_FALSE(bucket.take(1, now));
+    EXPECT_FALSE(bucket.take(1, now + 499ms));
+    EXPECT_TRUE(bucket.take(1, now + 500ms));
+    EXPECT_TRUE(bucket.take(10, now + 1h));
+    EXPECT_FALSE(bucket.take(1, now + 1h)) << "an hour fills it no further than its store";
+}
+
+TEST(TokenBucket, who_waits_as_long_as_it_says_gets_what_he_wants) {
+    for (const double rate : {0.01, 1.0 / 3, 0.7, 3.0, 1e6}) {
+        const Clock::time_point now{};
+        TokenBucket bucket(rate, 5, now);
+        EXPECT_EQ(bucket.wait_for(5, now), Clock::duration::zero());
+        ASSERT_TRUE(bucket.take(5, now));
+        const Clock::duration wait = bucket.wait_for(1, now);
+        EXPECT_NEAR(to_ms(wait), 1000 / rate, 2);
+        EXPECT_TRUE(bucket.take(1, now + wait)) << rate;
+    }
+}
+
+TEST(TokenBucket, times_out_of_order_give_nothing_twice) {
+    const Clock::time_point now = Clock::time_point{} + 1h;
+    TokenBucket bucket(1, 1, now);
+    ASSERT_TRUE(bucket.take(1, now));
+    EXPECT_FALSE(bucket.take(1, now - 10s));
+    EXPECT_FALSE(bucket.take(1, now));
+    EXPECT_TRUE(bucket.take(1, now + 1s));
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "server/util/work_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <future>
+#include <stdexcept>
+
+namespace jostle::server {
+namespace {
+
+TEST(WorkPool, who_finds_the_queue_full_is_told_at_once) {
+    WorkPool pool(1, 3, 0);
+    std::promise<void> began, go_on;
+    std::atomic<int> done{0};
+    ASSERT_TRUE(pool.add([&] {
+        began.set_value();
+        go_on.get_future().wait();
+    }));
+    began.get_future().wait();
+    for (int i = 0; i < 3; i++) EXPECT_TRUE(pool.add([&] { done++; }));
+    EXPECT_FALSE(pool.add([&] { done++; })) << "three wait, one is being done";
+    go_on.set_value();
+    pool.stop();
+    EXPECT_EQ(done, 3) << "what was taken is done before the threads end";
+    EXPECT_FALSE(pool.add([] {}));
+}
+
+TEST(WorkPool, a_piece_that_throws_costs_no_other) {
+    WorkPool pool(1, 10, 0);
+    std::atomic<int> done{0};
+    ASSERT_TRUE(pool.add([] { throw std::runtime_error("no memory"); }));
+    ASSERT_TRUE(pool.add([&] { done++; }));
+    pool.stop();
+    EXPECT_EQ(done, 1);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// Who drives what, by way of a module that lets two of its balls be pushed about.
+#include "server/world/drivers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace jostle::server {
+namespace {
+
+using namespace physics;
+
+// Pushes each of its balls to the right by the first axis, N.
+class Rollers final : public Module {
+public:
+    std::string_view tag() const override { return "rollers"; }
+    void visit(StateVisitor&) override {}
+    bool takes_controls(BodyId body) const override {
+        return std::ranges::any_of(balls, [&](const auto& ball) { return ball.first == body; });
+    }
+    void control(World&, BodyId body, const Controls& controls) override {
+        for (auto& [ball, held] : balls)
+            if (ball == body) held = controls;
+    }
+    void before_step(World& world, double) override {
+        for (const auto& [ball, held] : balls)
+            world.apply_force(ball, {held.axes[0], 0, 0}, world.body(ball)->center).expect();
+    }
+
+    std::vector<std::pair<BodyId, Controls>> balls;
+};
+
+class DriversTest : public testing::Test {
+protected:
+    DriversTest() {
+        auto module = std::make_unique<Rollers>();
+        rollers = module.get();
+        for (int k = 0; k < 2; k++) rollers->balls.push_back({add(), {}});
+        EXPECT_TRUE(world.add_module(std::move(module)).ok());
+        one = rollers->balls[0].first;
+        two = rollers->balls[1].first;
+    }
+    BodyId add() {
+        const Vec3 at{0, 0, 5.0 * static_cast<double>(world.bodies().size())};
+        return *world.create_body({.pose = {.position = at}}, {.geometry = Sphere{0.5}});
+    }
+    std::string complaint(ClientId client, BodyId body) {
+        const Status status = drivers.possess(world, client, body);
+        return status.ok() ? "" : status.error().message;
+    }
+    double held(BodyId body) const {
+        for (const auto& [ball, controls] : rollers->balls)
+            if (ball == body) return controls.axes[0];
+        return -99;
+    }
+
+    World world = std::move(*World::create({.gravity = {}}));
+    Rollers* rollers = nullptr;
+    BodyId one, two;
+    Drivers drivers;
+};
+
+constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};
+
+TEST_F(DriversTest, what_a_driver_holds_reaches_the_module) {
+    EXPECT_FALSE(drivers.control(world, 1, right)) << "drives nothing yet";
+    EXPECT_EQ(complaint(1, one), "");
+    EXPECT_EQ(drivers.control(world, 1, right), one);
+    EXPECT_EQ(held(one), 1);
+    for (int k = 0; k < 60; k++) ASSERT_TRUE(world.step(1.0 / 60).ok());
+    const double mass = world.body(one)->mass;
+    EXPECT_NEAR(world.body(one)->linear_velocity.x, 1 / mass, 1e-6) << "1 N for a second";
+    EXPECT_EQ(world.body(two)->linear_velocity.x, 0);
+}
+
+TEST_F(DriversTest, one_client_drives_one_body_and_one_body_has_one_driver) {
+    EXPECT_EQ(complaint(1, one), "");
+    EXPECT_EQ(complaint(2, one), "somebody else drives it");
+    EXPECT_EQ(complaint(1, one), "") << "again";
+    EXPECT_EQ(drivers.control(world, 1, right), one);
+    EXPECT_EQ(complaint(1, two), "");
+    EXPECT_EQ(held(one), 0) << "let go of";
+    EXPECT_EQ(complaint(2, one), "");
+    EXPECT_EQ(drivers.control(world, 2, half), one);
+    EXPECT_EQ(held(one), 0.5);
+}
+
+TEST_F(DriversTest, what_no_module_drives_is_refused) {
+    const BodyId other = add();
+    EXPECT_FALSE(can_be_driven(world, other));
+    EXPECT_TRUE(can_be_driven(world, one));
+    EXPECT_EQ(complaint(1, other), "nobody can drive that");
+}
+
+TEST_F(DriversTest, who_leaves_lets_go) {
+    ASSERT_EQ(complaint(1, one), "");
+    drivers.control(world, 1, right);
+    drivers.release(world, 1);
+    EXPECT_EQ(held(one), 0);
+    EXPECT_FALSE(drivers.control(world, 1, right));
+}
+
+TEST_F(DriversTest, a_body_that_goes_has_no_driver) {
+    ASSERT_EQ(complaint(1, one), "");
+    ASSERT_EQ(complaint(2, two), "");
+    drivers.release_body(world, one);
+    EXPECT_FALSE(drivers.control(world, 1, right));
+    EXPECT_TRUE(drivers.control(world, 2, right));
+    rollers->balls.clear();
+    EXPECT_FALSE(drivers.control(world, 2, right)) << "the module let go of it";
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/frame_ring.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace jostle::server {
+namespace {
+
+FramePtr frame_of(std::uint32_t tick) {
+    auto frame = std::make_shared<Frame>();
+    frame->tick = tick;
+    return frame;
+}
+
+TEST(FrameRing, keeps_as_many_frames_as_the_time_has_and_names_the_two_around_a_moment) {
+    FrameRing ring(400, 60);
+    EXPECT_EQ(ring.frames_max(), 25u);
+    EXPECT_FALSE(ring.at({5, 0.5})) << "before the first frame";
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    const auto between = ring.at({90, 0.25});
+    ASSERT_TRUE(between);
+    EXPECT_EQ(between->before->tick, 90u);
+    EXPECT_EQ(between->after->tick, 91u);
+    EXPECT_EQ(between->fraction, 0.25);
+    EXPECT_FALSE(between->clamped);
+    const auto whole = ring.at({76, 0});
+    EXPECT_EQ(whole->before, whole->after);
+    EXPECT_EQ(whole->before->tick, 76u) << "the oldest of the 25";
+    EXPECT_FALSE(whole->clamped);
+}
+
+TEST(FrameRing, what_is_too_long_ago_is_the_oldest_frame_and_says_so) {
+    FrameRing ring(400, 60);
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    for (const std::uint32_t tick : {75u, 1u, 0u}) {
+        const auto moment = ring.at({tick, 0.9});
+        EXPECT_EQ(moment->before->tick, 76u);
+        EXPECT_EQ(moment->after->tick, 76u);
+        EXPECT_TRUE(moment->clamped) << tick;
+    }
+}
+
+TEST(FrameRing, what_is_to_come_is_the_newest_frame) {
+    FrameRing ring(400, 60);
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    for (const SeenMoment seen : {SeenMoment{100, 0.5}, SeenMoment{4'000'000'000, 0}}) {
+        EXPECT_EQ(ring.at(seen)->before->tick, 100u);
+        EXPECT_EQ(ring.at(seen)->after->tick, 100u);
+        EXPECT_FALSE(ring.at(seen)->clamped);
+    }
+}
+
+TEST(FrameRing, a_server_that_keeps_nothing_knows_the_newest_frame_alone) {
+    FrameRing ring(0, 60);
+    ring.put(frame_of(7));
+    ring.put(frame_of(8));
+    EXPECT_EQ(ring.at({7, 0})->before->tick, 8u);
+    EXPECT_TRUE(ring.at({7, 0})->clamped);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/module_channels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/counter.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace physics;
+using test::Counter;
+using testing::HasSubstr;
+
+class ModuleChannelsTest : public testing::Test {
+protected:
+    Counter& add(const std::string& tag, std::vector<ChannelKind> kinds = {{}}) {
+        auto module = std::make_unique<Counter>(tag);
+        Counter& added = *module;
+        added.kinds = std::move(kinds);
+        EXPECT_TRUE(world.add_module(std::move(module)).ok());
+        return added;
+    }
+    Channels step() {
+        if (tick == 0) channels = ModuleChannels::of(world).value();
+        EXPECT_TRUE(world.step(1.0 / 60).ok());
+        channels.publish(world, ++tick,
+                         [](BodyId body) { return body.index == 7 ? 1234567u : 0u; });
+        return *channels.channels();
+    }
+
+    World world = World::create().value();
+    ModuleChannels channels;
+    std::uint32_t tick = 0;
+};
+
+TEST_F(ModuleChannelsTest, a_world_without_modules_tells_nothing) {
+    EXPECT_TRUE(step().empty());
+}
+
+TEST_F(ModuleChannelsTest, kinds_are_those_of_the_modules_by_full_names) {
+    add("second", {{"near", ChannelForm::points, 4}, {}}).watched = {7, 1};
+    add("first");
+    const Channels now = step();
+    ASSERT_EQ(channels.kinds().size(), 4u);
+    EXPECT_EQ(channels.kinds()[3].name, motion_kind);
+    EXPECT_EQ(channels.kinds()[0].name, "second.near");
+    EXPECT_EQ(channels.kinds()[0].form, ChannelForm::points);
+    EXPECT_EQ(channels.kinds()[1].name, "second");
+    EXPECT_EQ(channels.kinds()[2].name, "first");
+    ASSERT_EQ(now.size(), 3u);
+    EXPECT_EQ(now[1].kind, 1u);
+    EXPECT_EQ(now[1].entity, 1234567u);
+    EXPECT_EQ(*now[1].values, std::vector<std::int32_t>{1});
+    EXPECT_EQ(now[2].entity, 0u) << "it watches nobody";
+}
+
+TEST_F(ModuleChannelsTest, what_a_module_says_again_is_the_same_list) {
+    add("slow").every = 2;
+    add("quick");
+    const auto first = step(), second = step(), third = step();
+    EXPECT_NE(first[0].values, second[0].values);
+    EXPECT_EQ(second[0].values, third[0].values) << "the same, not an equal one";
+    EXPECT_NE(second[1].values, third[1].values);
+}
+
+TEST_F(ModuleChannelsTest, a_kind_with_a_divisor_is_told_so_rarely_and_stays_between) {
+    add("counter", {{"rare", ChannelForm::params, 4}, {}});
+    std::vector<std::int32_t> rare, each;
+    for (int k = 0; k < 9; k++) {
+        const Channels now = step();
+        ASSERT_EQ(now.size(), 2u);
+        rare.push_back(now[0].values->front());
+        each.push_back(now[1].values->front());
+    }
+    EXPECT_EQ(rare, (std::vector<std::int32_t>{1, 1, 1, 1, 5, 5, 5, 5, 9}));
+    EXPECT_EQ(each, (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(ModuleChannelsTest, a_module_that_has_nothing_to_say_has_no_channel) {
+    add("counter").until = 2;
+    EXPECT_EQ(step().size(), 1u);
+    EXPECT_TRUE(step().empty());
+}
+
+TEST_F(ModuleChannelsTest, what_is_too_large_is_left_out_and_told_of_once) {
+    Counter& large = add("large");
+    add("small");
+    large.padding = channel_values_max - 1;
+    EXPECT_EQ(step().size(), 2u) << "16384 values fit";
+    EXPECT_TRUE(channels.newly_too_large().empty());
+    large.padding++;
+    for (int k = 0; k < 3; k++) {
+        const Channels now = step();
+        ASSERT_EQ(now.size(), 1u);
+        EXPECT_EQ(now[0].kind, 1u);
+        ASSERT_EQ(channels.newly_too_large().size(), k == 0 ? 1u : 0u);
+        if (k == 0) {
+            EXPECT_EQ(channels.newly_too_large()[0].kind, "large");
+            EXPECT_EQ(channels.newly_too_large()[0].what,
+                      "16385 values; clients are sent 16384 at most");
+        }
+    }
+    large.padding = 0;
+    EXPECT_EQ(step().size(), 2u) << "it is left out in those ticks only";
+}
+
+TEST_F(ModuleChannelsTest, kinds_that_clients_could_not_tell_apart_are_refused) {
+    const auto refused = [](std::vector<ChannelKind> kinds) {
+        World owned = World::create().value();
+        auto module = std::make_unique<Counter>("m");
+        module->kinds = std::move(kinds);
+        EXPECT_TRUE(owned.add_module(std::move(module)).ok());
+        const auto made = ModuleChannels::of(owned);
+        return made.ok() ? "" : made.error().message;
+    };
+    EXPECT_THAT(refused({{"a"}, {"a"}}),
+                HasSubstr("module \"m\": the channel \"m.a\" is there twice"));
+    EXPECT_THAT(refused({{"A"}}), HasSubstr("is named by other than"));
+    EXPECT_THAT(refused({{"a", ChannelForm::seed, 0}}), HasSubstr("every 0 steps; give 1 to 255"));
+    std::vector<ChannelKind> many;
+    for (int k = 0; k < 65; k++) many.push_back({"k" + std::to_string(k)});
+    EXPECT_THAT(refused(many), HasSubstr("have 65 kinds of channels; a server hosts 64"));
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/moment_taker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(MomentTaker, is_copied_by_who_wants_it_while_the_world_waits) {
+    std::atomic<bool> begun = false;
+    std::atomic<int> world = 7;
+    MomentTaker taker([&] {
+        begun = true;
+        std::this_thread::sleep_for(20ms);
+        return WorldMoment{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
+    });
+    std::uint32_t taken = 0;
+    std::jthread other([&] { taken = taker.take()->tick; });
+    while (!begun) std::this_thread::yield();
+    taker.finish();
+    world = 8;  // the next tick
+    other.join();
+    EXPECT_EQ(taken, 7u);
+}
+
+TEST(MomentTaker, is_copied_by_the_world_if_nobody_came_in_time) {
+    int world = 7, copies = 0;
+    MomentTaker taker([&] {
+        copies++;
+        return WorldMoment{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
+    });
+    taker.finish();
+    world = 8;
+    taker.finish();
+    EXPECT_EQ(taker.take()->tick, 7u);
+    EXPECT_FALSE(taker.take()) << "it is given away once";
+    EXPECT_EQ(copies, 1);
+}
+
+TEST(MomentTaker, without_memory_there_is_none) {
+    MomentTaker taker([]() -> WorldMoment { throw std::bad_alloc(); });
+    taker.finish();
+    EXPECT_FALSE(taker.take());
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/ownership.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+
+TEST(Ownership, counts_what_each_client_owns) {
+    Ownership ownership;
+    ownership.add(1, 10);
+    ownership.add(1, 12);
+    ownership.add(2, 11);
+    EXPECT_EQ(ownership.count(1), 2);
+    EXPECT_EQ(ownership.count(3), 0);
+    EXPECT_TRUE(ownership.owns(1, 12));
+    EXPECT_FALSE(ownership.owns(2, 12));
+    EXPECT_FALSE(ownership.owns(3, 12));
+    ownership.remove(12);
+    ownership.remove(99);
+    EXPECT_EQ(ownership.count(1), 1);
+    EXPECT_FALSE(ownership.owns(1, 12));
+}
+
+TEST(Ownership, what_a_client_owns_comes_in_rising_order_and_is_nobodys_after_it_left) {
+    Ownership ownership;
+    for (const EntityId entity : {9u, 3u, 5u}) ownership.add(1, entity);
+    EXPECT_EQ(ownership.owned_by(1), (std::vector<EntityId>{3, 5, 9}));
+    ownership.forget(1);
+    EXPECT_TRUE(ownership.owned_by(1).empty());
+    EXPECT_FALSE(ownership.owns(1, 3));
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/tick_trace.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+
+TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
+    const Clock::time_point zero{1000s};
+    TickRecord tick{.tick = 42,
+                    .due = zero - 50us,
+                    .begun = zero,
+                    .ended = zero + 900us,
+                    .step_begun = zero + 100us,
+                    .bodies_awake = 7,
+                    .late_ticks = 3};
+    tick.stage_ms[0] = 0.2;  // update_pairs
+    tick.stage_ms[6] = 0.5;  // solve_constraints
+    const std::string trace = tick_trace("arena", std::vector{tick});
+    for (
+        const char* line :
+        {R"("args":{"name":"world arena"})",
+         R"("name":"tick","ts":0,"dur":900,"args":{"tick":42,"late_us":50,"inputs":0,"bodies_awake":7,)",
+         R"("touching":0,"late_ticks":3})", R"("name":"inputs","ts":0,"dur":100})",
+         R"("name":"update_pairs","ts":100,"dur":200})",
+         R"("name":"solve_constraints","ts":300,"dur":500})",
+         R"("name":"frame_and_answers","ts":800,"dur":100})"})
+        EXPECT_NE(trace.find(line), std::string::npos) << line << "\n" << trace;
+    EXPECT_EQ(trace.find("wake_bodies"), std::string::npos)
+        << "a stage that did not run is not there";
+}
+
+TEST(TickTrace, a_world_that_ended_at_once_has_an_empty_trace) {
+    EXPECT_NE(tick_trace("arena", {}).find("\"traceEvents\":["), std::string::npos);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+//
+// The one place where threads meet: many clients push while the world ticks and others read its
+// frames.
+#include "server/world/world_host.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "server/world/result_queue.h"
+#include "server/world/world_directory.h"
+#include "tests/support/wait_until.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::wait_until;
+
+TEST(WorldHost, ticks_at_its_rate) {
+    std::atomic<int> frames{0};
+    WorldHostSettings settings;
+    settings.on_frame = [&](bool) { frames++; };
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    const std::uint32_t first = host->frame()->tick;
+    const auto begin = Clock::now();
+    std::this_thread::sleep_for(1s);
+    const FramePtr last = host->frame();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    // Ticks that were given up on a busy machine count as well: the schedule is what must hold.
+    EXPECT_NEAR(last->tick - first + last->late_ticks, 60 * seconds, 3);
+    host->stop();
+    EXPECT_TRUE(host->stopped());
+    EXPECT_GE(frames, static_cast<int>(last->tick - first));
+    EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
+}
+
+TEST(WorldHost, inputs_wait_for_the_tick_they_name_and_are_told_how_early_they_were) {
+    WorldHostSettings settings;
+    settings.own_thread = false;
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    const auto queue = std::make_shared<ResultQueue>();
+    const Clock::time_point start = Clock::time_point() + 5s;
+    const auto period = std::chrono::duration_cast<Clock::duration>(1s / 60.0);
+    const auto push = [&](std::uint32_t sequence, std::uint32_t tick, Clock::time_point received) {
+        ASSERT_TRUE(host->push({.client = 1,
+                                .sequence = sequence,
+                                .action = ReleaseCommand{},
+                                .reply = queue,
+                                .received = received,
+                                .tick = tick}));
+    };
+    push(1, 0, start - 4ms);         // the next tick, 2
+    push(2, 4, start - 4ms);         // two later
+    host->tick(start);               // 2
+    push(3, 1, start + 1ms);         // one that is over
+    host->tick(start + period);      // 3
+    host->tick(start + 2 * period);  // 4
+    const auto results = queue->take();
+    ASSERT_EQ(results.size(), 3u);
+    const std::uint32_t ticks[] = {2, 4, 4};
+    const double margins_ms[] = {4, 4 + 2 * 1000 / 60.0, -1 - 1000 / 60.0};
+    for (std::size_t k = 0; k < 3; k++) {
+        EXPECT_EQ(results[k].sequence, k + 1);
+        EXPECT_EQ(results[k].tick, ticks[k]) << "the third may not overtake the second";
+        EXPECT_NEAR(static_cast<double>(*results[k].margin_us) / 1000, margins_ms[k], 0.01);
+    }
+}
+
+TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
+    int frames = 0;
+    WorldHostSettings settings;
+    settings.own_thread = false;
+    settings.on_frame = [&](bool) { frames++; };
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    EXPECT_EQ(host->frame()->tick, 1u);
+    const auto queue = std::make_shared<ResultQueue>();
+    ASSERT_TRUE(host->push(
+        {.client = 1, .sequence = 1, .action = ImpulseCommand{.entity = 9999}, .reply = queue}));
+    const Clock::time_point due = Clock::time_point() + 5s;
+    host->tick(due);
+    host->tick(due + 1s);
+    EXPECT_EQ(host->frame()->tick, 3u);
+    EXPECT_EQ(host->frame()->due, due + 1s);
+    EXPECT_EQ(frames, 2);
+    EXPECT_EQ(queue->take().size(), 1u);
+    const auto asked = Clock::now();
+    const QueryFramePtr copy = host->query_frame(copy_shapes);
+    ASSERT_NE(copy, nullptr);
+    EXPECT_EQ(copy->tick, 3u);
+    EXPECT_LT(Clock::now() - asked, QueryBroker::patience) << "and nobody is waited for";
+    host->stop();
+    EXPECT_EQ(host->query_frame(copy_shapes), nullptr);
+}
+
+TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
+    constexpr int clients = 4, each = 50;
+    WorldHostSettings settings;
+    settings.command_queue_max = 16;  // so that pushes are refused at times
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    std::vector<std::shared_ptr<ResultQueue>> queues;
+    for (int c = 0; c < clients; ++c) queues.push_back(std::make_shared<ResultQueue>());
+    std::vector<std::thread> threads;
+    for (int c = 0; c < clients; ++c) {
+        threads.emplace_back([&, c] {
+            for (std::uint32_t i = 1; i <= each; ++i) {
+                SpawnCommand spawn;
+                spawn.shape.geometry = physics::Sphere{0.1};
+                spawn.pose.position = {c * 2.0, 5.0 + i, 0};
+                const Command command{.client = static_cast<ClientId>(c + 1),
+                                      .sequence = i,
+                                      .action = spawn,
+                                      .reply = queues[static_cast<std::size_t>(c)]};
+                while (!host->push(command)) std::this_thread::sleep_for(1ms);
+            }
+        });
+    }
+    // A reader that looks all the while: what it sees is whole.
+    std::atomic<bool> done{false};
+    std::thread reader([&] {
+        while (!done) {
+            const FramePtr frame = host->frame();
+            ASSERT_EQ(frame->entities.size(), frame->entity_list->size());
+        }
+    });
+    for (std::thread& thread : threads) thread.join();
+    std::set<EntityId> spawned;
+    int results = 0;
+    EXPECT_TRUE(wait_until([&] {
+        for (const auto& queue : queues) {
+            for (const InputResult& result : queue->take()) {
+                results++;
+                EXPECT_TRUE(result.status.ok()) << result.status.error().message;
+                EXPECT_TRUE(spawned.insert(result.entity).second);
+            }
+        }
+        return results == clients * each;
+    }));
+    done = true;
+    reader.join();
+    const FramePtr frame = host->frame();
+    EXPECT_EQ(
+        std::ranges::count_if(*frame->entity_list, [](const auto& e) { return e->owner != 0; }),
+        clients * each);
+}
+
+TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
+    WorldHostSettings broken;
+    broken.on_frame = [](bool) { throw std::bad_alloc(); };
+    const auto scene = *scenes::find_scene("stack");
+    const auto bad = *WorldHost::start("w1", "bad", scene, broken);
+    const auto good = *WorldHost::start("w2", "good", scene, {});
+    EXPECT_TRUE(wait_until([&] { return bad->stopped(); }));
+    const std::uint32_t tick = good->frame()->tick;
+    EXPECT_TRUE(wait_until([&] { return good->frame()->tick > tick + 5; }));
+    EXPECT_FALSE(good->stopped());
+    EXPECT_NE(bad->frame(), nullptr) << "its last frame stays readable";
+    bad->stop();
+}
+
+TEST(WorldDirectory, a_name_cannot_pass_for_an_id) {
+    WorldDirectory worlds({}, 4);
+    const auto scene = *scenes::find_scene("stack");
+    EXPECT_FALSE(worlds.create("w2", scene).ok()) << "would take the place of the second world";
+    EXPECT_FALSE(worlds.create("w17", scene).ok());
+    EXPECT_TRUE(worlds.create("w", scene).ok());
+    EXPECT_TRUE(worlds.create("w2b", scene).ok());
+}
+
+TEST(WorldDirectory, many_threads_may_create_find_and_remove_at_once) {
+    constexpr int threads_count = 4, rounds = 8, worlds_max = 6;
+    WorldDirectory worlds({}, worlds_max);
+    const auto scene = *scenes::find_scene("stack");
+    std::atomic<int> made{0}, removed{0}, won{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < threads_count; ++t) {
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < rounds; ++i) {
+                const std::string own = "own" + std::to_string(t) + "_" + std::to_string(i);
+                if (worlds.create(own, scene).ok()) {
+                    made++;
+                    EXPECT_EQ(worlds.find(own)->name(), own);
+                }
+                if (worlds.create("wanted by all", scene).ok()) won++;
+                EXPECT_LE(worlds.list().size(), static_cast<std::size_t>(worlds_max));
+                if (worlds.remove(own)) removed++;
+                if (worlds.remove("wanted by all")) won--;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(made, removed) << "each is removed by the one that made it";
+    EXPECT_EQ(won, 0) << "of equal names one at a time";
+    EXPECT_GT(made, 0);
+    EXPECT_TRUE(worlds.list().empty());
+}
+
+TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
+    WorldDirectory worlds({}, 2);
+    EXPECT_EQ(worlds.find(""), nullptr);
+    const auto scene = *scenes::find_scene("stack");
+    const auto first = worlds.create("", scene);
+    ASSERT_TRUE(first.ok());
+    EXPECT_EQ((*first)->name(), "stack");
+    EXPECT_FALSE(worlds.create("stack", scene).ok()) << "the name is taken";
+    EXPECT_FALSE(worlds.create(std::string(65, 'x'), scene).ok());
+    ASSERT_TRUE(worlds.create("other", scene).ok());
+    EXPECT_FALSE(worlds.create("third", scene).ok()) << "two are allowed";
+    EXPECT_EQ(worlds.find("")->id(), "w1");
+    EXPECT_EQ(worlds.find("w2")->name(), "other");
+    EXPECT_EQ(worlds.remove("other")->id(), "w2");
+    EXPECT_EQ(worlds.remove("other"), nullptr);
+    EXPECT_EQ(worlds.remove(""), nullptr) << "never by accident";
+    EXPECT_EQ((*worlds.create("again", scene))->id(), "w3") << "ids are not used again";
+}
+
+TEST(WorldDirectory, all_worlds_together_have_a_budget) {
+    WorldDirectory worlds({.totals = {.bodies_max = 25}}, 10);
+    const auto stack = *scenes::find_scene("stack");
+    ASSERT_EQ(stack.bodies.size(), 11u);
+    ASSERT_TRUE(worlds.create("one", stack).ok() && worlds.create("two", stack).ok());
+    EXPECT_EQ(
+        worlds.create("three", stack).error().message,
+        "all worlds together would have 33 bodies; world.bodies_total_max allows 25; delete a "
+        "world first");
+    worlds.remove("one");
+    EXPECT_TRUE(worlds.create("three", stack).ok());
+    const double work = worlds.find("two")->work_per_second();
+    WorldDirectory few({.totals = {.work_per_second_max = 1.5 * work}}, 10);
+    ASSERT_TRUE(few.create("one", stack).ok());
+    EXPECT_NE(few.create("two", stack).error().message.find("would be more work"),
+              std::string::npos);
+    EXPECT_FALSE(few.find("two"));
+}
+
+}  // namespace
+}  // namespace jostle::server

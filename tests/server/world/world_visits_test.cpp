@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/world_visits.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <new>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "server/world/hosted_world.h"
+#include "tests/support/error_of.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+using test::error_of;
+
+namespace {
+
+class WorldVisitsTest : public testing::Test {
+protected:
+    // Ticks of the world's thread until `make` has returned.
+    Status visit(const WorldVisits::Visit& look) {
+        Status result;
+        std::atomic<bool> over{false};
+        std::thread asker([&] {
+            result = visits.make(look);
+            over = true;
+        });
+        while (!over) visits.admit(world);
+        asker.join();
+        return result;
+    }
+
+    HostedWorld world = std::move(*HostedWorld::create(*scenes::find_scene("stack"), {}, 1));
+    WorldVisits visits;
+};
+
+TEST_F(WorldVisitsTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {
+    std::thread::id ran_on;
+    int bodies = 0;
+    EXPECT_TRUE(visit([&](HostedWorld& seen) {
+                    ran_on = std::this_thread::get_id();
+                    bodies = seen.world().summary().bodies;
+                }).ok());
+    EXPECT_EQ(ran_on, std::this_thread::get_id());
+    EXPECT_GT(bodies, 5);
+}
+
+TEST_F(WorldVisitsTest, who_cannot_be_let_in_is_told_why) {
+    EXPECT_EQ(error_of(visit([](HostedWorld&) { throw std::bad_alloc(); })).code,
+              ErrorCode::resource_exhausted);
+    EXPECT_TRUE(visit([](HostedWorld&) {}).ok()) << "the next one is let in";
+    std::thread waits(
+        [&] { EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::aborted); });
+    // Until the other one stands in the door, this one waits there itself.
+    std::this_thread::sleep_for(20ms);
+    EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::resource_exhausted);
+    visits.close();
+    waits.join();
+    EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::aborted);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// Worlds that hang and worlds that fail, and what is done about them.
+#include "server/world/world_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "server/world/result_queue.h"
+#include "tests/support/wait_until.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::wait_until;
+
+// The thread sanitizer makes everything slower.
+#ifdef __SANITIZE_THREAD__
+constexpr int pile_size = 60;
+#else
+constexpr int pile_size = 200;
+#endif
+
+// A pile whose step takes a while: boxes in one place, as no budget would let in.
+scenes::SceneDescription heavy() {
+    scenes::SceneDescription scene{.name = "heavy"};
+    scene.world.substeps = 64;
+    scene.world.sleeping = false;
+    for (int i = 0; i < pile_size; i++) {
+        scenes::SceneBody body;
+        body.body.pose.position = {i * 1e-4, 0, 0};
+        body.shapes.push_back({.geometry = physics::Box{}});
+        scene.bodies.push_back(body);
+    }
+    return scene;
+}
+
+TEST(WorldWatch, a_step_that_takes_too_long_is_interrupted_and_its_world_paused) {
+    WorldDirectory worlds(
+        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 2);
+    const auto slow = *worlds.create("", heavy());
+    const auto other = *worlds.create("", *scenes::find_scene("stack"));
+    const WorldWatch watch(worlds, {.step_max = 100ms});
+    ASSERT_TRUE(wait_until([&] { return slow->paused().has_value(); }));
+    EXPECT_EQ(slow->paused()->find("a step took more than "), 0u) << *slow->paused();
+    // It ticks on, without steps, and the other one never noticed.
+    const std::uint32_t tick = slow->frame()->tick;
+    EXPECT_TRUE(wait_until([&] { return slow->frame()->tick > tick + 5; }));
+    EXPECT_TRUE(slow->frame()->paused.has_value());
+    EXPECT_FALSE(other->paused());
+    const auto began = Clock::now();
+    slow->stop();
+    EXPECT_LT(Clock::now() - began, 2s);
+}
+
+TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
+    const auto slow = *WorldHost::start(
+        "w1", "slow", heavy(),
+        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
+    ASSERT_TRUE(wait_until([&] { return slow->tick_began().has_value(); }));
+    std::this_thread::sleep_for(100ms);
+    const auto began = Clock::now();
+    slow->stop();
+    EXPECT_LT(Clock::now() - began, 3s) << "whatever the step alone would take";
+}
+
+TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
+    WorldDirectory worlds({.on_frame =
+                               [](bool) {
+                                   static std::atomic<int> frames{0};
+                                   if (++frames == 20) std::this_thread::sleep_for(1500ms);
+                               }},
+                          1);
+    ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok());
+    const WorldWatch watch(worlds, {.step_max = 60s, .hung_after = 500ms});
+    EXPECT_TRUE(wait_until([&] { return !watch.all_tick(Clock::now()); }));
+    EXPECT_TRUE(wait_until([&] { return watch.all_tick(Clock::now()); }));
+}
+
+TEST(WorldWatch, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
+    std::atomic<int> failures{0};
+    WorldHostSettings settings;
+    settings.on_frame = [&](bool) {
+        failures++;
+        throw std::runtime_error("no memory");
+    };
+    WorldDirectory worlds(settings, 2, "aa");
+    const auto first = *worlds.create("arena", *scenes::find_scene("stack"));
+    EXPECT_EQ(first->id(), "w1-aa");
+    ASSERT_TRUE(wait_until([&] { return first->failed(); }));
+    worlds.restart_failed(Clock::now());
+    const auto second = worlds.find("arena");
+    ASSERT_TRUE(second);
+    EXPECT_NE(second, first);
+    EXPECT_EQ(second->id(), "w1-aa");
+    for (int i = 0; i < 3; i++) {
+        const auto present = worlds.find("arena");
+        ASSERT_TRUE(!present || wait_until([&] { return present->failed(); }));
+        worlds.restart_failed(Clock::now());
+    }
+    EXPECT_FALSE(worlds.find("arena")) << "after three times in a minute";
+    EXPECT_EQ(failures, 4);
+}
+
+TEST(WorldHost, a_paused_world_is_seen_and_left_but_takes_no_inputs) {
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), {});
+    host->pause("for a look");
+    ASSERT_TRUE(wait_until([&] { return host->frame()->paused.has_value(); }));
+    const auto before = host->frame();
+    const auto replies = std::make_shared<ResultQueue>();
+    ASSERT_TRUE(
+        host->push({.client = 1, .sequence = 1, .action = ExplodeCommand{}, .reply = replies}));
+    std::vector<InputResult> results;
+    ASSERT_TRUE(wait_until([&] {
+        for (InputResult& result : replies->take()) results.push_back(std::move(result));
+        return !results.empty();
+    }));
+    EXPECT_EQ(results[0].status.error().message, "the world is paused: for a look");
+    EXPECT_GT(host->frame()->tick, before->tick);
+    host->resume();
+    EXPECT_TRUE(wait_until([&] { return !host->frame()->paused; }));
+}
+
+}  // namespace
+}  // namespace jostle::server

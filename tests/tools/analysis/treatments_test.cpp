@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/analysis/treatments.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace jostle::linear_systems {
+namespace {
+
+std::vector<Treatment> treat(const Problem& problem) {
+    return treatments(problem, analyse(problem));
+}
+
+// [1 1; 1 1] + epsilon has the eigenvalues epsilon and 2 + epsilon.
+TEST(Treatments, softness_bounds_the_condition) {
+    const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
+    const std::vector<Treatment> all = treat(problem);
+    ASSERT_EQ(all.size(), 2 * std::size(usual_epsilons));
+    EXPECT_TRUE(std::isinf(all[0].condition));
+    for (const Treatment& treatment : all) {
+        if (treatment.epsilon == 0) continue;
+        const double condition = (2 + treatment.epsilon) / treatment.epsilon;
+        EXPECT_NEAR(treatment.condition, condition, 1e-3 * condition);
+        // The sum of both rows gives way by epsilon in 2.
+        EXPECT_NEAR(treatment.error, treatment.epsilon / (2 + treatment.epsilon),
+                    1e-9 + 1e-3 * treatment.epsilon);
+    }
+}
+
+TEST(Treatments, scaling_takes_away_what_units_and_masses_put_in) {
+    const std::vector<Treatment> all =
+        treat(problem_of(3, {1, 0, 0, 0, 10, 0, 0, 0, 100}, {1, 10, 100}));
+    const std::size_t scaled = std::size(usual_epsilons);
+    EXPECT_NEAR(all[0].condition, 100, 1e-9);
+    EXPECT_FALSE(all[0].scaled);
+    EXPECT_EQ(all[0].gradient_iterations, 3);
+    EXPECT_TRUE(all[scaled].scaled);
+    EXPECT_NEAR(all[scaled].condition, 1, 1e-9);
+    EXPECT_EQ(all[scaled].gradient_iterations, 1);
+    EXPECT_LT(all[scaled].error, 1e-12);
+}
+
+}  // namespace
+}  // namespace jostle::linear_systems

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/analysis/work_error.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/analysis/thread_time.h"
+
+namespace {
+
+using namespace jostle::convergence;
+
+TEST(ObservedOrder, is_how_often_the_refinement_is_contained_in_the_gain) {
+    EXPECT_NEAR(*observed_order(0.04, 0.01, 2), 2, 1e-12);
+    EXPECT_NEAR(*observed_order(0.02, 0.01, 4), 0.5, 1e-12);
+    EXPECT_NEAR(*observed_order(0.01, 0.02, 2), -1, 1e-12);
+}
+
+TEST(ObservedOrder, is_nothing_where_nothing_can_be_said) {
+    EXPECT_FALSE(observed_order(0, 0.01, 2));
+    EXPECT_FALSE(observed_order(0.01, 0, 2));
+    EXPECT_FALSE(observed_order(0.01, 0.005, 1));
+    EXPECT_FALSE(observed_order(std::nan(""), 0.01, 2));
+}
+
+const std::vector<WorkError> runs = {{10, 0.1}, {5, 0.1}, {20, 0.2}, {40, 0.001}, {5, 0.3}};
+
+TEST(ParetoSet, leaves_out_what_another_beats) {
+    EXPECT_EQ(pareto_set(runs), (std::vector<std::size_t>{1, 3}));
+    EXPECT_TRUE(pareto_set({}).empty());
+}
+
+TEST(LeastWork, is_the_cheapest_that_is_good_enough) {
+    EXPECT_EQ(least_work(runs, 0.3), 1u);  // not the last, which costs as much
+    EXPECT_EQ(least_work(runs, 0.01), 3u);
+    EXPECT_FALSE(least_work(runs, 1e-6));
+}
+
+TEST(Rms, is_nothing_of_nothing) {
+    Rms rms;
+    EXPECT_EQ(rms.value(), 0);
+    rms.add(9);
+    rms.add(16);
+    EXPECT_DOUBLE_EQ(rms.value(), std::sqrt(12.5));
+}
+
+TEST(ThreadSeconds, pass_while_this_thread_works) {
+    const double before = thread_seconds();
+    volatile double sum = 0;
+    while (thread_seconds() - before < 0.001) sum = sum + 1;
+    EXPECT_GT(sum, 0);
+}
+
+}  // namespace

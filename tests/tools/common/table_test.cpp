@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "tools/common/table.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::ctl {
+
+TEST(CtlTable, columns_line_up_whatever_the_letters) {
+    Table table({{"ID", Align::right}, {"NAME"}, {"MS", Align::right}, {"STATE"}});
+    table.add({"7", "Zoë", "1.25", "runs"});
+    table.add({"12", "al", "103.00", "paused"});
+    EXPECT_EQ(table.text(),
+              "ID  NAME      MS  STATE\n"
+              " 7  Zoë     1.25  runs\n"
+              "12  al    103.00  paused\n");
+}
+
+// A client chooses its name.
+TEST(CtlTable, what_strangers_wrote_cannot_move_the_cursor) {
+    EXPECT_EQ(shown("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
+    EXPECT_EQ(shown("x\xc2\x9b"
+                    "2Jy"),
+              "x?2Jy")
+        << "CSI in one character";
+    EXPECT_EQ(shown("Zo\xc3\xab"), "Zo\xc3\xab");
+    EXPECT_EQ(shown("nnnnnnnnnn", 8), "nnnnnnnn...");
+    EXPECT_EQ(shown("nnnnnnnn", 8), "nnnnnnnn");
+}
+
+TEST(CtlTable, times_have_two_units_at_most) {
+    EXPECT_EQ(duration_text(0.4), "0 s");
+    EXPECT_EQ(duration_text(59.9), "59 s");
+    EXPECT_EQ(duration_text(200), "3 min 20 s");
+    EXPECT_EQ(duration_text(7200), "2 h");
+    EXPECT_EQ(duration_text(4 * 86400 + 3600 + 59), "4 d 1 h");
+    EXPECT_EQ(duration_text(-5), "0 s");
+    EXPECT_EQ(number_text(2.345, 1), "2.3");
+}
+
+}  // namespace jostle::ctl

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// jostlectl against a real server, both as child processes: what an operator types and sees.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/system/player.h"
+#include "tests/system/server_process.h"
+
+namespace jostle::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class CtlTest : public testing::Test {
+protected:
+    CtlTest()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("jostlectl-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~CtlTest() override { std::filesystem::remove_all(folder_); }
+
+    std::string file(const char* name) const { return (folder_ / name).string(); }
+    void write(const char* name, const std::string& text) const {
+        std::ofstream(file(name)) << text;
+    }
+    static std::string read(const std::string& path) {
+        std::ifstream in(path);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    // Exit status; what it printed is in out and err.
+    int run(const std::string& arguments, const std::string& address = {}) {
+        const std::string command =
+            "JOSTLE_SERVER=" + (address.empty() ? server.grpc_address() : address) + " " +
+            JOSTLECTL + " " + arguments + " > " + file("out") + " 2> " + file("err");
+        const int status = std::system(command.c_str());
+        out = read(file("out"));
+        err = read(file("err"));
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    nlohmann::json json() const { return nlohmann::json::parse(out); }
+    bool says(const std::string& text) const { return out.find(text) != std::string::npos; }
+    bool complains(const std::string& text) const { return err.find(text) != std::string::npos; }
+
+    ServerProcess server{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"}};
+    std::string out, err;
+
+private:
+    std::filesystem::path folder_;
+};
+
+TEST_F(CtlTest, worlds_are_listed_made_and_deleted) {
+    ASSERT_EQ(run("worlds"), 0) << err;
+    EXPECT_TRUE(says("ID  NAME") || says("ID           NAME")) << out;
+    EXPECT_TRUE(says("stack")) << out;
+    ASSERT_EQ(run("world create arena --scene dominoes"), 0) << err;
+    EXPECT_TRUE(says("\"arena\" runs with")) << out;
+    ASSERT_EQ(run("--json worlds"), 0);
+    ASSERT_EQ(json()["worlds"].size(), 2u);
+    EXPECT_EQ(json()["worlds"][1]["name"], "arena");
+    EXPECT_EQ(json()["worlds"][1]["clients"], 0) << "zeros are there";
+    EXPECT_EQ(run("world create arena --scene dominoes"), 1);
+    EXPECT_TRUE(complains("there is a world \"arena\" already")) << err;
+    ASSERT_EQ(run("world delete arena"), 0) << err;
+    EXPECT_EQ(run("world delete arena"), 1);
+    EXPECT_TRUE(complains("arena")) << err;
+}
+
+TEST_F(CtlTest, clients_are_listed_and_sent_away) {
+    ASSERT_EQ(run("clients"), 0);
+    EXPECT_EQ(out, "Nobody is connected.\n");
+    const auto player = grpc_player(server.grpc_address());
+    player->hello("", "Ann\x1b[2J");
+    for (int i = 0; i < 60; i++) {
+        player->send_inputs({});  // with an acknowledgement
+        std::this_thread::sleep_for(16ms);
+    }
+    ASSERT_EQ(run("clients stack"), 0) << err;
+    EXPECT_TRUE(says("Ann?[2J")) << out;
+    ASSERT_EQ(run("clients --json"), 0) << "flags may stand before the command and after it";
+    const auto client = json()["clients"][0];
+    EXPECT_EQ(client["worldName"], "stack");
+    EXPECT_GT(client["kbitPerSecond"], 0.1);
+    EXPECT_GT(client["roundTripMs"], 0);
+    EXPECT_GT(client["seconds"], 0);
+    EXPECT_TRUE(client.contains("snapshotsSkipped"));
+    ASSERT_EQ(run("kick " + std::to_string(client["id"].get<int>()) + " --reason 'be kind'"), 0)
+        << err;
+    ASSERT_TRUE(player->wait_for_end());
+    EXPECT_EQ(*player->end(), "7: you were removed: be kind");  // PERMISSION_DENIED
+    EXPECT_EQ(run("kick 999"), 1);
+    EXPECT_TRUE(complains("there is no client 999")) << err;
+}
+
+TEST_F(CtlTest, a_world_is_paused_looked_at_and_resumed) {
+    EXPECT_EQ(run("step stack"), 1);
+    EXPECT_TRUE(complains("pause it first")) << err;
+    ASSERT_EQ(run("pause stack --reason 'a look'"), 0) << err;
+    ASSERT_EQ(run("worlds"), 0);
+    EXPECT_TRUE(says("paused: a look")) << out;
+    ASSERT_EQ(run("--json step stack 7"), 0) << err;
+    EXPECT_EQ(json()["taken"], 7);
+    ASSERT_EQ(run("resume stack"), 0) << err;
+    ASSERT_EQ(run("worlds"), 0);
+    EXPECT_TRUE(says("runs")) << out;
+}
+
+TEST_F(CtlTest, an_exported_world_is_hosted_again) {
+    ASSERT_EQ(run("export stack " + file("stack.json")), 0) << err;
+    EXPECT_TRUE(says("holds tick")) << out;
+    ASSERT_EQ(run("world create again --file " + file("stack.json")), 0) << err;
+    ASSERT_EQ(run("--json worlds"), 0);
+    EXPECT_EQ(json()["worlds"][0]["bodies"], json()["worlds"][1]["bodies"]);
+    ASSERT_EQ(run("export again -"), 0) << err;
+    EXPECT_EQ(json()["name"], "stack") << "on standard output, nothing but the scene";
+    EXPECT_EQ(run("export stack /nowhere/x.json"), 2);
+    EXPECT_TRUE(complains("cannot write /nowhere/x.json")) << err;
+    write("bad.json", "{\"bodies\": 7");
+    EXPECT_EQ(run("world create bad --file " + file("bad.json")), 2);
+    EXPECT_TRUE(complains("is no scene file")) << err;
+}
+
+TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
+    EXPECT_EQ(run("rewind stack --to 1"), 1);
+    EXPECT_TRUE(complains("persistence.store says where worlds are kept")) << err;
+    const ServerProcess kept{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
+                              "127.0.0.1:0", "--set", "persistence.store=" + file("worlds.db")}};
+    const std::string at = kept.grpc_address();
+    ASSERT_EQ(run("world create what-if --from stack --at 1", at), 0) << err;
+    EXPECT_TRUE(says("\"what-if\" runs with 11 bodies")) << out;
+    ASSERT_EQ(run("--json worlds", at), 0);
+    EXPECT_EQ(json()["worlds"][0]["keptSince"], 1);
+    const unsigned before = json()["worlds"][0]["tick"];
+    ASSERT_EQ(run("rewind stack --to 1", at), 0) << err;
+    EXPECT_TRUE(says("stack is as it was after tick 1; ticks go on from ")) << out;
+    ASSERT_EQ(run("--json worlds", at), 0);
+    EXPECT_GT(json()["worlds"][0]["tick"], before) << "ticks never go back";
+    EXPECT_EQ(run("rewind stack --to 4000000000", at), 1);
+    EXPECT_TRUE(complains("tick 4000000000 is not kept; the last one is")) << err;
+    EXPECT_EQ(run("world create what-if --from stack --at 1", at), 1);
+    EXPECT_TRUE(complains("there is a world \"what-if\" already")) << err;
+    EXPECT_EQ(run("world create --from stack --at 1", at), 2);
+    EXPECT_EQ(run("world create why --from nowhere --at 1", at), 1);
+    EXPECT_TRUE(complains("there is no world \"nowhere\"")) << err;
+}
+
+TEST_F(CtlTest, a_profile_is_written_for_a_trace_viewer) {
+    ASSERT_EQ(run("profile stack " + file("t.json") + " --seconds 1"), 0) << err;
+    EXPECT_TRUE(says("ui.perfetto.dev")) << out;
+    const auto trace = nlohmann::json::parse(read(file("t.json")));
+    EXPECT_GT(trace["traceEvents"].size(), 60u);
+}
+
+TEST_F(CtlTest, drain_ends_the_server) {
+    ASSERT_EQ(run("drain"), 0) << err;
+    EXPECT_TRUE(says("0 clients told, at most 5 s")) << out;
+    EXPECT_EQ(server.wait(5s), 0) << server.log();
+    EXPECT_EQ(run("worlds"), 1);
+    EXPECT_TRUE(complains("Is jostle-server running there")) << err;
+}
+
+TEST_F(CtlTest, wrong_flags_exit_with_2_and_say_what_is_wrong) {
+    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(run("dance"), 2);
+    EXPECT_EQ(run("kick"), 2);
+    EXPECT_EQ(run("kick ann"), 2);
+    EXPECT_EQ(run("world create arena"), 2);
+    EXPECT_TRUE(complains("--scene NAME, --file FILE, or --from WORLD --at TICK")) << err;
+    EXPECT_EQ(run("profile stack x --seconds 31"), 2);
+    EXPECT_EQ(run("--cert a.pem worlds"), 2);
+    EXPECT_TRUE(complains("--cert and --key go together")) << err;
+    EXPECT_EQ(run("--token-file /nowhere worlds"), 2);
+    EXPECT_TRUE(complains("cannot read /nowhere")) << err;
+    write("token", "abc\n");
+    EXPECT_EQ(run("--token-file " + file("token") + " worlds", "game.example.org:1"), 2);
+    EXPECT_TRUE(complains("could read the token")) << err;
+    write("no.pem", "hello");
+    EXPECT_EQ(run("--ca " + file("no.pem") + " worlds"), 2);
+    EXPECT_TRUE(complains("is no PEM file")) << err;
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_TRUE(says("jostlectl kick 17 --reason")) << "help teaches by examples";
+}
+
+}  // namespace
+}  // namespace jostle::test

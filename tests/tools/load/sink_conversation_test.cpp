@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/sink_conversation.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/tools/load/framing_bytes.h"
+
+namespace jostle::load {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Clock::time_point noon = Clock::time_point(1000s);
+
+struct Talk {
+    explicit Talk(SinkWishes wishes = {}) : sink(std::move(wishes), figures) {
+        said();  // hello
+    }
+    // All that it has to say.
+    std::vector<v1::ClientMessage> said(Clock::time_point now = noon) {
+        std::vector<v1::ClientMessage> messages;
+        while (const auto bytes = sink.take_message(now))
+            EXPECT_TRUE(messages.emplace_back().ParseFromString(std::string(*bytes)));
+        return messages;
+    }
+    void hear(const v1::ServerMessage& message, Clock::time_point now = noon) {
+        sink.receive(as_bytes(message.SerializeAsString()), now);
+    }
+    // Tick 0 was due at noon, and a tick is 10 ms.
+    void welcome(std::uint32_t ack_ms = 0) {
+        v1::ServerMessage message;
+        message.mutable_welcome()->set_client_id(7);
+        message.mutable_welcome()->set_ack_ms(ack_ms);
+        message.mutable_welcome()->set_tick_hz(100);
+        message.mutable_welcome()->set_epoch_us(client::to_us(noon));
+        hear(message);
+        said();  // a ping
+    }
+    void snapshot(std::uint32_t frame, Clock::time_point now = noon, int late_us = 0) {
+        v1::ServerMessage message;
+        message.mutable_snapshot()->set_frame(frame);
+        message.mutable_snapshot()->set_late_us(late_us);
+        hear(message, now);
+    }
+
+    Figures figures;
+    SinkConversation sink;
+};
+
+int count_acks(const std::vector<v1::ClientMessage>& messages) {
+    int acks = 0;
+    for (const auto& message : messages) acks += message.has_ack() ? 1 : 0;
+    return acks;
+}
+
+}  // namespace
+
+TEST(SinkConversation, says_hello_first_and_waits_for_the_welcome) {
+    Figures figures;
+    SinkConversation sink({.world = "sandbox", .name = "load 1"}, figures);
+    v1::ClientMessage hello;
+    ASSERT_TRUE(hello.ParseFromString(std::string(sink.take_message(noon).value())));
+    EXPECT_EQ(hello.hello().world(), "sandbox");
+    EXPECT_TRUE(hello.hello().spectator());
+    EXPECT_FALSE(sink.take_message(noon));
+    EXPECT_FALSE(sink.joined());
+}
+
+TEST(SinkConversation, acknowledges_when_as_much_time_passed_as_the_server_says) {
+    Talk talk;
+    talk.welcome(100);
+    int acks = 0;
+    for (int k = 0; k <= 60; k++) {  // a snapshot every 10 ms: at 0, 100 ... 600 ms
+        const auto now = noon + k * 10ms;
+        talk.snapshot(static_cast<std::uint32_t>(k + 1), now);
+        acks += count_acks(talk.said(now));
+    }
+    EXPECT_EQ(acks, 7);
+    EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
+}
+
+TEST(SinkConversation, acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
+    Talk talk({.ack_every = 3});
+    talk.welcome(1000);
+    talk.snapshot(1);
+    EXPECT_EQ(count_acks(talk.said()), 1) << "the first at once";
+    int acks = 0;
+    for (std::uint32_t frame = 2; frame <= 13; frame++) {
+        talk.snapshot(frame);
+        const auto said = talk.said();
+        if (count_acks(said) > 0) {
+            EXPECT_EQ(said[0].ack().frame(), frame);
+        }
+        acks += count_acks(said);
+    }
+    EXPECT_EQ(acks, 4);
+}
+
+TEST(SinkConversation, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_another_time) {
+    Talk talk;
+    talk.welcome();
+    talk.snapshot(1);
+    EXPECT_EQ(count_acks(talk.said(noon)), 1);
+    talk.snapshot(2, noon + 10ms);
+    EXPECT_EQ(count_acks(talk.said(noon + 149ms)), 0);
+    EXPECT_EQ(count_acks(talk.said(noon + 150ms)), 1);
+}
+
+TEST(SinkConversation, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_ms_old) {
+    Talk talk;
+    talk.welcome();
+    v1::ServerMessage pong;
+    pong.mutable_pong()->set_client_time_us(client::to_us(noon));
+    pong.mutable_pong()->set_server_time_us(client::to_us(noon));
+    talk.hear(pong, noon + 80ms);  // it waited: a clock of half a round trip would be 40 ms off
+    for (int k = 5; k < 15; k++)   // due at 100 ms, 120 ms ..., begun 1 ms early
+        talk.snapshot(static_cast<std::uint32_t>(2 * k), noon + k * 20ms + 4ms, -1000);
+    EXPECT_NEAR(percentiles_of(talk.figures.age).p50, 5, 0.15);
+    EXPECT_NEAR(percentiles_of(talk.figures.gap).p50, 20, 0.6);
+    EXPECT_EQ(talk.figures.gap.count(), 9u);
+}
+
+TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
+    Talk talk({.spectator = false});
+    talk.welcome();
+    v1::Input push;
+    push.mutable_impulse()->set_entity(3);
+    talk.sink.play({push});
+    const auto said = talk.said();
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].input().first_sequence(), 1u);
+    talk.snapshot(39, noon + 20ms);
+    talk.snapshot(40, noon + 30ms);
+    v1::ServerMessage results;
+    results.mutable_snapshot()->set_frame(41);
+    auto* const result = results.mutable_snapshot()->mutable_own()->add_results();
+    result->set_sequence(1);
+    result->set_code(v1::INPUT_CODE_APPLIED);
+    result->set_tick(40);
+    talk.hear(results, noon + 50ms);
+    EXPECT_EQ(percentiles_of(talk.figures.effect_delay).max, 30);
+    EXPECT_EQ(percentiles_of(talk.figures.result_delay).max, 50);
+    EXPECT_EQ(talk.figures.inputs_applied, 1u);
+}
+
+TEST(SinkConversation, bytes_that_are_no_message_are_an_error_each_and_no_more) {
+    Talk talk({.decodes = true});
+    std::mt19937 random(3);
+    for (int k = 0; k < 2000; k++) {
+        std::string bytes(random() % 60, '\0');
+        for (char& byte : bytes) byte = static_cast<char>(random());
+        if (!bytes.empty()) bytes[0] = static_cast<char>((1 + random() % 9) << 3 | 2);
+        if (bytes.size() > 1) bytes[1] = static_cast<char>(bytes.size() - 2);
+        talk.sink.receive(as_bytes(bytes), noon);
+        talk.said(noon);
+    }
+    EXPECT_EQ(talk.figures.messages, 2000u);
+    EXPECT_GT(talk.figures.errors, 100u);
+}
+
+}  // namespace jostle::load

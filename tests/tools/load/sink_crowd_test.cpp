@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Sinks against a real server: over both transports, watching, playing, and reading slowly.
+#include "tools/load/sink_crowd.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "bench/processes/server_process.h"
+#include "tools/load/load_run.h"
+
+namespace jostle::load {
+namespace {
+
+class SinkCrowdTest : public testing::Test {
+protected:
+    Report run(LoadPlan plan) {
+        plan.target = "127.0.0.1:" + std::to_string(plan.transport == Transport::websocket
+                                                        ? server_.http_port()
+                                                        : server_.grpc_port());
+        plan.ramp = plan.settle = 0.1;
+        SinkCrowd crowd(plan, resolve(plan.target).value());
+        const std::atomic<bool> stop{false};
+        return run_load(plan, crowd, std::nullopt, stop);
+    }
+
+    bench::ServerProcess server_{JOSTLE_SERVER,
+                                 {"--scene", "sandbox", "--listen", "127.0.0.1:0", "--http",
+                                  "127.0.0.1:0", "--log-level", "warn"},
+                                 true};
+};
+
+}  // namespace
+
+TEST_F(SinkCrowdTest, ten_sinks_see_every_snapshot_over_either_transport) {
+    for (const Transport transport : {Transport::grpc, Transport::websocket}) {
+        const Report report =
+            run({.clients = 10, .seconds = 0.4, .transport = transport, .decode_share = 0.5});
+        EXPECT_EQ(report.connected, 10);
+        EXPECT_EQ(report.errors, 0u) << report.last_error;
+        EXPECT_GT(report.snapshots_per_second_per_client, 30) << "60 on an idle machine";
+        EXPECT_NEAR(report.decoded_share, 0.5, 0.1);
+        EXPECT_EQ(report.age_ms.count, report.snapshots);
+    }
+}
+
+TEST_F(SinkCrowdTest, sinks_that_play_by_a_script_see_what_became_of_their_inputs) {
+    const Report report = run({.clients = 6,
+                               .seconds = 0.6,
+                               .script = bots::parse_script("push period=0.2\n", "test").value()});
+    EXPECT_EQ(report.errors, 0u) << report.last_error;
+    EXPECT_GT(report.inputs_accepted, 5u);
+    EXPECT_GT(report.result_delay_ms.count, 5u);
+    EXPECT_GT(report.effect_delay_ms.count, 5u);
+}
+
+TEST_F(SinkCrowdTest, sinks_that_see_a_part_of_the_world_decode_what_they_are_sent) {
+    const Report report =
+        run({.clients = 5, .seconds = 0.5, .sight = 6, .max_kbps = 200, .decode_share = 1});
+    EXPECT_EQ(report.errors, 0u) << report.last_error;
+    EXPECT_EQ(report.connected, 5);
+    EXPECT_GT(report.decoded_share, 0.9);
+    EXPECT_LT(report.kbit_per_second_per_client, 210);
+}
+
+TEST_F(SinkCrowdTest, a_reader_of_forty_messages_a_second_reads_forty) {
+    for (const Transport transport : {Transport::grpc, Transport::websocket}) {
+        const Report report =
+            run({.clients = 2, .seconds = 0.6, .transport = transport, .read_rate = 40});
+        EXPECT_EQ(report.errors, 0u) << report.last_error;
+        EXPECT_LE(report.messages_per_second_per_client, 42);
+        EXPECT_GT(report.messages_per_second_per_client, 20) << "38 and more on an idle machine";
+    }
+}
+
+}  // namespace jostle::load

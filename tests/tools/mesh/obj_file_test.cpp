@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "tools/mesh/obj_file.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::convert {
+namespace {
+
+TEST(ObjFile, faces_are_fans_and_corners_are_counted_from_one_or_from_the_end) {
+    const auto mesh = read_obj(
+        "# a square\no it\nv 0 0 0\nv 1 0 0\r\nv 1 1 0\n\tv 0 1e0 0\nvn 0 0 1\n"
+        "f 1/4 2//1 3/2/1 -1\nusemtl x\n");
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_EQ(mesh->vertices.size(), 4u);
+    EXPECT_EQ(mesh->vertices[3], (physics::Vec3{0, 1, 0}));
+    EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+}
+
+TEST(ObjFile, what_is_wrong_is_named_with_its_line) {
+    const auto complaint = [](const char* text) {
+        const auto mesh = read_obj(text);
+        return mesh.ok() ? std::string() : mesh.error().message;
+    };
+    EXPECT_EQ(complaint("v 0 0\n"), "line 1: \"\" is no coordinate; a vertex has three");
+    EXPECT_EQ(complaint("v 0 0 nan\n"), "line 1: \"nan\" is no coordinate; a vertex has three");
+    EXPECT_EQ(complaint("v 0 0 0\nf 1 2 3\n"),
+              "line 2: corner 2 is not among the 1 vertices so far");
+    EXPECT_EQ(complaint("v 0 0 0\nf 1 1\n"), "line 2: a face has three corners at least");
+    EXPECT_EQ(complaint("f a b c\n"), "line 1: \"a\" is no corner of a face");
+    EXPECT_EQ(complaint("v 0 0 0\n"), "the file has no face (\"f 1 2 3\")");
+}
+
+}  // namespace
+}  // namespace jostle::convert

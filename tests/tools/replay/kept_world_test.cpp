@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "tools/replay/kept_world.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/lab.h"
+#include "jostle/scenes/scene_file.h"
+#include "server/recovery/world_archive.h"
+#include "server/storage/sqlite_store.h"
+#include "server/world/world_directory.h"
+#include "tests/support/error_of.h"
+#include "tests/support/temp_folder.h"
+
+namespace jostle::replay {
+namespace {
+
+using namespace std::chrono_literals;
+using test::error_of;
+
+// A store in which a yard of boxes was played in for 200 ticks: in each tenth somebody throws a
+// ball. `late` throws one more, in tick 125.
+void play(const std::string& path, bool late) {
+    server::PersistenceSettings settings{
+        .store = path, .level = "process", .replay_seconds = 0.003, .history_hours = 1};
+    const server::HostLimits limits{.scene = {.bodies_max = 400}};
+    auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
+    server::WorldDirectory worlds({.limits = limits, .own_thread = false, .keepers = archive.get()},
+                                  4, "test");
+    const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
+    std::uint32_t sequence = 0;
+    for (std::uint32_t tick = 2; tick <= 201; tick++) {
+        const bool extra = late && tick == 125;
+        if (tick % 10 == 0) sequence++;
+        if (tick % 10 == 0 || extra) {
+            server::SpawnCommand ball;
+            ball.shape.geometry = physics::Sphere{0.3};
+            ball.pose.position = {0.1 * tick / 200.0, 6, 0};
+            world->push({.client = extra ? 2U : 1U,
+                         .sequence = extra ? 1 : sequence,
+                         .action = ball,
+                         .reply = nullptr});
+        }
+        world->tick(server::Clock::now());
+        ASSERT_TRUE(archive->flush(5s));
+    }
+    worlds.stop_all();
+    ASSERT_TRUE(archive->flush(5s));
+}
+
+TEST(KeptWorld, what_was_kept_is_done_again_to_the_bit) {
+    const test::TempFolder folder;
+    play(folder / "worlds.db", false);
+    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    const auto summary = world.summary().value();
+    EXPECT_EQ(summary.commands, 20u);
+    EXPECT_EQ(summary.last_tick, 201u);
+    EXPECT_GT(summary.checkpoints.size(), 2u);
+    EXPECT_EQ(summary.damage, "");
+    const auto verified = world.verify().value();
+    EXPECT_EQ(verified.faults, std::vector<std::string>());
+    EXPECT_EQ(verified.checkpoints + 1, static_cast<int>(summary.checkpoints.size()));
+    EXPECT_EQ(verified.last_tick, 201u);
+}
+
+TEST(KeptWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
+    const test::TempFolder folder;
+    play(folder / "worlds.db", false);
+    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    std::uint64_t hash = 0;
+    EXPECT_TRUE(world
+                    .hashes(50,
+                            [&](std::uint32_t tick, std::uint64_t of) {
+                                if (tick == 150) hash = of;
+                            })
+                    .ok());
+    EXPECT_EQ(physics::state_hash(world.at(150).value().world.world()), hash);
+    const auto scene = world.scene_at(150).value().scene;
+    EXPECT_EQ(scene.bodies.size(), scenes::find_scene("stack")->bodies.size() + 15);
+    EXPECT_TRUE(scenes::read_scene_json(scenes::write_scene_json(scene)).ok());
+    EXPECT_EQ(error_of(world.at(202)).message, "tick 202 is not kept; the last one is 201");
+}
+
+TEST(KeptWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
+    const test::TempFolder folder;
+    play(folder / "a.db", false);
+    play(folder / "b.db", true);
+    play(folder / "c.db", false);
+    auto a = KeptWorld::open(folder / "a.db", "yard").value();
+    auto b = KeptWorld::open(folder / "b.db", "yard").value();
+    auto c = KeptWorld::open(folder / "c.db", "yard").value();
+    EXPECT_EQ(a.first_difference(c).value().has_value(), false);
+    const auto difference = a.first_difference(b).value();
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_EQ(difference->tick, 125u);
+    EXPECT_NE(difference->field, "");
+}
+
+TEST(KeptWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as_a_whole) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
+    for (int life = 0; life < 6; life++) {
+        auto archive =
+            server::WorldArchive::open({.store = path, .level = "process", .history_hours = 1},
+                                       limits, 1, nullptr)
+                .value();
+        server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
+        for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
+        auto world = worlds.find("");
+        // Its steps take most of a tick: it is in one whenever somebody looks.
+        scenes::SceneDescription pile = scenes::lab_pile(2500);
+        pile.name = "pile";
+        if (!world) world = worlds.create("pile", pile).value();
+        const std::uint32_t tick = world->frame()->tick;
+        while (world->frame()->tick < tick + 4) std::this_thread::sleep_for(1ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(3 * life));
+        worlds.stop_all();
+        ASSERT_TRUE(archive->flush(10s));
+    }
+    auto world = KeptWorld::open(path, "pile").value();
+    const auto verified = world.verify().value();
+    EXPECT_EQ(verified.faults, std::vector<std::string>());
+    EXPECT_GT(verified.checkpoints, 1);
+}
+
+TEST(KeptWorld, a_checkpoint_that_says_another_world_is_named) {
+    const test::TempFolder folder;
+    play(folder / "worlds.db", false);
+    {
+        auto store = server::SqliteStore::open(folder / "worlds.db", {}).value();
+        const std::string id = store->worlds().value().at(0).id;
+        const std::uint32_t newest = store->checkpoint_ticks(id).value().front();
+        auto checkpoint = store->checkpoint(id, newest).value();
+        checkpoint.hash++;
+        const server::StoreChange change[] = {server::PutCheckpoint{id, checkpoint}};
+        EXPECT_TRUE(store->write(change).ok());
+    }
+    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    const auto verified = world.verify().value();
+    ASSERT_EQ(verified.faults.size(), 1u);
+    EXPECT_NE(verified.faults[0].find("is not what the world had become"), std::string::npos);
+}
+
+TEST(KeptWorld, what_is_not_there_is_named_with_what_is) {
+    const test::TempFolder folder;
+    play(folder / "worlds.db", false);
+    EXPECT_EQ(error_of(KeptWorld::open(folder / "worlds.db", "field")).message,
+              folder / "worlds.db has no world \"field\"; it has yard");
+    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).message,
+              folder / "world.db: No such file or directory");
+    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).code, ErrorCode::not_found)
+        << "and looking for it did not make it";
+}
+
+}  // namespace
+}  // namespace jostle::replay

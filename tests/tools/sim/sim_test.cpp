@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+//
+// The real program as a child process: what it writes is what others read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "jostle/physics/physics.h"
+#include "tests/tools/sim/sim_program.h"
+
+namespace {
+
+using jostle::test::Sim;
+namespace physics = jostle::physics;
+
+TEST_F(Sim, reports_every_figure_that_it_promises) {
+    ASSERT_EQ(run("stack --seconds 3 --json " + file("r.json")), 0) << output();
+    const auto json = report();
+    for (const char* key :
+         {"steps", "bodies", "contacts", "ms_per_step_mean", "ms_per_step_p99", "state_hash",
+          "energy_joules", "max_penetration_m", "awake_bodies", "stages", "worst_step",
+          "work_per_step_mean", "work_per_step_worst", "steps_at_strain"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["steps"], 180);
+    EXPECT_GE(json["worst_step"]["step"], 2);
+    EXPECT_GT(json["worst_step"]["stage_ms"], 0);
+    EXPECT_GE(json["worst_step"]["ms"], json["worst_step"]["stage_ms"]);
+    EXPECT_EQ(json["stages"].count(json["worst_step"]["stage"].get<std::string>()), 1u);
+    EXPECT_EQ(json["steps_at_strain"], nlohmann::json({180, 0, 0, 0}));
+    EXPECT_EQ(json["bodies"], 11);
+    EXPECT_EQ(json["contacts"], 10);
+    EXPECT_EQ(json["awake_bodies"], 0);
+    EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
+    EXPECT_EQ(json["arithmetic"], physics::arithmetic_name(physics::arithmetic()));
+    // Ten boxes of a tonne each, centres at 0.5 to 9.5 m: m g h = 1000 * 9.81 * 50 J.
+    EXPECT_NEAR(json["energy_joules"].get<double>(), 490500, 500);
+}
+
+TEST_F(Sim, gives_the_same_hash_at_one_two_and_four_threads) {
+    std::string hashes[3];
+    const int threads[3] = {1, 2, 4};
+    for (int i = 0; i < 3; i++) {
+        ASSERT_EQ(run("pyramid --seconds 1 --threads " + std::to_string(threads[i]) + " --json " +
+                      file("r.json")),
+                  0);
+        hashes[i] = report()["state_hash"];
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_another) {
+    std::string first;
+    for (const physics::InstructionSet set : physics::available_instruction_sets()) {
+        const std::string name = physics::instruction_set_name(set);
+        ASSERT_EQ(run("pyramid --seconds 0.1 --instructions " + name + " --json " + file("r.json")),
+                  0);
+        EXPECT_EQ(report()["instructions"], name);
+        const std::string hash = report()["state_hash"];
+        if (first.empty()) first = hash;
+        EXPECT_EQ(hash, first) << name;
+    }
+    EXPECT_EQ(run("pyramid --instructions abacus"), 2);
+    EXPECT_NE(output().find("abacus is not one of scalar"), std::string::npos) << output();
+}
+
+TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --efforts " + file("e.json")), 0)
+        << output();
+    const auto efforts = nlohmann::json::parse(read(file("e.json")));
+    ASSERT_GE(efforts.size(), 4u) << "car, wheels, gears, lift, gimbal";
+    for (const auto& island : efforts) {
+        EXPECT_GT(island["error_m"].get<double>(), 0);
+        EXPECT_GE(island["substeps"].get<int>(), 2);
+        EXPECT_GT(island["joints"].get<int>() + island["contacts"].get<int>(), 0);
+    }
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --efforts -"),
+              0);
+    EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
+    EXPECT_NE(output().find("wants more"), std::string::npos) << output();
+    ASSERT_EQ(run("stack --seconds 3 --efforts -"), 0);
+    EXPECT_NE(output().find("none with contacts or joints is awake"), std::string::npos);
+    EXPECT_EQ(run("machines --converge --error-tolerance 1e-3"), 2) << "which chooses for itself";
+    EXPECT_EQ(run("machines --seconds 1 --error-tolerance -1"), 2);
+    EXPECT_NE(output().find("is not a number from 0 to 1000"), std::string::npos) << output();
+}
+
+TEST_F(Sim, traces_one_row_per_body_and_tick) {
+    ASSERT_EQ(run("stack --seconds 0.1 --trace " + file("t.csv")), 0) << output();
+    std::istringstream lines(read(file("t.csv")));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "tick,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
+    int rows = 0;
+    while (std::getline(lines, line)) rows++;
+    EXPECT_EQ(rows, 7 * 10);  // start and six ticks, ten boxes
+}
+
+TEST_F(Sim, goes_on_from_a_saved_world_as_if_it_had_never_stopped) {
+    ASSERT_EQ(run("wall --seconds 2 --json " + file("r.json")), 0);
+    const std::string straight = report()["state_hash"];
+    ASSERT_EQ(run("wall --seconds 1 --save " + file("w.world")), 0);
+    ASSERT_EQ(run("wall --seconds 1 --load " + file("w.world") + " --json " + file("r.json")), 0);
+    EXPECT_EQ(report()["state_hash"], straight);
+}
+
+// The midpoint rule turns what is free: second order, whatever the sub-steps.
+TEST_F(Sim, converges_a_tumbling_plank_with_the_second_order_of_the_midpoint_rule) {
+    std::ofstream(file("plank.json")) << R"({ "name": "plank", "world": { "gravity": { "y": 0 } },
+      "bodies": [ { "name": "plank", "angular_velocity": { "x": 3, "y": 0.1, "z": 0.1 },
+          "may_sleep": false,
+          "shapes": [ { "box": { "half_extents": { "x": 0.3, "y": 0.2, "z": 0.1 } } } ] } ] })";
+    ASSERT_EQ(run(file("plank.json") +
+                  " --converge --seconds 2 --rates 30,60,120,960,1920 --substep-counts 4,8 "
+                  "--tolerance 0.01,0.1 --json " +
+                  file("r.json")),
+              0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "agreed");
+    EXPECT_EQ(json["bodies"], 1);
+    EXPECT_EQ(json["scale_m"], 1);  // its centre stays
+    ASSERT_EQ(json["rows"].size(), 10u);
+    for (const std::size_t k : {1u, 2u, 6u, 7u})
+        EXPECT_NEAR(json["rows"][k]["order"].get<double>(), 2, 0.1) << output();
+    EXPECT_TRUE(json["rows"][0]["order"].is_null());
+    // The coarse tolerance stands first and is no dearer.
+    const auto& cheapest = json["cheapest"];
+    EXPECT_EQ(cheapest[0]["tolerance"], 0.1);
+    EXPECT_LE(cheapest[0]["cpu_us_per_second"], cheapest[1]["cpu_us_per_second"]);
+    EXPECT_NE(output().find("The two finest runs agree"), std::string::npos);
+    EXPECT_NE(output().find("--hz 30"), std::string::npos) << output();
+}
+
+// A rod of 1 m on a hinge, released horizontal.
+TEST_F(Sim, converges_a_pendulum) {
+    std::ofstream(file("pendulum.json")) << R"({ "name": "pendulum", "bodies": [
+        { "name": "pivot", "type": "BODY_TYPE_STATIC",
+          "shapes": [ { "sphere": { "radius": 0.05 }, "filter": { "mask": 0 } } ] },
+        { "name": "rod", "position": { "x": 0.5 }, "may_sleep": false,
+          "shapes": [ { "box": { "half_extents": { "x": 0.5, "y": 0.05, "z": 0.05 } } } ] } ],
+      "joints": [ { "name": "hinge", "body_a": "pivot", "body_b": "rod", "hinge": {},
+                    "frame": { "position": { "x": 0 } } } ] })";
+    ASSERT_EQ(
+        run(file("pendulum.json") +
+            " --converge --seconds 2 --rates 30,60,120,960,1920 --substep-counts 4,8 --json " +
+            file("r.json")),
+        0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "agreed");
+    // Its centre swings through half a circle of 0.5 m radius.
+    EXPECT_NEAR(json["scale_m"].get<double>(), std::hypot(1, 0.5), 0.02);
+    for (std::size_t k = 1; k < 3; k++) {
+        const auto& finer = json["rows"][k];
+        EXPECT_LT(finer["error"], json["rows"][k - 1]["error"]) << output();
+        EXPECT_GT(finer["cpu_us_per_second"], json["rows"][k - 1]["cpu_us_per_second"]);
+    }
+    EXPECT_LT(json["rows"][1]["error"], 0.02);
+    // First order at least: joints of a maximal-coordinate solver.
+    EXPECT_GT(json["rows"][1]["order"].get<double>(), 0.7) << output();
+}
+
+TEST_F(Sim, says_that_a_break_of_billiards_is_chaotic_and_for_how_long_runs_agree) {
+    ASSERT_EQ(run("billiards --converge --seconds 4 --finest-hz 240 --substep-counts 4,8 --json " +
+                  file("r.json")),
+              0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "chaotic");
+    EXPECT_GT(json["nudge_growth"].get<double>(), 100);
+    EXPECT_GT(json["doubt"].get<double>(), 0.1);
+    // The cue ball needs that long to reach the others; after that nobody knows.
+    EXPECT_GT(json["agree_until_s"].get<double>(), 0.1);
+    EXPECT_LT(json["agree_until_s"].get<double>(), 2);
+    EXPECT_TRUE(json["cheapest"][0]["hz"].is_null());
+    EXPECT_NE(output().find("The scene is chaotic"), std::string::npos);
+}
+
+TEST_F(Sim, leaves_out_what_the_budget_does_not_pay_and_says_so) {
+    ASSERT_EQ(run("billiards --converge --seconds 4 --budget 0.1"), 0) << output();
+    EXPECT_NE(output().find("Left out, for they would cost more than --budget"), std::string::npos)
+        << output();
+}
+
+TEST_F(Sim, refuses_questions_about_convergence_that_have_no_answer) {
+    const auto refused = [&](const std::string& flags, const char* why) {
+        EXPECT_EQ(run("stack " + flags), 2) << flags;
+        EXPECT_NE(output().find(why), std::string::npos) << flags << ": " << output();
+    };
+    refused("--seconds nan", "nan is not a number from 0");
+    refused("--converge --tolerance nan", "nan is not a number from");
+    refused("--converge --tolerance 0", "0 is not a number from");
+    refused("--converge --tolerance x", "x is not a number from");
+    refused("--converge --scale -1", "-1 is not a number from");
+    refused("--converge --budget inf", "inf is not a number from");
+    refused("--converge --rates 60", "one rate cannot be compared");
+    refused("--converge --rates 60,90", "90 Hz is no multiple of 60 Hz");
+    refused("--converge --rates 60,1e9", "1e9 is not a number from 4 to 10000");
+    refused("--converge --substep-counts 0", "not in range");
+    refused("--converge --seconds 0.001", "less than one step at 30 Hz");
+    refused("--converge --finest-hz 40", "raise --finest-hz");
+    refused("--converge --trace t.csv", "--trace");
+    refused("--converge --threads 2", "--threads");
+    refused("--tolerance 0.1", "--converge");
+    std::ofstream(file("still.json"))
+        << R"({"name": "still", "bodies": [{"name": "a", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]}]})";
+    EXPECT_EQ(run(file("still.json") + " --converge"), 2);
+    EXPECT_NE(output().find("still has no dynamic body"), std::string::npos) << output();
+    EXPECT_EQ(run("stack --converge --json /nowhere/r.json"), 1);
+    EXPECT_NE(output().find("cannot write /nowhere/r.json"), std::string::npos);
+}
+
+TEST_F(Sim, says_what_is_wrong_and_exits_with_2) {
+    EXPECT_EQ(run("nowhere"), 2);
+    EXPECT_NE(output().find("there is no scene \"nowhere\""), std::string::npos);
+    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(run("stack --substeps 99"), 2);
+    std::ofstream(file("bad.json")) << "{\"name\": \"x\", \"bodies\": [{\"shape\": []}]}";
+    EXPECT_EQ(run(file("bad.json")), 2);
+    EXPECT_NE(output().find("bodies[0].shape: there is no such field"), std::string::npos);
+    EXPECT_EQ(run("stack --load " + file("bad.json")), 2);
+}
+
+}  // namespace

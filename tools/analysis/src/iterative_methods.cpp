@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "tools/analysis/src/solvers.h"
+
+namespace jostle::linear_systems {
+namespace {
+
+// Most rows share a body with few others.
+class SparseRows {
+public:
+    explicit SparseRows(const Problem& problem) : first_{0} {
+        for (std::size_t i = 0; i < problem.count; i++) {
+            for (std::size_t j = 0; j < problem.count; j++)
+                if (problem.at(i, j) != 0) entries_.push_back({j, problem.at(i, j)});
+            first_.push_back(entries_.size());
+        }
+    }
+    double times(std::size_t row, const std::vector<double>& x) const {
+        double sum = 0;
+        for (std::size_t k = first_[row]; k < first_[row + 1]; k++)
+            sum += entries_[k].value * x[entries_[k].column];
+        return sum;
+    }
+
+private:
+    struct Entry {
+        std::size_t column;
+        double value;
+    };
+    std::vector<Entry> entries_;
+    std::vector<std::size_t> first_;
+};
+
+double norm(const std::vector<double>& v) {
+    double sum = 0;
+    for (const double x : v) sum += x * x;
+    return std::sqrt(sum);
+}
+
+double relative(double residual, const Problem& problem) {
+    const double right = norm(problem.right);
+    return right > 0 ? residual / right : residual;
+}
+
+double equations_left(const Problem& problem, const SparseRows& rows,
+                      const std::vector<double>& x) {
+    double sum = 0;
+    for (std::size_t i = 0; i < problem.count; i++) {
+        const double left = problem.right[i] - rows.times(i, x);
+        sum += left * left;
+    }
+    return relative(std::sqrt(sum), problem);
+}
+
+double bounded(const Problem& problem, std::size_t row, double value,
+               const std::vector<double>& x) {
+    return std::max(problem.lower_at(row, x), std::min(value, problem.upper_at(row, x)));
+}
+
+double complementarity_left(const Problem& problem, const SparseRows& rows,
+                            const std::vector<double>& x) {
+    double sum = 0;
+    for (std::size_t i = 0; i < problem.count; i++) {
+        const double own = problem.at(i, i);
+        if (!(own > 0)) continue;
+        const double wanted = x[i] + (problem.right[i] - rows.times(i, x)) / own;
+        const double left = own * (x[i] - bounded(problem, i, wanted, x));
+        sum += left * left;
+    }
+    return relative(std::sqrt(sum), problem);
+}
+
+// A sweep solves row after row, with what the rows before it have found.
+Found sweep(const Problem& problem, bool within_bounds, const Effort& effort) {
+    const SparseRows rows(problem);
+    Found found;
+    found.x.assign(problem.count, 0);
+    found.converged = false;
+    while (static_cast<int>(found.residuals.size()) < effort.iterations_max) {
+        for (std::size_t i = 0; i < problem.count; i++) {
+            const double own = problem.at(i, i);
+            if (!(own > 0)) continue;
+            const double now = found.x[i] + (problem.right[i] - rows.times(i, found.x)) / own;
+            found.x[i] = within_bounds ? bounded(problem, i, now, found.x) : now;
+        }
+        found.residuals.push_back(within_bounds ? complementarity_left(problem, rows, found.x)
+                                                : equations_left(problem, rows, found.x));
+        if (found.residuals.back() <= effort.tolerance) {
+            found.converged = true;
+            break;
+        }
+        if (!(found.residuals.back() < 1e100)) break;
+    }
+    return found;
+}
+
+// Hestenes and Stiefel, 1952.
+Found by_conjugate_gradients(const Problem& problem, const Effort& effort) {
+    const SparseRows rows(problem);
+    const std::size_t n = problem.count;
+    Found found;
+    found.x.assign(n, 0);
+    found.converged = false;
+    std::vector<double> left = problem.right, direction = left, image(n);
+    double size = 0;
+    for (const double r : left) size += r * r;
+    while (static_cast<int>(found.residuals.size()) < effort.iterations_max) {
+        double bent = 0;
+        for (std::size_t i = 0; i < n; i++) {
+            image[i] = rows.times(i, direction);
+            bent += direction[i] * image[i];
+        }
+        if (!(bent > 0)) break;  // nothing left, or nothing but what no x can make
+        const double step = size / bent;
+        double next = 0;
+        for (std::size_t i = 0; i < n; i++) {
+            found.x[i] += step * direction[i];
+            left[i] -= step * image[i];
+            next += left[i] * left[i];
+        }
+        found.residuals.push_back(equations_left(problem, rows, found.x));
+        if (found.residuals.back() <= effort.tolerance) {
+            found.converged = true;
+            break;
+        }
+        for (std::size_t i = 0; i < n; i++) direction[i] = left[i] + next / size * direction[i];
+        size = next;
+    }
+    if (size == 0) found.converged = true;
+    return found;
+}
+
+}  // namespace
+
+double equation_residual(const Problem& problem, const std::vector<double>& x) {
+    return equations_left(problem, SparseRows(problem), x);
+}
+
+double natural_residual(const Problem& problem, const std::vector<double>& x) {
+    return complementarity_left(problem, SparseRows(problem), x);
+}
+
+Found solve_by_iteration(const Problem& problem, Method method, const Effort& effort) {
+    if (method == Method::conjugate_gradients) return by_conjugate_gradients(problem, effort);
+    return sweep(problem, method == Method::projected_gauss_seidel, effort);
+}
+
+}  // namespace jostle::linear_systems

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// What jostlectl can do, one function a command: asks the server and gives back what to print. An
+// error of code invalid_argument that came before the server was asked is the caller's mistake;
+// both kinds are told apart by Outcome.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tools/ctl/connection.h"
+
+namespace jostle::ctl {
+
+// All that flags can say about any command.
+struct Wanted {
+    std::string world, name, scene, file, reason;
+    std::string from;  // a world of which the new one is a moment
+    std::uint32_t client = 0, steps = 1;
+    std::uint32_t tick = 0;  // 0: now
+    double seconds = 5;
+    bool json = false;
+};
+
+struct Outcome {
+    std::string text;        // for standard output
+    std::string error;       // for standard error; empty: it was done
+    bool is_misuse = false;  // of an error: flags or files, not the server
+};
+
+Outcome list_worlds(Connection& server, const Wanted& wanted);
+Outcome create_world(Connection& server, const Wanted& wanted);
+Outcome delete_world(Connection& server, const Wanted& wanted);
+Outcome list_clients(Connection& server, const Wanted& wanted);
+Outcome kick(Connection& server, const Wanted& wanted);
+Outcome pause(Connection& server, const Wanted& wanted);
+Outcome resume(Connection& server, const Wanted& wanted);
+Outcome step(Connection& server, const Wanted& wanted);
+Outcome export_world(Connection& server, const Wanted& wanted);
+Outcome rewind(Connection& server, const Wanted& wanted);
+Outcome drain(Connection& server, const Wanted& wanted);
+Outcome profile(Connection& server, const Wanted& wanted);
+
+}  // namespace jostle::ctl

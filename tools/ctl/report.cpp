@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "tools/ctl/report.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include "tools/common/table.h"
+
+namespace jostle::ctl {
+
+std::string worlds_text(const v1::ListWorldsResponse& worlds) {
+    if (worlds.worlds().empty()) return "The server has no world: jostlectl world create\n";
+    Table table({{"ID"},
+                 {"NAME"},
+                 {"SCENE"},
+                 {"HZ", Align::right},
+                 {"BODIES", Align::right},
+                 {"AWAKE", Align::right},
+                 {"CLIENTS", Align::right},
+                 {"MS", Align::right},
+                 {"STATE"}});
+    for (const v1::WorldInfo& world : worlds.worlds())
+        table.add({world.id(), shown(world.name()), shown(world.scene()),
+                   number_text(world.hz(), 0), std::to_string(world.bodies()),
+                   std::to_string(world.awake()), std::to_string(world.clients()),
+                   number_text(world.step_ms_mean(), 2),
+                   world.paused().empty() ? "runs" : "paused: " + shown(world.paused(), 60)});
+    return table.text();
+}
+
+std::string clients_text(const v1::ListClientsResponse& clients) {
+    if (clients.clients().empty()) return "Nobody is connected.\n";
+    Table table({{"ID", Align::right},
+                 {"NAME"},
+                 {"SUBJECT"},
+                 {"WORLD"},
+                 {"ADDRESS"},
+                 {"FOR"},
+                 {"KBIT/S", Align::right},
+                 {"SKIPPED", Align::right},
+                 {"RTT MS", Align::right}});
+    for (const v1::ClientInfo& client : clients.clients())
+        table.add({std::to_string(client.id()),
+                   shown(client.name()) + (client.spectator() ? " (watches)" : ""),
+                   client.subject().empty() ? "-" : shown(client.subject()),
+                   shown(client.world_name()), shown(client.address(), 60),
+                   duration_text(client.seconds()), number_text(client.kbit_per_second(), 1),
+                   std::to_string(client.snapshots_skipped()),
+                   client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});
+    return table.text();
+}
+
+std::string json_text(const google::protobuf::Message& message) {
+    google::protobuf::util::JsonPrintOptions options;
+    options.add_whitespace = true;
+    options.always_print_primitive_fields = true;
+    std::string text;
+    // Only what is no UTF-8 cannot be written, and no message off the wire holds such text.
+    if (!google::protobuf::util::MessageToJsonString(message, &text, options).ok()) return "{}\n";
+    return text;
+}
+
+}  // namespace jostle::ctl

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/field_walk.h"
+
+namespace jostle::load {
+
+bool FieldWalk::next(Field& field) {
+    if (left_.empty() || broken_) return false;
+    std::uint64_t tag = 0;
+    broken_ = !read_varint(tag) || tag > 0xffff'ffff || tag >> 3 == 0;
+    if (broken_) return false;
+    field = {.number = static_cast<std::uint32_t>(tag >> 3)};
+    broken_ = !read_value(field, static_cast<unsigned>(tag & 7));
+    return !broken_;
+}
+
+bool FieldWalk::read_value(Field& field, unsigned wire_type) {
+    switch (wire_type) {
+        case 0:
+            return read_varint(field.value);
+        case 1:
+            return read_fixed(field.value, 8);
+        case 2: {
+            std::uint64_t size = 0;
+            if (!read_varint(size) || size > left_.size()) return false;
+            field.bytes = left_.first(static_cast<std::size_t>(size));
+            left_ = left_.subspan(static_cast<std::size_t>(size));
+            return true;
+        }
+        case 5:
+            return read_fixed(field.value, 4);
+        default:
+            return false;  // groups; proto3 has none
+    }
+}
+
+bool FieldWalk::read_varint(std::uint64_t& value) {
+    value = 0;
+    for (unsigned k = 0; k < 10 && k < left_.size(); k++) {
+        value |= std::uint64_t{left_[k] & 0x7fu} << (7 * k);
+        if ((left_[k] & 0x80) != 0) continue;
+        left_ = left_.subspan(k + 1);
+        return true;
+    }
+    return false;
+}
+
+bool FieldWalk::read_fixed(std::uint64_t& value, std::size_t size) {
+    if (left_.size() < size) return false;
+    value = 0;
+    for (std::size_t k = 0; k < size; k++) value |= std::uint64_t{left_[k]} << (8 * k);
+    left_ = left_.subspan(size);
+    return true;
+}
+
+}  // namespace jostle::load

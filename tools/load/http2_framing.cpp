@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/http2_framing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::load {
+namespace {
+
+constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
+constexpr std::string_view play_path = "/jostle.v1.PlayService/Play";
+constexpr std::uint32_t call_stream = 1;
+
+// RFC 9113, 6.
+namespace http2 {
+enum FrameType : std::uint8_t {
+    data = 0,
+    headers = 1,
+    rst_stream = 3,
+    settings = 4,
+    push_promise = 5,
+    ping = 6,
+    goaway = 7,
+    window_update = 8,
+    continuation = 9,
+};
+constexpr std::uint8_t acknowledged = 1, end_stream = 1, end_headers = 4, padded = 8;
+constexpr std::uint16_t setting_enable_push = 2, setting_initial_window = 4;
+}  // namespace http2
+
+constexpr std::size_t head_size = 9, message_head_size = 5;
+constexpr std::uint32_t frame_bytes_max = 16'384;  // what we may send, and what we let be sent
+constexpr std::size_t waiting_bytes_max = 1 << 20;
+
+void put_big_endian(std::string& out, std::uint64_t value, unsigned bytes) {
+    for (unsigned k = bytes; k-- > 0;) out.push_back(static_cast<char>(value >> (8 * k)));
+}
+
+std::uint32_t big_endian(Bytes bytes) {
+    std::uint32_t value = 0;
+    for (const std::uint8_t byte : bytes) value = value << 8 | byte;
+    return value;
+}
+
+// RFC 7541, 5.1: a whole number after `prefix_bits` bits of a byte whose other bits are `first`.
+void put_hpack_number(std::string& out, std::uint8_t first, unsigned prefix_bits,
+                      std::size_t value) {
+    const std::size_t full = (std::size_t{1} << prefix_bits) - 1;
+    out.push_back(static_cast<char>(first | std::min(value, full)));
+    if (value < full) return;
+    for (value -= full; value >= 0x80; value >>= 7)
+        out.push_back(static_cast<char>(0x80 | (value & 0x7f)));
+    out.push_back(static_cast<char>(value));
+}
+
+void put_hpack_text(std::string& out, std::string_view text) {
+    put_hpack_number(out, 0, 7, text.size());
+    out += text;
+}
+
+// A literal without indexing, whose name is in the static table (RFC 7541, appendix A).
+void put_header(std::string& out, std::size_t name_index, std::string_view value) {
+    put_hpack_number(out, 0, 4, name_index);
+    put_hpack_text(out, value);
+}
+
+std::string header_block(const Http2Request& request) {
+    std::string block;
+    put_hpack_number(block, 0x80, 7, 3);  // :method POST
+    put_hpack_number(block, 0x80, 7, 6);  // :scheme http
+    put_header(block, 4, play_path);
+    put_header(block, 1, request.authority);
+    put_header(block, 31, "application/grpc");
+    put_header(block, 58, "jostle-load");
+    put_hpack_number(block, 0, 4, 0);
+    put_hpack_text(block, "te");
+    put_hpack_text(block, "trailers");
+    if (!request.token.empty()) put_header(block, 23, "Bearer " + request.token);
+    return block;
+}
+
+Error broken(const std::string& what) {
+    return {ErrorCode::corrupt_data, "the server broke HTTP/2: " + what};
+}
+
+// Of a message with its head, of which this is the beginning; of less than a head, the head's.
+Result<std::size_t> whole_size(Bytes begun) {
+    if (begun[0] != 0) return broken("a compressed message");
+    if (begun.size() < message_head_size) return message_head_size;
+    const std::size_t size = big_endian(begun.subspan(1, 4));
+    if (size > message_bytes_max) return broken("a message of " + std::to_string(size) + " bytes");
+    return message_head_size + size;
+}
+
+}  // namespace
+
+Http2Framing::Http2Framing(const Http2Request& request) : window_(request.window) {
+    out_ = preface;
+    put_head(12, http2::settings, 0, 0);
+    put_big_endian(out_, http2::setting_enable_push, 2);
+    put_big_endian(out_, 0, 4);
+    put_big_endian(out_, http2::setting_initial_window, 2);
+    put_big_endian(out_, window_, 4);
+    if (window_ > Http2Request::usual_window)
+        put_window_update(0, window_ - Http2Request::usual_window);
+    const std::string block = header_block(request);
+    put_head(static_cast<std::uint32_t>(block.size()), http2::headers, http2::end_headers,
+             call_stream);
+    out_ += block;
+}
+
+// --- what we send ---
+
+void Http2Framing::put_head(std::uint32_t length, std::uint8_t type, std::uint8_t flags,
+                            std::uint32_t stream) {
+    put_big_endian(out_, length, 3);
+    out_.push_back(static_cast<char>(type));
+    out_.push_back(static_cast<char>(flags));
+    put_big_endian(out_, stream, 4);
+}
+
+void Http2Framing::put_window_update(std::uint32_t stream, std::uint32_t increment) {
+    put_head(4, http2::window_update, 0, stream);
+    put_big_endian(out_, increment, 4);
+}
+
+void Http2Framing::send(std::string_view message) {
+    std::string framed(1, '\0');  // not compressed
+    put_big_endian(framed, message.size(), 4);
+    framed += message;
+    for (std::size_t at = 0; at < framed.size(); at += frame_bytes_max) {
+        waiting_.push_back(framed.substr(at, frame_bytes_max));
+        waiting_bytes_ += waiting_.back().size();
+    }
+    send_waiting();
+}
+
+void Http2Framing::send_waiting() {
+    while (!waiting_.empty()) {
+        const std::string& next = waiting_.front();
+        const auto size = static_cast<std::int64_t>(next.size());
+        if (size > std::min(connection_credit_, stream_credit_)) return;
+        connection_credit_ -= size;
+        stream_credit_ -= size;
+        put_head(static_cast<std::uint32_t>(next.size()), http2::data, 0, call_stream);
+        out_ += next;
+        waiting_bytes_ -= next.size();
+        waiting_.pop_front();
+    }
+}
+
+void Http2Framing::used(std::size_t message_bytes) {
+    const std::size_t size = message_bytes + message_head_size;
+    if (!is_large(size)) give_back(size);
+}
+
+// Of a message that does not fit into the window the server can send the end only when the
+// beginning was given back: so it is as it arrives.
+bool Http2Framing::is_large(std::size_t size) const {
+    return size > window_ / 2;
+}
+
+// Told in halves of the window: a frame for each message would cost the server as much as ours.
+void Http2Framing::give_back(std::size_t bytes) {
+    give_back_ += static_cast<std::uint32_t>(bytes);
+    if (give_back_ < window_ / 2) return;
+    put_window_update(0, give_back_);
+    put_window_update(call_stream, give_back_);
+    unused_ -= give_back_;
+    give_back_ = 0;
+}
+
+// --- what arrives ---
+
+Status Http2Framing::take(Bytes bytes, Reader& reader) {
+    if (!rest_.empty()) {
+        rest_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        const std::string all = std::move(rest_);
+        rest_.clear();
+        return take({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}, reader);
+    }
+    const Result<std::size_t> taken = take_frames(bytes, reader);
+    if (!taken.ok()) return taken.error();
+    rest_.assign(reinterpret_cast<const char*>(bytes.data()) + *taken, bytes.size() - *taken);
+    if (waiting_bytes_ > waiting_bytes_max || out_.size() > outgoing_bytes_max)
+        return Error{ErrorCode::resource_exhausted, "the server does not take what we send"};
+    return {};
+}
+
+Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
+    std::size_t taken = 0;
+    while (bytes.size() - taken >= head_size) {
+        const Bytes at = bytes.subspan(taken);
+        const Head head{.length = big_endian(at.first(3)),
+                        .stream = big_endian(at.subspan(5, 4)) & 0x7fff'ffff,
+                        .type = at[3],
+                        .flags = at[4]};
+        if (head.length > frame_bytes_max)
+            return broken("a frame of " + std::to_string(head.length) + " bytes");
+        if (at.size() < head_size + head.length) break;
+        if (Status s = on_frame(head, at.subspan(head_size, head.length), reader); !s.ok())
+            return s.error();
+        taken += head_size + head.length;
+    }
+    return taken;
+}
+
+Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {
+    if (header_block_open_ && head.type != http2::continuation)
+        return broken("a header block was cut");
+    switch (head.type) {
+        case http2::data:
+            return on_data(head, payload, reader);
+        case http2::headers:
+        case http2::continuation:
+            return on_headers(head);
+        case http2::rst_stream:
+            if (payload.size() != 4) return broken("RST_STREAM");
+            return Error{ErrorCode::aborted, "the server reset the stream, code " +
+                                                 std::to_string(big_endian(payload))};
+        case http2::settings:
+            return on_settings(head, payload);
+        case http2::push_promise:
+            return broken("PUSH_PROMISE");
+        case http2::ping:
+            if (payload.size() != 8) return broken("PING");
+            if ((head.flags & http2::acknowledged) != 0) return {};
+            put_head(8, http2::ping, http2::acknowledged, 0);
+            out_.append(reinterpret_cast<const char*>(payload.data()), payload.size());
+            return {};
+        case http2::goaway:
+            if (payload.size() < 8) return broken("GOAWAY");
+            return Error{
+                ErrorCode::unavailable,
+                "the server went away, code " + std::to_string(big_endian(payload.subspan(4, 4)))};
+        case http2::window_update:
+            return on_window_update(head, payload);
+        default:
+            return {};  // PRIORITY, and what we do not know
+    }
+}
+
+Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
+    if (head.stream != call_stream) return broken("DATA of a stream that was not begun");
+    unused_ += head.length;
+    if (unused_ > window_) return broken("more DATA than our window allows");
+    if ((head.flags & http2::padded) != 0) {
+        if (payload.empty() || payload[0] >= payload.size()) return broken("padding");
+        const std::size_t padding = payload[0];
+        payload = payload.subspan(1, payload.size() - 1 - padding);
+        give_back(1 + padding);
+    }
+    if (Status s = on_messages(payload, reader); !s.ok()) return s;
+    if ((head.flags & http2::end_stream) != 0) return broken("DATA ends the stream");
+    return {};
+}
+
+// Each message is a byte that says whether it is compressed, its length, and itself.
+Status Http2Framing::on_messages(Bytes bytes, Reader& reader) {
+    while (!bytes.empty()) {
+        const Result<std::size_t> size = whole_size(message_.empty() ? bytes : begun_message());
+        if (!size.ok()) return size.error();
+        if (message_.empty() && bytes.size() >= *size) {
+            reader.on_message(bytes.first(*size).subspan(message_head_size));
+            if (is_large(*size)) give_back(*size);
+            bytes = bytes.subspan(*size);
+            continue;
+        }
+        const std::size_t piece = std::min(*size - message_.size(), bytes.size());
+        message_.append(reinterpret_cast<const char*>(bytes.data()), piece);
+        bytes = bytes.subspan(piece);
+        if (Status s = on_piece(reader); !s.ok()) return s;
+    }
+    return {};
+}
+
+Status Http2Framing::on_piece(Reader& reader) {
+    if (message_.size() < message_head_size) return {};
+    const Result<std::size_t> size = whole_size(begun_message());
+    if (!size.ok()) return size.error();
+    if (is_large(*size)) give_back(message_.size() - std::exchange(given_back_, message_.size()));
+    if (message_.size() < *size) return {};
+    reader.on_message(begun_message().subspan(message_head_size));
+    message_.clear();
+    given_back_ = 0;
+    return {};
+}
+
+Bytes Http2Framing::begun_message() const {
+    return {reinterpret_cast<const std::uint8_t*>(message_.data()), message_.size()};
+}
+
+Status Http2Framing::on_headers(const Head& head) {
+    if (head.type == http2::continuation && !header_block_open_)
+        return broken("CONTINUATION of nothing");
+    if (head.type == http2::headers) header_ends_stream_ = (head.flags & http2::end_stream) != 0;
+    header_block_open_ = (head.flags & http2::end_headers) == 0;
+    if (!header_block_open_ && header_ends_stream_)
+        return Error{ErrorCode::aborted, "the server ended the stream"};
+    return {};
+}
+
+Status Http2Framing::on_settings(const Head& head, Bytes payload) {
+    if ((head.flags & http2::acknowledged) != 0) return {};
+    if (payload.size() % 6 != 0) return broken("SETTINGS");
+    for (; !payload.empty(); payload = payload.subspan(6)) {
+        if (big_endian(payload.first(2)) != http2::setting_initial_window) continue;
+        const std::uint32_t window = big_endian(payload.subspan(2, 4));
+        if (window > Http2Request::window_max)
+            return broken("a window of " + std::to_string(window));
+        stream_credit_ += static_cast<std::int64_t>(window) - server_window_;
+        server_window_ = window;
+    }
+    put_head(0, http2::settings, http2::acknowledged, 0);
+    send_waiting();
+    return {};
+}
+
+Status Http2Framing::on_window_update(const Head& head, Bytes payload) {
+    if (payload.size() != 4) return broken("WINDOW_UPDATE");
+    const std::uint32_t increment = big_endian(payload) & 0x7fff'ffff;
+    if (increment == 0) return broken("WINDOW_UPDATE of 0");
+    std::int64_t& credit = head.stream == 0 ? connection_credit_ : stream_credit_;
+    credit += increment;
+    if (credit > Http2Request::window_max) return broken("more than a window");
+    send_waiting();
+    return {};
+}
+
+}  // namespace jostle::load

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/load_plan.h"
+
+#include <cmath>
+
+namespace jostle::load {
+
+// A sunflower: each next one turned by the golden angle.
+std::optional<client::Sight> LoadPlan::sight_of(int number) const {
+    if (sight == 0) return std::nullopt;
+    constexpr double golden_angle = 2.39996322972865332;
+    const double far = sight * std::sqrt((number + 0.5) / clients), turn = golden_angle * number;
+    return client::Sight{far * std::cos(turn), far * std::sin(turn), sight};
+}
+
+}  // namespace jostle::load

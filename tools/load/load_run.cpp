@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/load_run.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "tools/load/server_cpu.h"
+
+namespace jostle::load {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto look_period = 20ms, line_period = 500ms;
+constexpr double join_patience = 10;  // s after the ramp
+constexpr rlim_t descriptors_besides = 100;
+
+// Rewrites a line of the terminal; nothing elsewhere.
+class ProgressLine {
+public:
+    void show(const char* phase, double seconds, int clients, const Crowd::Progress& progress) {
+        if (!live_ || Clock::now() < next_) return;
+        next_ = Clock::now() + line_period;
+        std::fprintf(stderr, "\r\033[K%s %5.1f s  %d of %d joined  %llu snapshots  %llu inputs ",
+                     phase, seconds, progress.joined, clients,
+                     static_cast<unsigned long long>(progress.snapshots),
+                     static_cast<unsigned long long>(progress.inputs));
+    }
+    ~ProgressLine() {
+        if (live_) std::fputs("\n", stderr);
+    }
+
+private:
+    const bool live_ = isatty(STDERR_FILENO) != 0;
+    Clock::time_point next_ = Clock::now();
+};
+
+double seconds_since(Clock::time_point t) {
+    return std::chrono::duration<double>(Clock::now() - t).count();
+}
+
+}  // namespace
+
+Report run_load(const LoadPlan& plan, Crowd& crowd, std::optional<int> server_pid,
+                const std::atomic<bool>& stop, const std::function<void()>& before_end) {
+    ProgressLine line;
+    const auto cpu = [&] { return server_pid ? cpu_seconds(*server_pid) : std::nullopt; };
+    const auto wait_until = [&](const char* phase, Clock::time_point since, const auto& over) {
+        while (!stop && !over(seconds_since(since))) {
+            line.show(phase, seconds_since(since), plan.clients, crowd.progress());
+            std::this_thread::sleep_for(look_period);
+        }
+    };
+    const auto begun = Clock::now();
+    wait_until("joining", begun, [&](double s) {
+        return s >= plan.ramp &&
+               (crowd.progress().joined >= plan.clients || s >= plan.ramp + join_patience);
+    });
+    const auto joined = Clock::now();
+    wait_until("settling", joined, [&](double s) { return s >= plan.settle; });
+    crowd.measure();
+    const auto measured = Clock::now();
+    const auto cpu_before = cpu();
+    wait_until("measuring", measured, [&](double s) { return s >= plan.seconds; });
+    const auto cpu_after = cpu();
+    const double duration = seconds_since(measured);
+    if (before_end) before_end();
+    const int connected = crowd.progress().joined;
+    Report report = make_report(crowd.end(), plan.clients);
+    report.connected = connected;
+    if (cpu_before && cpu_after)
+        report.server_cpu_percent = 100 * (*cpu_after - *cpu_before) / std::max(1e-3, duration);
+    return report;
+}
+
+bool allow_sockets(int clients) {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;
+    const rlim_t wanted = static_cast<rlim_t>(clients) + descriptors_besides;
+    if (limit.rlim_cur >= wanted) return true;
+    limit.rlim_cur = std::min(wanted, limit.rlim_max);
+    return setrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur >= wanted;
+}
+
+}  // namespace jostle::load

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/player_crowd.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace jostle::load {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto play_period = 33ms;
+constexpr auto farewell = 200ms;  // until what was said last is sent
+
+}  // namespace
+
+PlayerThread::PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun)
+    : plan_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
+
+PlayerThread::~PlayerThread() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+}
+
+void PlayerThread::run() {
+    while (!stop_) {
+        const auto now = Clock::now();
+        if (measure_.exchange(false)) begin_measurement(now);
+        join_due(now);
+        think(now);
+        std::this_thread::sleep_until(now + play_period);
+    }
+    count();
+    for (const Member& member : members_) member.player->client().leave();
+    std::this_thread::sleep_for(farewell);
+}
+
+void PlayerThread::join_due(Clock::time_point now) {
+    const double since = std::chrono::duration<double>(now - begun_).count();
+    for (;;) {
+        const int number = first_ + step_ * static_cast<int>(members_.size());
+        if (number >= plan_.clients || since < plan_.ramp * number / plan_.clients) return;
+        members_.push_back(
+            {std::make_unique<bots::Player>(
+                 loop_,
+                 client::ClientOptions{.target = plan_.target,
+                                       .security = plan_.security,
+                                       .world = plan_.world,
+                                       .name = "load " + std::to_string(number + 1),
+                                       .max_kbps = plan_.max_kbps,
+                                       .sight = plan_.sight_of(number),
+                                       .datagrams = plan_.datagrams},
+                 line_for(plan_.script, number), static_cast<std::uint32_t>(number + 1)),
+             {}});
+    }
+}
+
+void PlayerThread::think(Clock::time_point now) {
+    int joined = 0;
+    std::uint64_t snapshots = 0, inputs = 0;
+    for (Member& member : members_) {
+        member.player->think(now);
+        collect(member, now);
+        const client::ClientStats stats = member.player->client().stats();
+        joined += stats.connected ? 1 : 0;
+        snapshots += stats.snapshots;
+        inputs += stats.inputs_sent;
+    }
+    joined_.store(joined, std::memory_order_relaxed);
+    snapshots_.store(snapshots, std::memory_order_relaxed);
+    inputs_.store(inputs, std::memory_order_relaxed);
+}
+
+// Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
+// full world.
+void PlayerThread::collect(Member& member, Clock::time_point now) {
+    client::Client& client = member.player->client();
+    for (const auto& result : client.take_results())
+        if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
+            figures_.add_error(result.message());
+    for (const float age : client.take_ages_ms())
+        figures_.add_age(static_cast<std::int64_t>(1000 * age), now);
+}
+
+void PlayerThread::begin_measurement(Clock::time_point now) {
+    for (Member& member : members_) {
+        collect(member, now);
+        member.before = member.player->client().stats();
+    }
+    figures_.begin(now);
+}
+
+void PlayerThread::count() {
+    for (const Member& member : members_) {
+        const client::ClientStats now = member.player->client().stats(), &before = member.before;
+        figures_.snapshots += now.snapshots - before.snapshots;
+        figures_.bytes += now.bytes_received - before.bytes_received;
+        figures_.inputs_sent += now.inputs_sent - before.inputs_sent;
+        figures_.inputs_applied += now.inputs_applied - before.inputs_applied;
+        figures_.errors += now.stream_failures + now.decode_errors;
+        if (!now.last_error.empty()) figures_.last_error = now.last_error;
+    }
+    figures_.decoded = figures_.snapshots;
+    figures_.end(Clock::now());
+}
+
+Crowd::Progress PlayerThread::progress() const {
+    return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
+            inputs_.load(std::memory_order_relaxed)};
+}
+
+Figures PlayerThread::end() {
+    stop_ = true;
+    thread_.join();
+    return std::move(figures_);
+}
+
+}  // namespace jostle::load

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Clients of the C++ client library, as a game would have them: each decodes all that it gets.
+// Spread over several threads, each with a loop of the library for its connections and a thread of
+// ours that plays.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "clients/bot/player.h"
+#include "tools/load/load_plan.h"
+#include "tools/load/threaded_crowd.h"
+
+namespace jostle::load {
+
+class PlayerThread {
+public:
+    // Clients first, first + step, ... of the plan's. The plan outlives it.
+    PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun);
+    ~PlayerThread();
+
+    Crowd::Progress progress() const;
+    void measure() { measure_ = true; }
+    Figures end();
+
+private:
+    struct Member {
+        std::unique_ptr<bots::Player> player;
+        client::ClientStats before;  // when the measurement began
+    };
+
+    void run();
+    void join_due(Clock::time_point now);
+    void think(Clock::time_point now);
+    void collect(Member& member, Clock::time_point now);
+    void begin_measurement(Clock::time_point now);
+    void count();
+
+    const LoadPlan& plan_;
+    const int first_, step_;
+    const Clock::time_point begun_;
+    client::Loop loop_;
+    std::vector<Member> members_;
+    Figures figures_;
+    std::atomic<bool> measure_{false}, stop_{false};
+    std::atomic<int> joined_{0};
+    std::atomic<std::uint64_t> snapshots_{0}, inputs_{0};
+    std::thread thread_;
+};
+
+using PlayerCrowd = ThreadedCrowd<PlayerThread>;
+
+}  // namespace jostle::load

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/sink_client.h"
+
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/epoll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "tools/load/http2_framing.h"
+#include "tools/load/raw_framing.h"
+#include "tools/load/websocket_framing.h"
+
+namespace jostle::load {
+namespace {
+
+// What a slow reader of a WebSocket takes from the socket at once: it is TCP that holds its server
+// back.
+constexpr std::size_t slow_piece = 2048;
+
+std::unique_ptr<Framing> make_framing(const LoadPlan& plan) {
+    switch (plan.transport) {
+        case Transport::websocket:
+            return std::make_unique<WebSocketFraming>(plan.target);
+        case Transport::raw:
+            return std::make_unique<RawFraming>();
+        case Transport::grpc:
+            break;
+    }
+    // A slow reader has the window that clients have by default. Else none that can be filled, so
+    // that the server's work is the same in each run.
+    return std::make_unique<Http2Framing>(Http2Request{
+        .authority = plan.target,
+        .token = plan.security.token,
+        .window = plan.read_rate > 0 ? Http2Request::usual_window : Http2Request::window_max});
+}
+
+}  // namespace
+
+Result<SinkAddress> resolve(const std::string& target) {
+    const std::size_t colon = target.rfind(':');
+    if (colon == std::string::npos)
+        return invalid_argument("--target is " + target + "; it must be HOST:PORT");
+    std::string host = target.substr(0, colon);
+    if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+    addrinfo hints{}, *found = nullptr;
+    hints.ai_socktype = SOCK_STREAM;
+    if (const int error = getaddrinfo(host.c_str(), target.c_str() + colon + 1, &hints, &found);
+        error != 0)
+        return invalid_argument("--target is " + target + ": " + gai_strerror(error));
+    SinkAddress address;
+    std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
+    address.size = found->ai_addrlen;
+    freeaddrinfo(found);
+    return address;
+}
+
+SinkClient::SinkClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures)
+    : plan_(plan),
+      epoll_(epoll),
+      figures_(figures),
+      conversation_(std::move(wishes), figures),
+      framing_(make_framing(plan)) {}
+
+SinkClient::~SinkClient() {
+    if (socket_ >= 0) close(socket_);
+}
+
+void SinkClient::connect(const SinkAddress& address) {
+    socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (socket_ < 0) return end(std::string("no socket: ") + std::strerror(errno));
+    const int on = 1;
+    setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address.bytes), address.size) != 0 &&
+        errno != EINPROGRESS)
+        return end(std::string("cannot connect: ") + std::strerror(errno));
+    watched_ = EPOLLIN | EPOLLOUT;
+    epoll_event event{.events = watched_, .data = {.ptr = this}};
+    if (epoll_ctl(epoll_, EPOLL_CTL_ADD, socket_, &event) != 0)
+        end(std::string("cannot watch a socket: ") + std::strerror(errno));
+}
+
+void SinkClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point now) {
+    if (over_) return;
+    now_ = now;
+    if (!stands_still()) receive(scratch);
+    tick(now);
+}
+
+void SinkClient::tick(Clock::time_point now) {
+    if (over_ || socket_ < 0) return;
+    read_waiting(now);
+    say(now);
+    flush();
+    if (!over_) watch();
+}
+
+std::string SinkClient::why_closed() const {
+    std::string why = "the server closed the connection";
+    if (conversation_.joined()) return why;
+    why += " before it said welcome; is --target the port of ";
+    why += plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?";
+    return why;
+}
+
+void SinkClient::receive(std::span<std::uint8_t> scratch) {
+    if (plan_.read_rate > 0 && plan_.transport != Transport::grpc)
+        scratch = scratch.first(slow_piece);
+    const ssize_t size = recv(socket_, scratch.data(), scratch.size(), 0);
+    if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (size <= 0) return end(size < 0 ? std::strerror(errno) : why_closed());
+    const Status taken = framing_->take(scratch.first(static_cast<std::size_t>(size)), *this);
+    if (!taken.ok()) end(taken.error().message);
+}
+
+void SinkClient::on_message(Bytes message) {
+    if (plan_.read_rate > 0) {
+        waiting_.emplace_back(reinterpret_cast<const char*>(message.data()), message.size());
+        return;
+    }
+    conversation_.receive(message, now_);
+    framing_->used(message.size());
+}
+
+void SinkClient::read_waiting(Clock::time_point now) {
+    while (!waiting_.empty() && now >= next_read_) {
+        const auto period = std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(1 / plan_.read_rate));
+        // One that had nothing to read is not faster afterwards.
+        next_read_ = (now - next_read_ < period ? next_read_ : now) + period;
+        const std::string message = std::move(waiting_.front());
+        waiting_.pop_front();
+        conversation_.receive(
+            {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}, now);
+        framing_->used(message.size());
+    }
+}
+
+void SinkClient::say(Clock::time_point now) {
+    while (const auto message = conversation_.take_message(now)) framing_->send(*message);
+}
+
+void SinkClient::flush() {
+    std::string& out = framing_->outgoing();
+    if (out.empty()) return;
+    const ssize_t sent = ::send(socket_, out.data(), out.size(), MSG_NOSIGNAL);
+    if (sent > 0) out.erase(0, static_cast<std::size_t>(sent));
+    if (sent < 0 && errno != EAGAIN && errno != EINTR && errno != ENOTCONN)
+        end(std::string("cannot send: ") + std::strerror(errno));
+}
+
+// gRPC's transport reads ahead as far as its window goes; a WebSocket's reader is its transport.
+bool SinkClient::stands_still() const {
+    return plan_.transport != Transport::grpc && !waiting_.empty();
+}
+
+void SinkClient::watch() {
+    const std::uint32_t wanted =
+        (stands_still() ? 0u : EPOLLIN) | (framing_->outgoing().empty() ? 0u : EPOLLOUT);
+    if (wanted == watched_) return;
+    watched_ = wanted;
+    epoll_event event{.events = wanted, .data = {.ptr = this}};
+    epoll_ctl(epoll_, EPOLL_CTL_MOD, socket_, &event);
+}
+
+void SinkClient::end(const std::string& why) {
+    over_ = true;
+    figures_.add_error(conversation_.notice().empty() ? why : why + ": " + conversation_.notice());
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
+}
+
+}  // namespace jostle::load

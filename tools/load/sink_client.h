@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// One sink: a socket, its framing and its conversation. Lives on the thread of its SinkThread,
+// which tells it what epoll says and calls on it every few milliseconds.
+#pragma once
+
+#include <sys/socket.h>
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "tools/load/framing.h"
+#include "tools/load/load_plan.h"
+#include "tools/load/sink_conversation.h"
+
+namespace jostle::load {
+
+struct SinkAddress {
+    sockaddr_storage bytes{};
+    socklen_t size = 0;
+};
+Result<SinkAddress> resolve(const std::string& target);
+
+class SinkClient final : private Framing::Reader {
+public:
+    // `epoll`: where it registers its socket. Plan and figures outlive it.
+    SinkClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures);
+    ~SinkClient();
+    SinkClient(const SinkClient&) = delete;
+    SinkClient& operator=(const SinkClient&) = delete;
+
+    void connect(const SinkAddress& address);
+    // Something arrived, or may be sent; `scratch` is free to be read into.
+    void on_event(std::span<std::uint8_t> scratch, Clock::time_point now);
+    // Reads what may be read by now, and says what is due.
+    void tick(Clock::time_point now);
+
+    bool began() const { return socket_ >= 0 || over_; }
+    bool joined() const { return conversation_.joined() && !over_; }
+    SinkConversation& conversation() { return conversation_; }
+
+private:
+    void on_message(Bytes message) override;
+    std::string why_closed() const;
+    void receive(std::span<std::uint8_t> scratch);
+    void read_waiting(Clock::time_point now);
+    void say(Clock::time_point now);
+    void flush();
+    void watch();
+    void end(const std::string& why);
+    bool stands_still() const;
+
+    const LoadPlan& plan_;
+    const int epoll_;
+    Figures& figures_;
+    SinkConversation conversation_;
+    std::unique_ptr<Framing> framing_;
+    int socket_ = -1;
+    std::uint32_t watched_ = 0;
+    bool over_ = false;
+    Clock::time_point now_{};  // of the event that is handled
+    // Of one that reads at a rate of its own: what has arrived, and when it reads the next.
+    std::deque<std::string> waiting_;
+    Clock::time_point next_read_{};
+};
+
+}  // namespace jostle::load

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/sink_conversation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace jostle::load {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::uint32_t protocol_version = 1;
+constexpr int quick_pings = 3;  // to have a clock soon
+constexpr auto quick_ping_period = 100ms;
+constexpr auto ping_period = 5s;
+// Where nothing else is asked for: a snapshot is acknowledged by then, however few came since.
+constexpr auto usual_ack_patience = 150ms;
+constexpr int usual_ack_every = 6;
+constexpr std::uint32_t ack_ms_max = 1000;  // whatever the server says
+constexpr std::size_t sent_max = 4096, arrived_max = 128;
+
+template <class Message>
+bool parse(Message& message, Bytes bytes) {
+    return message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
+}
+
+}  // namespace
+
+SinkConversation::SinkConversation(SinkWishes wishes, Figures& figures)
+    : wishes_(std::move(wishes)),
+      figures_(figures),
+      ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every),
+      ack_patience_(usual_ack_patience) {
+    if (wishes_.decodes) view_ = std::make_unique<client::WorldView>();
+}
+
+// --- what it hears ---
+
+void SinkConversation::receive(Bytes message, Clock::time_point now) {
+    figures_.messages++;
+    figures_.bytes += message.size();
+    FieldWalk walk(message);
+    for (Field field; walk.next(field);) on_field(field, now);
+    if (walk.broken()) figures_.add_error("the server sent bytes that are no ServerMessage");
+    if (view_) decode(message);
+}
+
+void SinkConversation::on_field(const Field& field, Clock::time_point now) {
+    switch (field.number) {
+        case v1::ServerMessage::kWelcomeFieldNumber:
+            return on_welcome(field.bytes);
+        case v1::ServerMessage::kSnapshotFieldNumber:
+            return on_snapshot(field.bytes, now);
+        case v1::ServerMessage::kPongFieldNumber:
+            return on_pong(field.bytes, now);
+        case v1::ServerMessage::kNoticeFieldNumber: {
+            v1::Notice notice;
+            if (parse(notice, field.bytes)) notice_ = notice.message();
+            return;
+        }
+        default:
+            return;
+    }
+}
+
+void SinkConversation::on_welcome(Bytes bytes) {
+    v1::Welcome welcome;
+    if (!parse(welcome, bytes)) return figures_.add_error("the server's welcome is none");
+    joined_ = true;
+    client_id_ = welcome.client_id();
+    epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
+    tick_us_ = welcome.tick_hz() > 0 ? 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5) : 0;
+    if (wishes_.ack_every == 0 && welcome.ack_ms() > 0) {
+        ack_every_ = 0;
+        ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_ms(), ack_ms_max));
+    }
+}
+
+void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
+    joined_ = true;  // a server of a benchmark says no welcome
+    std::uint64_t late = 0;
+    Bytes own;
+    FieldWalk walk(bytes);
+    for (Field field; walk.next(field);) {
+        if (field.number == v1::Snapshot::kFrameFieldNumber)
+            frame_ = static_cast<std::uint32_t>(field.value);
+        if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
+        if (field.number == v1::Snapshot::kOwnFieldNumber) own = field.bytes;
+    }
+    if (walk.broken()) return figures_.add_error("the server sent a snapshot that is none");
+    figures_.snapshots++;
+    figures_.snapshot_bytes += bytes.size();
+    unacked_++;
+    heard_ = now;
+    if (last_snapshot_)
+        figures_.gap.add(
+            std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
+    last_snapshot_ = now;
+    if (clock_.ready() && tick_us_ > 0)
+        figures_.add_age(server_us(now) - due_us(frame_, late), now);
+    if (!wishes_.spectator) {
+        see_effects(frame_, now);
+        on_own(own, now);
+    }
+}
+
+// As WorldView::times_of(). `late` is a zigzag number: 0, -1, 1, -2 ...
+std::int64_t SinkConversation::due_us(std::uint32_t frame, std::uint64_t late) const {
+    constexpr auto most = static_cast<std::int64_t>(client::latest_time_us);
+    const auto late_us =
+        static_cast<std::int64_t>(late >> 1) ^ -static_cast<std::int64_t>(late & 1);
+    return epoch_us_ + std::clamp(late_us, -most, most) +
+           static_cast<std::int64_t>(std::llround(frame * tick_us_));
+}
+
+void SinkConversation::on_own(Bytes bytes, Clock::time_point now) {
+    v1::InputResult result;
+    FieldWalk walk(bytes);
+    for (Field field; walk.next(field);)
+        if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
+            on_result(result, now);
+    if (walk.broken()) figures_.add_error("the server sent results that are none");
+}
+
+// Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
+// full world.
+void SinkConversation::on_result(const v1::InputResult& result, Clock::time_point now) {
+    const bool applied = result.code() == v1::INPUT_CODE_APPLIED;
+    figures_.inputs_applied += applied ? 1 : 0;
+    if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
+        figures_.add_error(result.message());
+    const auto sent = std::find_if(sent_.begin(), sent_.end(), [&](const Sent& input) {
+        return input.sequence == result.sequence();
+    });
+    if (sent == sent_.end()) return;
+    const auto us_since_sent = [&](Clock::time_point t) {
+        return std::chrono::duration_cast<std::chrono::microseconds>(t - sent->at).count();
+    };
+    figures_.result_delay.add(us_since_sent(now));
+    if (applied) {
+        const auto seen = std::find_if(arrived_.begin(), arrived_.end(),
+                                       [&](const Arrival& a) { return a.frame >= result.tick(); });
+        if (seen != arrived_.end())
+            figures_.effect_delay.add(us_since_sent(seen->at));
+        else if (applied_.size() < sent_max)
+            applied_.push_back({result.tick(), sent->at});
+    }
+    sent_.erase(sent);
+}
+
+void SinkConversation::see_effects(std::uint32_t frame, Clock::time_point now) {
+    arrived_.push_back({frame, now});
+    if (arrived_.size() > arrived_max) arrived_.pop_front();
+    std::erase_if(applied_, [&](const Applied& input) {
+        if (frame < input.tick) return false;
+        figures_.effect_delay.add(
+            std::chrono::duration_cast<std::chrono::microseconds>(now - input.sent).count());
+        return true;
+    });
+}
+
+void SinkConversation::on_pong(Bytes bytes, Clock::time_point now) {
+    v1::Pong pong;
+    if (!parse(pong, bytes)) return figures_.add_error("the server sent a pong that is none");
+    const std::uint64_t sent = pong.client_time_us(), server = pong.server_time_us(),
+                        here = client::to_us(now);
+    same_clock_ = same_clock_ && sent <= server && server <= here;
+    clock_.add(sent, server, here);
+}
+
+std::int64_t SinkConversation::server_us(Clock::time_point now) const {
+    return same_clock_ ? static_cast<std::int64_t>(client::to_us(now)) : clock_.server_us(now);
+}
+
+void SinkConversation::decode(Bytes bytes) {
+    v1::ServerMessage message;
+    if (!parse(message, bytes)) return;  // that was counted
+    Status applied;
+    if (message.has_welcome()) view_->begin(message.welcome());
+    if (message.has_geometry()) applied = view_->apply(message.geometry());
+    if (message.has_roster()) view_->apply(message.roster());
+    if (message.has_snapshot()) {
+        applied = view_->apply(message.snapshot());
+        figures_.decoded += applied.ok() ? 1 : 0;
+        // While a keyframe is on its way, what follows cannot be decoded either.
+        if (std::exchange(need_keyframe_, !applied.ok())) return;
+    }
+    if (!applied.ok()) figures_.add_error(applied.error().message);
+}
+
+// --- what it says ---
+
+std::optional<std::string_view> SinkConversation::take_message(Clock::time_point now) {
+    if (!said_hello_) {
+        said_hello_ = true;
+        v1::Hello& hello = *out_.mutable_hello();
+        hello.set_protocol(protocol_version);
+        hello.set_world(wishes_.world);
+        hello.set_name(wishes_.name);
+        hello.set_token(wishes_.token);
+        hello.set_spectator(wishes_.spectator);
+        hello.set_max_kbps(wishes_.max_kbps);
+        if (wishes_.sight) {
+            hello.mutable_interest()->mutable_focus()->set_x(wishes_.sight->x);
+            hello.mutable_interest()->mutable_focus()->set_z(wishes_.sight->z);
+            hello.mutable_interest()->set_radius(wishes_.sight->radius);
+        }
+        return serialized();
+    }
+    if (!joined_) return std::nullopt;
+    if (batch_.inputs_size() > 0) {
+        batch_.set_first_sequence(next_sequence_);
+        batch_.set_client_time_us(static_cast<std::uint32_t>(client::to_us(now)));
+        for (int k = 0; k < batch_.inputs_size(); k++) sent_.push_back({next_sequence_++, now});
+        while (sent_.size() > sent_max) sent_.pop_front();
+        figures_.inputs_sent += static_cast<std::uint64_t>(batch_.inputs_size());
+        put_ack(*batch_.mutable_ack(), now);
+        out_.mutable_input()->Swap(&batch_);
+        batch_.Clear();
+        return serialized();
+    }
+    if (ack_is_due(now)) {
+        put_ack(*out_.mutable_ack(), now);
+        return serialized();
+    }
+    if (now >= next_ping_) {
+        next_ping_ = now + (++pings_ < quick_pings ? Clock::duration(quick_ping_period)
+                                                   : Clock::duration(ping_period));
+        out_.mutable_ping()->set_client_time_us(client::to_us(now));
+        return serialized();
+    }
+    return std::nullopt;
+}
+
+void SinkConversation::play(const std::vector<v1::Input>& inputs) {
+    for (const v1::Input& input : inputs) *batch_.add_inputs() = input;
+}
+
+bool SinkConversation::ack_is_due(Clock::time_point now) const {
+    if (unacked_ == 0) return false;
+    return need_keyframe_ || (ack_every_ > 0 && unacked_ >= ack_every_) ||
+           now - last_ack_ >= ack_patience_;
+}
+
+void SinkConversation::put_ack(v1::Ack& ack, Clock::time_point now) {
+    ack.set_frame(frame_);
+    ack.set_need_keyframe(need_keyframe_);
+    ack.set_held_ms(static_cast<std::uint32_t>(
+        std::chrono::duration_cast<std::chrono::milliseconds>(now - heard_).count()));
+    unacked_ = 0;
+    last_ack_ = now;
+}
+
+std::string_view SinkConversation::serialized() {
+    out_.SerializeToString(&out_bytes_);
+    out_.Clear();
+    return out_bytes_;
+}
+
+}  // namespace jostle::load

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "tools/load/sink_crowd.h"
+
+#include <sys/epoll.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace jostle::load {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::size_t scratch_bytes = 256 * 1024;
+// How often each client is looked after; one that reads at a rate of its own needs it finer.
+constexpr auto usual_sweep_period = 10ms, slow_reader_sweep_period = 1ms;
+constexpr auto think_period = 33ms;
+constexpr int events_at_once = 256;
+
+double thread_cpu_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Clock::duration seconds(double s) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+}
+
+// Of every hundred clients the first one, when a hundredth is to decode.
+bool is_in_share(int number, double share) {
+    return share > 0 && std::floor(number * share) != std::floor((number - 1) * share);
+}
+
+}  // namespace
+
+SinkThread::SinkThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
+                       Clock::time_point begun)
+    : plan_(plan), address_(address), begun_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
+    for (int number = first; number < plan.clients; number += step)
+        members_.push_back(make_member(number, number == first));
+    thread_ = std::thread([this] { run(); });
+}
+
+SinkThread::~SinkThread() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    close(epoll_);
+}
+
+SinkThread::Member SinkThread::make_member(int number, bool has_eyes) {
+    const bool plays = !plan_.script.empty();
+    SinkWishes wishes{.world = plan_.world,
+                      .name = "load " + std::to_string(number + 1),
+                      .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
+                      .spectator = !plays,
+                      .decodes = is_in_share(number, plan_.decode_share) || (plays && has_eyes),
+                      .ack_every = plan_.ack_every,
+                      .sight = plan_.sight_of(number),
+                      .max_kbps = plan_.max_kbps};
+    Member member{
+        .client = std::make_unique<SinkClient>(plan_, std::move(wishes), epoll_, figures_),
+        .behaviour = {},
+        .joins_at = begun_ + seconds(plan_.ramp * number / plan_.clients),
+        .thinks_at = {}};
+    if (plays)
+        member.behaviour.emplace(line_for(plan_.script, number),
+                                 static_cast<std::uint32_t>(number + 1));
+    return member;
+}
+
+void SinkThread::run() {
+    const auto sweep_period = plan_.read_rate > 0 ? slow_reader_sweep_period : usual_sweep_period;
+    std::vector<std::uint8_t> scratch(scratch_bytes);
+    std::array<epoll_event, events_at_once> events{};
+    Clock::time_point next_sweep = Clock::now();
+    double cpu_before = thread_cpu_seconds();
+    while (!stop_) {
+        const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
+            std::max(Clock::duration::zero(), next_sweep - Clock::now()));
+        const int count =
+            epoll_wait(epoll_, events.data(), events_at_once, static_cast<int>(wait.count()));
+        if (measure_.exchange(false)) {
+            figures_.begin(Clock::now());
+            cpu_before = thread_cpu_seconds();
+        }
+        for (int k = 0; k < count; k++)
+            static_cast<SinkClient*>(events[static_cast<std::size_t>(k)].data.ptr)
+                ->on_event(scratch, Clock::now());
+        if (const auto now = Clock::now(); now >= next_sweep) {
+            sweep(now);
+            next_sweep = now + sweep_period;
+        }
+    }
+    figures_.end(Clock::now());
+    figures_.cpu_seconds = thread_cpu_seconds() - cpu_before;
+}
+
+void SinkThread::sweep(Clock::time_point now) {
+    int joined = 0;
+    for (Member& member : members_) {
+        if (!member.client->began()) {
+            if (now >= member.joins_at) member.client->connect(address_);
+            continue;
+        }
+        if (member.behaviour && now >= member.thinks_at) think(member, now);
+        member.client->tick(now);
+        joined += member.client->joined() ? 1 : 0;
+    }
+    joined_.store(joined, std::memory_order_relaxed);
+    snapshots_.store(figures_.snapshots, std::memory_order_relaxed);
+    inputs_.store(figures_.inputs_sent, std::memory_order_relaxed);
+}
+
+void SinkThread::think(Member& member, Clock::time_point now) {
+    const client::WorldView* view = members_.front().client->conversation().view();
+    if (view == nullptr || !member.client->joined() || view->frame().frame == 0) return;
+    member.thinks_at = now + think_period;
+    const double since = std::chrono::duration<double>(now - begun_).count();
+    SinkConversation& conversation = member.client->conversation();
+    conversation.play(member.behaviour->act(since, *view, conversation.client_id()));
+}
+
+Crowd::Progress SinkThread::progress() const {
+    return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
+            inputs_.load(std::memory_order_relaxed)};
+}
+
+Figures SinkThread::end() {
+    stop_ = true;
+    thread_.join();
+    members_.clear();  // sockets close
+    return std::move(figures_);
+}
+
+}  // namespace jostle::load

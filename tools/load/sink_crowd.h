@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Sinks on several threads, each with an epoll and every n-th client. A share of the clients
+// decodes; where clients play by a script, one of each thread does, and all of that thread's look
+// through its eyes: what they see of the world is the same.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "clients/bot/behaviour.h"
+#include "tools/load/sink_client.h"
+#include "tools/load/threaded_crowd.h"
+
+namespace jostle::load {
+
+// One thread of them.
+class SinkThread {
+public:
+    // Clients first, first + step, ... of the plan's. The plan outlives it.
+    SinkThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
+               Clock::time_point begun);
+    ~SinkThread();
+
+    Crowd::Progress progress() const;
+    void measure() { measure_ = true; }
+    Figures end();
+
+private:
+    struct Member {
+        std::unique_ptr<SinkClient> client;
+        std::optional<bots::Behaviour> behaviour;
+        Clock::time_point joins_at, thinks_at;
+    };
+
+    Member make_member(int number, bool has_eyes);
+    void run();
+    void sweep(Clock::time_point now);
+    void think(Member& member, Clock::time_point now);
+
+    const LoadPlan& plan_;
+    const SinkAddress address_;
+    const Clock::time_point begun_;
+    int epoll_ = -1;
+    Figures figures_;
+    std::vector<Member> members_;
+    std::atomic<bool> measure_{false}, stop_{false};
+    std::atomic<int> joined_{0};
+    std::atomic<std::uint64_t> snapshots_{0}, inputs_{0};
+    std::thread thread_;
+};
+
+using SinkCrowd = ThreadedCrowd<SinkThread>;
+
+}  // namespace jostle::load

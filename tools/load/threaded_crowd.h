@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// A crowd that is spread over threads, each with every so manieth of its clients. A Thread is made
+// with what its crowd was made with, then the first of its clients, the step from one to the next,
+// and when the run began; it has progress(), measure() and end() as a Crowd has them.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "tools/load/crowd.h"
+#include "tools/load/load_plan.h"
+
+namespace jostle::load {
+
+template <class Thread>
+class ThreadedCrowd : public Crowd {
+public:
+    template <class... More>
+    explicit ThreadedCrowd(const LoadPlan& plan, const More&... more) {
+        const Clock::time_point begun = Clock::now();
+        const int threads = std::min(plan.threads, plan.clients);
+        for (int k = 0; k < threads; k++)
+            threads_.push_back(std::make_unique<Thread>(plan, more..., k, threads, begun));
+    }
+
+    Progress progress() const override {
+        Progress all;
+        for (const auto& thread : threads_) {
+            const Progress one = thread->progress();
+            all.joined += one.joined;
+            all.snapshots += one.snapshots;
+            all.inputs += one.inputs;
+        }
+        return all;
+    }
+    void measure() override {
+        for (const auto& thread : threads_) thread->measure();
+    }
+    Figures end() override {
+        Figures all;
+        for (const auto& thread : threads_) all.merge(thread->end());
+        return all;
+    }
+
+private:
+    std::vector<std::unique_ptr<Thread>> threads_;
+};
+
+}  // namespace jostle::load

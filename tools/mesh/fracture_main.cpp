@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-fracture: a solid becomes chunks and the bonds between them, ahead of time.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "jostle/modules/fracture_file.h"
+#include "tools/mesh/fracture_solid.h"
+
+namespace {
+
+using namespace jostle;
+using namespace jostle::physics;
+
+constexpr const char* footer = R"(
+A solid breaks along lines that are there before anything hits it. This program draws them: it strews seeds, and what of the
+solid is nearer to one seed than to any other becomes a chunk, a convex hull (Voronoi). Where two chunks share a face there is a
+bond, a short beam with the face's area and moments. What a bond bears is the material's affair, said where the solid is put
+into a world (docs/modules.md, "Destruction").
+
+Patterns: uniform, everywhere alike (stone); radial, rings and spokes about --center, across the shortest side (glass);
+grid, even blocks (masonry); clustered, small chunks near --center, large ones around.
+
+A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--parts, --excess), each
+part is cut by the same seeds, and bonds hold the parts together where they touch. So there are more chunks than seeds.
+
+--anchor names the side by which the ground holds it: -y is the foot. What hangs together with an anchored chunk does not move.
+
+Scene files name no other files: --scene writes what stands there between the brackets of
+  "modules": [{"destruction": {"fractured": [ ]}}]
+
+Examples:
+  jostle-fracture --box 4 3 0.3 --chunks 200 --anchor -y --out wall.fracture
+  jostle-fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --chunks 150 --out window.fracture
+  jostle-fracture statue.obj --scale 0.01 --chunks 500 --anchor -y --out statue.fracture --json -
+  jostle-fracture --hull 0 0 0  1 0 0  0 1 0  0 0 1 --chunks 20 --out corner.fracture
+
+Exit status: 0 done, 1 the solid could not be cut or a file not be read or written, 2 wrong flags.)";
+
+const std::map<std::string, modules::SeedPattern> patterns = {
+    {"uniform", modules::SeedPattern::uniform},
+    {"radial", modules::SeedPattern::radial},
+    {"grid", modules::SeedPattern::grid},
+    {"clustered", modules::SeedPattern::clustered}};
+const std::map<std::string, Vec3> sides = {{"-x", {-1, 0, 0}}, {"+x", {1, 0, 0}},
+                                           {"-y", {0, -1, 0}}, {"+y", {0, 1, 0}},
+                                           {"-z", {0, 0, -1}}, {"+z", {0, 0, 1}}};
+
+struct Flags {
+    std::string file, pattern = "uniform", anchor, out, scene, json;
+    std::vector<double> box, hull, center;
+    convert::Solid solid;
+    modules::SeedPlan plan;
+};
+
+int fail(const std::string& what) {
+    std::fprintf(stderr, "jostle-fracture: %s\n", what.c_str());
+    return 1;
+}
+
+// On one line of a terminal; nothing elsewhere.
+void show(std::size_t done, std::size_t all) {
+    if (isatty(2) == 0) return;
+    std::fprintf(stderr, done == all ? "\r\033[K" : "\rcutting %zu of %zu", done, all);
+}
+
+std::vector<Vec3> points_of(const std::vector<double>& numbers) {
+    std::vector<Vec3> points;
+    for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
+        points.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+    return points;
+}
+
+struct Summary {
+    std::size_t chunks = 0, bonds = 0, anchored = 0, bytes = 0;
+    double volume = 0, volume_error = 0, smallest = 1e300, largest = 0, bond_area = 0;
+};
+
+Summary summary_of(const convert::Fractured& made, std::size_t bytes) {
+    Summary sum{
+        .chunks = made.shape.chunks.size(), .bonds = made.shape.bonds.size(), .bytes = bytes};
+    for (const modules::FractureChunk& chunk : made.shape.chunks) {
+        sum.volume += chunk.volume;
+        sum.smallest = std::min(sum.smallest, chunk.volume);
+        sum.largest = std::max(sum.largest, chunk.volume);
+        sum.anchored += chunk.anchored;
+    }
+    for (const modules::FractureBond& bond : made.shape.bonds) sum.bond_area += bond.area;
+    sum.volume_error = (sum.volume + made.lost) / made.volume - 1;
+    return sum;
+}
+
+void print(FILE* out, const convert::Fractured& made, const Summary& sum) {
+    std::fprintf(
+        out,
+        "parts      %zu, %.3g %% too much\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
+        "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, off by %.2g of it\nsplinters  "
+        "%.3g m^3 left out\nbytes      %zu\n",
+        made.parts, 100 * made.excess, sum.chunks, sum.smallest, sum.largest, sum.anchored,
+        sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost, sum.bytes);
+}
+
+nlohmann::ordered_json to_json(const Flags& flags, const convert::Fractured& made,
+                               const Summary& sum) {
+    return {{"pattern", flags.pattern},
+            {"seed", flags.plan.seed},
+            {"seeds", flags.plan.count},
+            {"parts", made.parts},
+            {"excess", made.excess},
+            {"chunks", sum.chunks},
+            {"anchored", sum.anchored},
+            {"bonds", sum.bonds},
+            {"bond_area_m2", sum.bond_area},
+            {"volume_m3", sum.volume},
+            {"volume_error", sum.volume_error},
+            {"lost_m3", made.lost},
+            {"smallest_m3", sum.smallest},
+            {"largest_m3", sum.largest},
+            {"bytes", sum.bytes}};
+}
+
+bool write_file(const std::string& path, const char* data, std::size_t size) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(data, static_cast<std::streamsize>(size));
+    out.close();
+    return static_cast<bool>(out);
+}
+
+// An item of "fractured" in a scene file, to be given a position and a material.
+std::string scene_item(std::span<const std::byte> bytes) {
+    static constexpr char digits[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t k = 0; k < bytes.size(); k += 3) {
+        const std::size_t left = std::min<std::size_t>(3, bytes.size() - k);
+        unsigned three = 0;
+        for (std::size_t i = 0; i < 3; i++)
+            three = three << 8 | (i < left ? std::to_integer<unsigned>(bytes[k + i]) : 0);
+        for (std::size_t i = 0; i < 4; i++)
+            text += i <= left ? digits[three >> (18 - 6 * i) & 63] : '=';
+    }
+    return nlohmann::ordered_json{{"shape", text}}.dump() + "\n";
+}
+
+int report(const Flags& flags, const convert::Fractured& made, std::size_t bytes) {
+    const Summary sum = summary_of(made, bytes);
+    const std::string text = to_json(flags, made, sum).dump(2) + "\n";
+    if (flags.json == "-")
+        std::fputs(text.c_str(), stdout);
+    else
+        print(stdout, made, sum);
+    if (flags.json.empty() || flags.json == "-") return 0;
+    return write_file(flags.json, text.data(), text.size()) ? 0
+                                                            : fail("cannot write " + flags.json);
+}
+
+int run(Flags& flags) {
+    std::string text;
+    if (!flags.file.empty()) {
+        std::ifstream in(flags.file, std::ios::binary);
+        if (!in) return fail("cannot read " + flags.file);
+        text.assign((std::istreambuf_iterator<char>(in)), {});
+        flags.solid.obj = text;
+    }
+    if (!flags.box.empty()) flags.solid.box = points_of(flags.box)[0];
+    flags.solid.points = points_of(flags.hull);
+    flags.plan.pattern = patterns.at(flags.pattern);
+    if (!flags.center.empty()) flags.plan.center = points_of(flags.center)[0];
+    const auto anchor =
+        flags.anchor.empty() ? std::optional<Vec3>() : std::optional(sides.at(flags.anchor));
+    const auto made = convert::fracture_solid(flags.solid, flags.plan, anchor, show);
+    if (!made.ok())
+        return fail((flags.file.empty() ? "" : flags.file + ": ") + made.error().message);
+    const auto bytes = modules::write_fracture(made->shape);
+    if (!bytes.ok()) return fail(bytes.error().message);
+    if (!flags.out.empty() &&
+        !write_file(flags.out, reinterpret_cast<const char*>(bytes->data()), bytes->size()))
+        return fail("cannot write " + flags.out);
+    if (!flags.scene.empty()) {
+        const std::string item = scene_item(*bytes);
+        if (!write_file(flags.scene, item.data(), item.size()))
+            return fail("cannot write " + flags.scene);
+    }
+    return report(flags, *made, bytes->size());
+}
+
+void add_solid(CLI::App& app, Flags& flags) {
+    CLI::Option_group* solid = app.add_option_group("solid", "What is cut: one of these");
+    solid->add_option("file", flags.file, "A Wavefront OBJ file of a closed mesh")
+        ->check(CLI::ExistingFile);
+    solid->add_option("--box", flags.box, "Its sides along x, y and z, m")->expected(3);
+    solid->add_option("--hull", flags.hull, "x y z of its corners, four or more, m")
+        ->expected(12, 3000);
+    solid->require_option(1);
+    app.add_option("--scale", flags.solid.scale, "Metres to a unit of the file")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    app.add_option("--parts", flags.solid.decomposition.parts_max,
+                   "Convex parts of a mesh, at most")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    app.add_option("--excess", flags.solid.decomposition.excess,
+                   "Of a mesh's volume, that its parts may hold too much")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+}
+
+void add_plan(CLI::App& app, Flags& flags) {
+    std::vector<std::string> names;
+    for (const auto& [name, pattern] : patterns) names.push_back(name);
+    app.add_option("--pattern", flags.pattern, "How it breaks")
+        ->check(CLI::IsMember(names))
+        ->capture_default_str();
+    app.add_option("--chunks", flags.plan.count, "Seeds that are strewn")
+        ->check(CLI::Range(1, static_cast<int>(modules::most_chunks)))
+        ->capture_default_str();
+    app.add_option("--seed", flags.plan.seed, "Another number strews them another way")
+        ->capture_default_str();
+    app.add_option("--center", flags.center,
+                   "x y z of what is radial or clustered, m; without: the middle")
+        ->expected(3);
+    app.add_option("--spread", flags.plan.spread, "Of a cluster: its radius by the longest side")
+        ->check(CLI::Range(0.001, 1.0))
+        ->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Cuts a solid into chunks that bonds hold together, for things that break."};
+    Flags flags;
+    app.footer(footer);
+    add_solid(app, flags);
+    add_plan(app, flags);
+    std::vector<std::string> names;
+    for (const auto& [name, side] : sides) names.push_back(name);
+    app.add_option("--anchor", flags.anchor, "The side by which the ground holds it")
+        ->check(CLI::IsMember(names));
+    app.add_option("--out", flags.out, "Writes the chunks and bonds here");
+    app.add_option("--scene", flags.scene, "Writes them here as scene files want them");
+    app.add_option("--json", flags.json,
+                   "Writes the summary here as JSON; -: instead of the table");
+    try {
+        app.parse(argc, argv);
+        if (flags.hull.size() % 3 != 0)
+            throw CLI::ValidationError("--hull", "three numbers to a corner");
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    return run(flags);
+}

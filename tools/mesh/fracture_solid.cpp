@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tools/mesh/fracture_solid.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "tools/mesh/obj_file.h"
+
+namespace jostle::convert {
+
+using namespace physics;
+
+namespace {
+
+using Part = std::shared_ptr<const ConvexHull>;
+
+struct Parts {
+    std::vector<Part> hulls;
+    double excess = 0;
+};
+
+Result<Parts> one_part(std::span<const Vec3> points) {
+    auto hull = build_hull(points);
+    if (!hull.ok()) return hull.error();
+    return Parts{{std::move(*hull)}, 0};
+}
+
+Result<Parts> parts_of_mesh(const Solid& solid) {
+    Result<ObjMesh> mesh = read_obj(solid.obj);
+    if (!mesh.ok()) return mesh.error();
+    for (Vec3& p : mesh->vertices) p = p * solid.scale;
+    auto parts = decomposition::decompose(mesh->vertices, mesh->indices, solid.decomposition);
+    if (!parts.ok()) return parts.error();
+    return Parts{std::move(parts->parts), parts->excess};
+}
+
+Result<Parts> parts_of(const Solid& solid) {
+    if (!solid.box) return solid.points.empty() ? parts_of_mesh(solid) : one_part(solid.points);
+    const Vec3 half = *solid.box * 0.5;
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; k++)
+        corners.push_back({(k & 1) != 0 ? half.x : -half.x, (k & 2) != 0 ? half.y : -half.y,
+                           (k & 4) != 0 ? half.z : -half.z});
+    return one_part(corners);
+}
+
+bool is_inside(const Part& part, Vec3 p) {
+    return std::all_of(part->faces.begin(), part->faces.end(),
+                       [&](const HullFace& face) { return dot(face.normal, p) <= face.offset; });
+}
+
+double reach_of(const modules::FractureChunk& chunk, Vec3 direction) {
+    double most = -1e300;
+    for (const Vec3 p : std::get<Hull>(chunk.geometry).data->vertices)
+        most = std::max(most, dot(direction, p));
+    return most;
+}
+
+void anchor_end(modules::FracturedShape& shape, Vec3 direction, double size) {
+    double furthest = -1e300;
+    for (const modules::FractureChunk& chunk : shape.chunks)
+        furthest = std::max(furthest, reach_of(chunk, direction));
+    modules::anchor(shape, direction, furthest - 1e-6 * size);
+}
+
+}  // namespace
+
+Result<Fractured> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
+                                 std::optional<Vec3> anchor,
+                                 const modules::FractureProgress& progress) {
+    Result<Parts> parts = parts_of(solid);
+    if (!parts.ok()) return parts.error();
+    Aabb bounds = parts->hulls.front()->bounds;
+    for (const Part& part : parts->hulls)
+        bounds = {min(bounds.low, part->bounds.low), max(bounds.high, part->bounds.high)};
+    const auto seeds = modules::planned_seeds(bounds, plan, [&](Vec3 p) {
+        return std::any_of(parts->hulls.begin(), parts->hulls.end(),
+                           [&](const Part& part) { return is_inside(part, p); });
+    });
+    if (!seeds.ok()) return seeds.error();
+    Result<modules::FracturedParts> made = modules::fracture_parts(parts->hulls, *seeds, progress);
+    if (!made.ok()) return made.error();
+    Fractured result{std::move(made->shape), parts->hulls.size(), parts->excess, made->volume,
+                     made->lost};
+    if (anchor) anchor_end(result.shape, *anchor, length(bounds.high - bounds.low));
+    return result;
+}
+
+}  // namespace jostle::convert

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "tools/network_emulator/link_relay.h"
+
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace jostle::relay {
+namespace {
+
+constexpr std::size_t piece_bytes = 1460;  // as segments of an Ethernet are
+constexpr auto longest_sleep = std::chrono::milliseconds(50);
+
+struct Address {
+    sockaddr_storage bytes{};
+    socklen_t size = 0;
+};
+
+Result<Address> find(const std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos) return invalid_argument(text + " is not HOST:PORT");
+    addrinfo hints{}, *found = nullptr;
+    hints.ai_socktype = SOCK_STREAM;
+    if (const int error =
+            getaddrinfo(text.substr(0, colon).c_str(), text.c_str() + colon + 1, &hints, &found);
+        error != 0)
+        return invalid_argument(text + ": " + gai_strerror(error));
+    Address address;
+    std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
+    address.size = found->ai_addrlen;
+    freeaddrinfo(found);
+    return address;
+}
+
+void send_at_once(int descriptor) {
+    const int on = 1;
+    setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+}
+
+bool would_block() {
+    return errno == EAGAIN || errno == EINTR || errno == EINPROGRESS || errno == ENOTCONN;
+}
+
+}  // namespace
+
+LinkRelay::~LinkRelay() {
+    for (const auto& pair : pairs_)
+        for (const Direction& direction : pair->directions) close(direction.from);
+    if (listener_ >= 0) close(listener_);
+}
+
+Status LinkRelay::listen(const std::string& address) {
+    const auto target = find(settings_.target), here = find(address);
+    if (!target.ok()) return target.error();
+    if (!here.ok()) return here.error();
+    target_ = target->bytes;
+    target_size_ = target->size;
+    listener_ = socket(here->bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    const int on = 1;
+    setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    sockaddr_storage bound{};
+    socklen_t size = sizeof bound;
+    if (bind(listener_, reinterpret_cast<const sockaddr*>(&here->bytes), here->size) != 0 ||
+        ::listen(listener_, 1024) != 0 ||
+        getsockname(listener_, reinterpret_cast<sockaddr*>(&bound), &size) != 0)
+        return Error{ErrorCode::unavailable,
+                     "cannot listen at " + address + ": " + std::strerror(errno)};
+    // The port stands at the same place in both kinds of addresses.
+    port_ = ntohs(reinterpret_cast<const sockaddr_in*>(&bound)->sin_port);
+    return {};
+}
+
+void LinkRelay::accept_all(Clock::time_point now) {
+    for (;;) {
+        const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (client < 0) return;
+        const int server = socket(target_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+        if (server < 0 ||
+            (connect(server, reinterpret_cast<const sockaddr*>(&target_), target_size_) != 0 &&
+             errno != EINPROGRESS)) {
+            close(client);
+            if (server >= 0) close(server);
+            continue;
+        }
+        send_at_once(client);
+        send_at_once(server);
+        LinkSettings up = settings_.down;
+        up.kbit_per_second = 0;
+        up.stall_every_s = 0;
+        const std::uint64_t number = 2 * accepted_++;
+        pairs_.push_back(std::make_unique<Pair>(
+            Pair{.directions = {Direction{.from = server,
+                                          .to = client,
+                                          .link = BadLink(settings_.down, number, now),
+                                          .pieces = {}},
+                                Direction{.from = client,
+                                          .to = server,
+                                          .link = BadLink(up, number + 1, now),
+                                          .pieces = {}}}}));
+    }
+}
+
+void LinkRelay::read(Direction& direction, Pair& pair, Clock::time_point now) const {
+    while (!direction.ended && direction.queued < settings_.queue_bytes) {
+        std::array<char, piece_bytes> scratch;
+        const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
+        if (size < 0 && would_block()) return;
+        if (size < 0) pair.broken = true;
+        if (size <= 0) {
+            direction.ended = true;
+            return;
+        }
+        const auto count = static_cast<std::size_t>(size);
+        direction.pieces.push_back(
+            {std::string(scratch.data(), count), direction.link.arrival_of(count, now)});
+        direction.queued += count;
+    }
+}
+
+void LinkRelay::write_due(Direction& direction, Pair& pair, Clock::time_point now) {
+    while (!direction.pieces.empty() && direction.pieces.front().at <= now) {
+        std::string& bytes = direction.pieces.front().bytes;
+        const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (size < 0 && would_block()) return;
+        if (size < 0) {
+            pair.broken = true;
+            return;
+        }
+        direction.queued -= static_cast<std::size_t>(size);
+        bytes.erase(0, static_cast<std::size_t>(size));
+        if (!bytes.empty()) return;
+        direction.pieces.pop_front();
+    }
+    if (direction.ended && direction.pieces.empty()) shutdown(direction.to, SHUT_WR);
+}
+
+// When to look again.
+Clock::time_point LinkRelay::serve(Pair& pair, Clock::time_point now) const {
+    Clock::time_point next = now + longest_sleep;
+    for (Direction& direction : pair.directions) {
+        read(direction, pair, now);
+        write_due(direction, pair, now);
+        if (!direction.pieces.empty()) next = std::min(next, direction.pieces.front().at);
+    }
+    return next;
+}
+
+void LinkRelay::run(const std::atomic<bool>& stop) {
+    Clock::time_point next = Clock::now();
+    std::vector<pollfd> watched;
+    while (!stop) {
+        watched.assign(1, {.fd = listener_, .events = POLLIN, .revents = 0});
+        for (const auto& pair : pairs_)
+            for (const Direction& direction : pair->directions)
+                if (!direction.ended && direction.queued < settings_.queue_bytes)
+                    watched.push_back({.fd = direction.from, .events = POLLIN, .revents = 0});
+        const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
+            std::max(Clock::duration::zero(), next - Clock::now()));
+        poll(watched.data(), watched.size(), static_cast<int>(wait.count()));
+        const auto now = Clock::now();
+        accept_all(now);
+        next = now + longest_sleep;
+        for (const auto& pair : pairs_) next = std::min(next, serve(*pair, now));
+        std::erase_if(pairs_, [](const auto& pair) {
+            const auto& [down, up] = pair->directions;
+            const bool over = pair->broken || (down.ended && down.pieces.empty() && up.ended);
+            if (over)
+                for (const Direction& direction : pair->directions) close(direction.from);
+            return over;
+        });
+        next = std::max(next, now + std::chrono::milliseconds(1));
+    }
+}
+
+}  // namespace jostle::relay

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Hands on the bytes of TCP connections, both ways, as a bad link would. A connection to it becomes
+// one to the target. What is on its way is bounded: more is not read, and TCP holds the sender
+// back. One thread; loopback and test networks only.
+#pragma once
+
+#include <sys/socket.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "jostle/base/result.h"
+#include "tools/network_emulator/bad_link.h"
+
+namespace jostle::relay {
+
+struct RelaySettings {
+    std::string target;  // HOST:PORT
+    LinkSettings down;   // to those who connected; up has the same delay and jitter, and no limit
+    std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
+};
+
+class LinkRelay {
+public:
+    explicit LinkRelay(RelaySettings settings) : settings_(std::move(settings)) {}
+    ~LinkRelay();
+    LinkRelay(const LinkRelay&) = delete;
+    LinkRelay& operator=(const LinkRelay&) = delete;
+
+    // HOST:PORT; port 0: any that is free.
+    Status listen(const std::string& address);
+    int port() const { return port_; }
+    void run(const std::atomic<bool>& stop);
+
+private:
+    struct Piece {
+        std::string bytes;
+        Clock::time_point at;
+    };
+    struct Direction {
+        int from, to;
+        BadLink link;
+        std::deque<Piece> pieces;
+        std::size_t queued = 0;
+        bool ended = false;  // nothing more comes
+    };
+    struct Pair {
+        std::array<Direction, 2> directions;  // down, up
+        bool broken = false;
+    };
+
+    void accept_all(Clock::time_point now);
+    void read(Direction& direction, Pair& pair, Clock::time_point now) const;
+    static void write_due(Direction& direction, Pair& pair, Clock::time_point now);
+    Clock::time_point serve(Pair& pair, Clock::time_point now) const;
+
+    RelaySettings settings_;
+    sockaddr_storage target_{};
+    socklen_t target_size_ = 0;
+    int listener_ = -1, port_ = 0;
+    std::vector<std::unique_ptr<Pair>> pairs_;
+    std::uint64_t accepted_ = 0;
+};
+
+}  // namespace jostle::relay

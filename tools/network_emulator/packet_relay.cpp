@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "tools/network_emulator/packet_relay.h"
+
+#include <fcntl.h>
+#include <linux/if.h>
+#include <linux/if_tun.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace jostle::relay {
+
+namespace {
+
+constexpr auto longest_wait = std::chrono::milliseconds(50);
+constexpr std::size_t packet_bytes_max = 65'536, packets_on_way_max = 20'000;
+
+Result<int> make_device(const std::string& name) {
+    const auto failed = [&](const char* what) {
+        return Error{ErrorCode::unavailable, "cannot make the network device " + name + ": " +
+                                                 what + ": " + std::strerror(errno) +
+                                                 "; this needs root"};
+    };
+    if (name.empty() || name.size() >= IFNAMSIZ)
+        return invalid_argument("\"" + name + "\" is no name of a network device");
+    const int device = open("/dev/net/tun", O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (device < 0) return failed("/dev/net/tun");
+    ifreq request{};
+    name.copy(request.ifr_name, IFNAMSIZ - 1);
+    request.ifr_flags = IFF_TUN | IFF_NO_PI;
+    if (ioctl(device, TUNSETIFF, &request) == 0) return device;
+    const Error error = failed("TUNSETIFF");
+    close(device);
+    return error;
+}
+
+}  // namespace
+
+PacketRelay::~PacketRelay() {
+    for (const int device : devices_)
+        if (device >= 0) close(device);
+}
+
+Status PacketRelay::open() {
+    for (std::size_t k = 0; k < devices_.size(); k++) {
+        const auto device = make_device(settings_.devices[k]);
+        if (!device.ok()) return device.error();
+        devices_[k] = *device;
+    }
+    return {};
+}
+
+void PacketRelay::read(Way& way, Clock::time_point now) {
+    std::array<char, packet_bytes_max> bytes;
+    for (;;) {
+        const ssize_t size = ::read(way.from, bytes.data(), bytes.size());
+        if (size <= 0) return;
+        if (way.link.loses() || way.packets.size() >= packets_on_way_max) {
+            lost_++;
+            continue;
+        }
+        const auto count = static_cast<std::size_t>(size);
+        way.packets.push_back({std::string(bytes.data(), count), way.link.arrival_of(count, now)});
+    }
+}
+
+void PacketRelay::write_due(Way& way, Clock::time_point now) {
+    for (; !way.packets.empty() && way.packets.front().at <= now; way.packets.pop_front()) {
+        const std::string& bytes = way.packets.front().bytes;
+        if (write(way.to, bytes.data(), bytes.size()) >= 0) handed_on_++;
+    }
+}
+
+void PacketRelay::run(const std::atomic<bool>& stop) {
+    const Clock::time_point begun = Clock::now();
+    std::array<Way, 2> ways{Way{devices_[0], devices_[1], BadLink(settings_.link, 0, begun), {}},
+                            Way{devices_[1], devices_[0], BadLink(settings_.link, 1, begun), {}}};
+    std::array<pollfd, 2> watched{};
+    while (!stop) {
+        Clock::time_point next = Clock::now() + longest_wait;
+        for (std::size_t k = 0; k < ways.size(); k++) {
+            watched[k] = {.fd = ways[k].from, .events = POLLIN, .revents = 0};
+            if (!ways[k].packets.empty()) next = std::min(next, ways[k].packets.front().at);
+        }
+        // To the microsecond: poll() knows milliseconds only.
+        const auto wait = std::max(Clock::duration::zero(), next - Clock::now());
+        const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(wait.count())};
+        ppoll(watched.data(), watched.size(), &timeout, nullptr);
+        const Clock::time_point now = Clock::now();
+        for (Way& way : ways) {
+            read(way, now);
+            write_due(way, now);
+        }
+    }
+}
+
+}  // namespace jostle::relay

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// A bad link for whole IP packets, so that TCP and UDP lose alike: two network devices (TUN), each
+// to be put into a network namespace of its own; what is sent into one comes out of the other, but
+// for what is lost. Needs root. One thread.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "jostle/base/result.h"
+#include "tools/network_emulator/bad_link.h"
+
+namespace jostle::relay {
+
+struct PacketRelaySettings {
+    std::array<std::string, 2> devices;  // their names, which nobody has yet
+    LinkSettings link;                   // both ways alike
+};
+
+class PacketRelay {
+public:
+    explicit PacketRelay(PacketRelaySettings settings) : settings_(std::move(settings)) {}
+    ~PacketRelay();
+    PacketRelay(const PacketRelay&) = delete;
+    PacketRelay& operator=(const PacketRelay&) = delete;
+
+    // Makes the devices, which go when this does. An error says which and why.
+    Status open();
+    void run(const std::atomic<bool>& stop);
+
+    std::uint64_t handed_on() const { return handed_on_; }
+    std::uint64_t lost() const { return lost_; }
+
+private:
+    struct Packet {
+        std::string bytes;
+        Clock::time_point at;
+    };
+    struct Way {
+        int from, to;
+        BadLink link;
+        std::deque<Packet> packets;
+    };
+    void read(Way& way, Clock::time_point now);
+    void write_due(Way& way, Clock::time_point now);
+
+    const PacketRelaySettings settings_;
+    std::array<int, 2> devices_{-1, -1};
+    std::uint64_t handed_on_ = 0, lost_ = 0;
+};
+
+}  // namespace jostle::relay

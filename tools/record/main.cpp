@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-record: watches a world and writes what it is sent into a file.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "clients/cpp/cli/security_flags.h"
+#include "jostle/client/client.h"
+#include "tools/record/recorder.h"
+
+namespace {
+
+using jostle::client::Clock;
+using jostle::record::Recorder;
+
+std::atomic<bool> stop{false};
+
+constexpr const char* footer = R"(
+Examples:
+  jostle-record yard.rec --world yard                 # until Ctrl-C
+  jostle-record yard.rec --world yard --seconds 60
+  jostle-replay yard.rec                              # what is in it
+  jostle-replay yard.rec --at 1234                    # where everything was in a tick
+
+It joins as a spectator, so it changes nothing, and is sent what any client is sent: all bodies, what modules tell, events.
+Every --keyframe-seconds it asks for a snapshot that needs no earlier one: from there a player can begin. What was written
+can be played while it grows, and after a crash, but for the last second at most. A recording is of one stream: it ends when
+the server, the world or the connection ends.
+
+Exit status: 0 in order, 1 when the stream ended by itself, nothing came or the file cannot be written (what was written
+is kept), 2 wrong flags.)";
+
+struct Flags {
+    jostle::client::SecurityFiles files;
+    std::string target = "localhost:50051", world, ticket, file;
+    double seconds = 0, keyframe_seconds = 5;
+    std::uint32_t snapshot_hz = 0;
+    bool replace = false, no_events = false;
+};
+
+void add_flags(CLI::App& app, Flags& flags) {
+    app.add_option("file", flags.file, "The recording to write")->required();
+    app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    jostle::client::add_security_flags(app, flags.files);
+    app.add_option("--world", flags.world, "World by name or id; the first when not given");
+    app.add_option("--ticket", flags.ticket, "To get in, where the server asks for one");
+    app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--keyframe-seconds", flags.keyframe_seconds,
+                   "From one keyframe to the next; what is shorter is quicker to seek, and larger")
+        ->capture_default_str()
+        ->check(CLI::Range(0.25, 3600.0));
+    app.add_option("--snapshot-hz", flags.snapshot_hz,
+                   "Snapshots a second that it asks for; 0: the world's rate")
+        ->capture_default_str();
+    app.add_flag("--no-events", flags.no_events, "Leaves out what happens between bodies");
+    app.add_flag("--replace", flags.replace, "Replaces the file if there is one");
+    app.footer(footer);
+}
+
+jostle::client::ClientOptions options_of(const Flags& flags, Recorder& recorder) {
+    return {.target = flags.target,
+            .world = flags.world,
+            .ticket = flags.ticket,
+            .name = "recorder",
+            .snapshot_hz = flags.snapshot_hz,
+            .spectator = true,
+            .events = !flags.no_events,
+            .channels = {"*"},
+            .reconnect = false,
+            .on_message = [&recorder](const std::string& bytes, Clock::time_point now) {
+                recorder.take(bytes, now);
+            }};
+}
+
+std::string line_of(const jostle::client::RecordingWriter::Counts& counts) {
+    char text[160];
+    std::snprintf(text, sizeof text, "%.1f s, ticks %u to %u, %llu keyframes, %.2f MB",
+                  static_cast<double>(counts.arrived_us) / 1e6, counts.first_tick, counts.last_tick,
+                  static_cast<unsigned long long>(counts.keyframes),
+                  static_cast<double>(counts.bytes) / 1e6);
+    return text;
+}
+
+// Until it has been long enough; what ended it before, if anything did.
+std::string record(const Flags& flags, jostle::client::Client& client, Recorder& recorder) {
+    const auto period = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(flags.keyframe_seconds));
+    const auto began = Clock::now();
+    auto next_keyframe = began + period, next_line = began;
+    const bool live = isatty(STDERR_FILENO) != 0;
+    while (!stop && (flags.seconds <= 0 ||
+                     Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        const auto now = Clock::now();
+        if (std::string fault = recorder.fault(); !fault.empty()) return fault;
+        const auto stats = client.stats();
+        if (stats.stream_failures > 0) return stats.last_error;
+        if (now >= next_keyframe) {
+            next_keyframe += period;
+            client.ask_keyframe();
+        }
+        if (now < next_line) continue;
+        next_line = now + std::chrono::milliseconds(500);
+        recorder.flush();
+        if (live) std::fprintf(stderr, "\r%s ", line_of(recorder.counts()).c_str());
+    }
+    if (live) std::fprintf(stderr, "\n");
+    return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Watches a world of a Jostle server and writes what it is sent into a file."};
+    Flags flags;
+    add_flags(app, flags);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    const auto fail = [](int status, const std::string& message) {
+        std::fprintf(stderr, "jostle-record: %s\n", message.c_str());
+        return status;
+    };
+    const auto security = jostle::client::read_security(flags.files, flags.target);
+    if (!security.ok()) return fail(2, security.error().message);
+    Recorder recorder;
+    if (const auto s = recorder.open(flags.file, flags.replace); !s.ok())
+        return fail(2, s.error().message);
+    std::signal(SIGINT, [](int) { stop = true; });
+    std::signal(SIGTERM, [](int) { stop = true; });
+    std::string ended;
+    {
+        jostle::client::Loop loop;
+        jostle::client::ClientOptions options = options_of(flags, recorder);
+        options.security = *security;
+        const auto client = jostle::client::Client::connect(loop, std::move(options));
+        ended = record(flags, *client, recorder);
+        client->leave();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    const auto counts = recorder.counts();
+    const auto finished = recorder.finish();
+    if (counts.records == 0)
+        return fail(1, ended.empty() ? "no answer from " + flags.target : ended);
+    std::printf("%s: %s\n", flags.file.c_str(), line_of(counts).c_str());
+    if (!ended.empty()) return fail(1, ended);
+    if (!finished.ok()) return fail(1, finished.error().message);
+    return 0;
+}

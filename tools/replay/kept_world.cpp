@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "tools/replay/kept_world.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "jostle/physics/snapshot.h"
+#include "server/storage/compressed.h"
+#include "server/storage/sqlite_store.h"
+
+namespace jostle::replay {
+
+using server::RecoveredWorld;
+
+Result<std::vector<server::StoredWorld>> KeptWorld::list(const std::string& file) {
+    auto store = server::SqliteStore::open(file, {.make = false});
+    if (!store.ok()) return store.error();
+    return (*store)->worlds();
+}
+
+Result<KeptWorld> KeptWorld::open(const std::string& file, const std::string& world) {
+    auto store = server::SqliteStore::open(file, {.make = false});
+    if (!store.ok()) return store.error();
+    const auto all = (*store)->worlds();
+    if (!all.ok()) return all.error();
+    for (const server::StoredWorld& stored : *all) {
+        if (stored.id != world && stored.name != world) continue;
+        auto record = server::decode_world_record(stored.settings);
+        if (!record.ok()) return record.error();
+        return KeptWorld(*std::move(store), stored, *std::move(record));
+    }
+    std::string names;
+    for (const server::StoredWorld& stored : *all)
+        names += (names.empty() ? "" : ", ") + stored.name;
+    return Error{ErrorCode::not_found, file + " has no world \"" + world + "\"; it has " +
+                                           (names.empty() ? "none" : names)};
+}
+
+Result<std::uint32_t> KeptWorld::oldest() {
+    const auto ticks = store_->checkpoint_ticks(stored_.id);
+    if (!ticks.ok()) return ticks.error();
+    if (ticks->empty()) return Error{ErrorCode::not_found, "it has no checkpoint"};
+    return ticks->back();
+}
+
+Result<KeptWorld::Summary> KeptWorld::summary() {
+    const auto ticks = store_->checkpoint_ticks(stored_.id);
+    if (!ticks.ok()) return ticks.error();
+    Summary summary{.id = stored_.id,
+                    .name = stored_.name,
+                    .scene = record_.scene->name,
+                    .engine = stored_.engine,
+                    .checkpoints = {ticks->rbegin(), ticks->rend()}};
+    if (summary.checkpoints.empty()) {
+        summary.damage = "it has no checkpoint";
+        return summary;
+    }
+    summary.last_tick = summary.checkpoints.back();
+    const auto first = store_->checkpoint(stored_.id, summary.checkpoints.front());
+    if (!first.ok()) summary.damage = first.error().message;
+    std::uint64_t after = first.ok() ? first->sequence : 0;
+    for (;;) {
+        const auto entries = store_->entries(stored_.id, after, 8 << 20);
+        if (!entries.ok()) summary.damage = entries.error().message;
+        if (!entries.ok() || entries->empty()) return summary;
+        for (const server::JournalEntry& entry : *entries) {
+            summary.entries++;
+            summary.bytes += entry.data.size();
+            summary.last_tick = std::max(summary.last_tick, entry.last_tick);
+            const auto data = server::decompress(entry.data, 64 << 20);
+            const auto batch = data.ok() ? server::decode_journal(*data) : data.error();
+            if (!batch.ok()) summary.damage = batch.error().message;
+            if (!batch.ok()) return summary;
+            for (const server::JournaledTick& tick : batch->ticks)
+                summary.commands += tick.commands.size();
+        }
+        after = entries->back().sequence;
+    }
+}
+
+Result<RecoveredWorld> KeptWorld::from_the_first(const server::RecoveryOptions& options) {
+    const auto first = oldest();
+    if (!first.ok()) return first.error();
+    server::RecoveryOptions from = options;
+    from.checkpoint = *first;
+    return server::recover_world(*store_, stored_, record_, from);
+}
+
+Result<KeptWorld::Verified> KeptWorld::verify() {
+    const auto ticks = store_->checkpoint_ticks(stored_.id);
+    if (!ticks.ok()) return ticks.error();
+    Verified verified;
+    std::map<std::uint32_t, std::uint64_t> hashes;
+    for (const std::uint32_t tick : *ticks) {
+        const auto kept = store_->checkpoint(stored_.id, tick);
+        if (kept.ok())
+            hashes[tick] = kept->hash;
+        else
+            verified.faults.push_back(kept.error().message);
+    }
+    const auto compare = [&](const server::HostedWorld& world, std::uint32_t tick) {
+        const auto at = hashes.find(tick);
+        if (at == hashes.end()) return;
+        verified.checkpoints++;
+        if (physics::state_hash(world.world()) != at->second)
+            verified.faults.push_back("the checkpoint of tick " + std::to_string(tick) +
+                                      " is not what the world had become");
+    };
+    const auto world = from_the_first({.after_tick = compare});
+    if (!world.ok()) return world.error();
+    verified.first_tick = world->checkpoint;
+    verified.last_tick = world->tick;
+    verified.faults.insert(verified.faults.end(), world->remarks.begin(), world->remarks.end());
+    return verified;
+}
+
+Result<RecoveredWorld> KeptWorld::at(std::uint32_t tick) {
+    auto world = server::recover_world(*store_, stored_, record_, {.last_tick = tick});
+    if (!world.ok()) return world;
+    if (world->tick != tick)
+        return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
+                                               " is not kept; the last one is " +
+                                               std::to_string(world->tick)};
+    return world;
+}
+
+Result<server::ExportedScene> KeptWorld::scene_at(std::uint32_t tick) {
+    auto world = at(tick);
+    if (!world.ok()) return world.error();
+    return world->world.exported(*record_.scene);
+}
+
+Status KeptWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
+    const auto tell = [&](const server::HostedWorld& world, std::uint32_t tick) {
+        if (tick % every == 0) on_hash(tick, physics::state_hash(world.world()));
+    };
+    const auto world = from_the_first({.after_tick = tell});
+    if (!world.ok()) return world.error();
+    if (!world->remarks.empty()) return Error{ErrorCode::corrupt_data, world->remarks.back()};
+    return {};
+}
+
+Result<std::optional<KeptWorld::Difference>> KeptWorld::first_difference(KeptWorld& other) {
+    std::map<std::uint32_t, std::uint64_t> ours;
+    if (Status s = hashes(1, [&](std::uint32_t tick, std::uint64_t hash) { ours[tick] = hash; });
+        !s.ok())
+        return s.error();
+    std::optional<std::uint32_t> differs;
+    std::size_t compared = 0;
+    const auto compare = [&](std::uint32_t tick, std::uint64_t hash) {
+        const auto at = ours.find(tick);
+        if (at == ours.end() || differs) return;
+        compared++;
+        if (at->second != hash) differs = tick;
+    };
+    if (Status s = other.hashes(1, compare); !s.ok()) return s.error();
+    if (!differs) {
+        if (compared == 0)
+            return Error{ErrorCode::failed_precondition, "they have no tick in common"};
+        return std::optional<Difference>();
+    }
+    const auto a = from_the_first({.last_tick = differs});
+    if (!a.ok()) return a.error();
+    const auto b = other.from_the_first({.last_tick = differs});
+    if (!b.ok()) return b.error();
+    return std::optional(
+        Difference{*differs, physics::first_difference(a->world.world(), b->world.world())
+                                 .value_or("nothing that can be named")});
+}
+
+}  // namespace jostle::replay

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-replay: what is in a recording or in a server's store, and where everything was in any of
+// its ticks.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/scene_file.h"
+#include "tools/replay/kept_world.h"
+#include "tools/replay/recording_report.h"
+
+namespace {
+
+using jostle::client::Playback;
+using jostle::client::RecordingReader;
+namespace replay = jostle::replay;
+using replay::KeptWorld;
+
+constexpr const char* footer = R"(
+Examples:
+  jostle-replay yard.rec                    # the world, how long, how many bytes
+  jostle-replay yard.rec --at 1234          # where everything was in that tick
+  jostle-replay yard.rec --at 1234 --json
+  jostle-replay yard.rec --verify           # decodes all and checks every CRC
+
+  jostle-replay worlds.db --world           # which worlds a server's store has
+  jostle-replay worlds.db --world yard      # how much of one
+  jostle-replay worlds.db --world yard --verify
+  jostle-replay worlds.db --world yard --at 1234 --export then.json
+  jostle-replay worlds.db --world yard --hash-every 600
+  jostle-replay worlds.db --world yard --diff other.db
+
+jostle-record makes recordings. One that was cut off, by a crash or because it still grows, is read as far as it goes; the
+summary says so. --at begins at the keyframe before the tick, so it takes as long for any tick. Positions are in m, rotations
+are quaternions; a body that rests sleeps. A tick in which nothing was sent shows what was last told before it.
+
+A store is what a server keeps its worlds in (persistence.store, docs/persistence.md); the server must not run, so copy the files
+of one that does. What was done is done again, to the bit: --verify compares each checkpoint with what the world became,
+--diff names the first tick after which two stores part, and the first field.
+
+Exit status: 0 in order, 1 when --verify or --diff found something or the tick is not there, 2 wrong flags or no such file.)";
+
+struct Flags {
+    std::string file;
+    std::optional<std::uint32_t> at, hash_every;
+    std::optional<std::string> world;
+    std::string export_to, diff;
+    bool verify = false, json = false;
+};
+
+int fail(int status, const std::string& message) {
+    std::fprintf(stderr, "jostle-replay: %s\n", message.c_str());
+    return status;
+}
+
+int show(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    return 0;
+}
+
+int show(const nlohmann::json& json) {
+    return show(json.dump(2) + "\n");
+}
+
+// --- recordings ---
+
+int run_recording(const Flags& flags) {
+    auto recording = RecordingReader::open(flags.file);
+    if (!recording.ok()) return fail(2, recording.error().message);
+    if (!flags.at && !flags.verify) {
+        const auto summary = summarize(*recording);
+        return show(flags.json ? replay::to_json(*recording, summary)
+                               : replay::to_text(*recording, summary));
+    }
+    Playback playback(*std::move(recording));
+    if (flags.verify) {
+        const auto check = jostle::client::check(playback);
+        show(flags.json ? replay::to_json(check) : replay::to_text(check));
+        return check.faults.empty() ? 0 : 1;
+    }
+    if (const auto s = playback.seek(*flags.at); !s.ok())
+        return fail(1, flags.file + ": " + s.error().message);
+    return show(flags.json ? replay::state_json(playback, *flags.at)
+                           : replay::state_text(playback, *flags.at));
+}
+
+// --- stores ---
+
+int list(const Flags& flags) {
+    const auto worlds = KeptWorld::list(flags.file);
+    if (!worlds.ok()) return fail(2, worlds.error().message);
+    auto json = nlohmann::json::array();
+    for (const auto& world : *worlds) {
+        json.push_back({{"id", world.id}, {"name", world.name}, {"lives", world.epoch}});
+        if (!flags.json)
+            std::printf("%-16s %s, taken up %llu times\n", world.id.c_str(), world.name.c_str(),
+                        static_cast<unsigned long long>(world.epoch));
+    }
+    return flags.json ? show(json) : 0;
+}
+
+int summarize(KeptWorld& world, const Flags& flags) {
+    const auto summary = world.summary();
+    if (!summary.ok()) return fail(1, summary.error().message);
+    if (flags.json) {
+        show(nlohmann::json{{"id", summary->id},
+                            {"name", summary->name},
+                            {"scene", summary->scene},
+                            {"engine", summary->engine},
+                            {"checkpoints", summary->checkpoints},
+                            {"last_tick", summary->last_tick},
+                            {"entries", summary->entries},
+                            {"commands", summary->commands},
+                            {"bytes", summary->bytes},
+                            {"damage", summary->damage}});
+    } else {
+        std::printf(
+            "world %s \"%s\" of scene %s, kept by %s\n%zu checkpoints, the oldest of "
+            "tick %u; the journal goes to tick %u\n%llu commands in %llu entries, %.1f "
+            "kB\n",
+            summary->id.c_str(), summary->name.c_str(), summary->scene.c_str(),
+            summary->engine.c_str(), summary->checkpoints.size(),
+            summary->checkpoints.empty() ? 0 : summary->checkpoints.front(), summary->last_tick,
+            static_cast<unsigned long long>(summary->commands),
+            static_cast<unsigned long long>(summary->entries),
+            static_cast<double>(summary->bytes) / 1e3);
+        if (!summary->damage.empty()) std::printf("damaged: %s\n", summary->damage.c_str());
+    }
+    return summary->damage.empty() ? 0 : 1;
+}
+
+int verify(KeptWorld& world, const Flags& flags) {
+    const auto verified = world.verify();
+    if (!verified.ok()) return fail(1, verified.error().message);
+    if (flags.json) {
+        show(nlohmann::json{{"first_tick", verified->first_tick},
+                            {"last_tick", verified->last_tick},
+                            {"checkpoints", verified->checkpoints},
+                            {"faults", verified->faults}});
+    } else {
+        for (const std::string& fault : verified->faults) std::printf("%s\n", fault.c_str());
+        std::printf("ticks %u to %u done again, %d checkpoints compared: %s\n",
+                    verified->first_tick, verified->last_tick, verified->checkpoints,
+                    verified->faults.empty() ? "all is as it was" : "FAULTS");
+    }
+    return verified->faults.empty() ? 0 : 1;
+}
+
+int show_at(KeptWorld& world, const Flags& flags) {
+    if (flags.export_to.empty()) {
+        auto found = world.at(*flags.at);
+        if (!found.ok()) return fail(1, found.error().message);
+        const std::size_t bodies = found->world.world().bodies().size();
+        char hash[17];
+        std::snprintf(
+            hash, sizeof hash, "%016llx",
+            static_cast<unsigned long long>(jostle::physics::state_hash(found->world.world())));
+        if (flags.json)
+            return show(nlohmann::json{{"tick", found->tick}, {"bodies", bodies}, {"hash", hash}});
+        std::printf("tick %u: %zu bodies, hash %s\n", found->tick, bodies, hash);
+        return 0;
+    }
+    const auto exported = world.scene_at(*flags.at);
+    if (!exported.ok()) return fail(1, exported.error().message);
+    std::ofstream out(flags.export_to, std::ios::binary);
+    out << jostle::scenes::write_scene_json(exported->scene);
+    out.close();
+    if (!out) return fail(2, "cannot write " + flags.export_to);
+    for (const std::string& left_out : exported->left_out)
+        std::fprintf(stderr, "left out: %s\n", left_out.c_str());
+    return 0;
+}
+
+int show_hashes(KeptWorld& world, const Flags& flags) {
+    const auto tell = [](std::uint32_t tick, std::uint64_t hash) {
+        std::printf("%u %016llx\n", tick, static_cast<unsigned long long>(hash));
+    };
+    const jostle::Status done = world.hashes(*flags.hash_every, tell);
+    return done.ok() ? 0 : fail(1, done.error().message);
+}
+
+int show_difference(KeptWorld& world, const Flags& flags) {
+    auto other = KeptWorld::open(flags.diff, *flags.world);
+    if (!other.ok()) return fail(2, other.error().message);
+    const auto difference = world.first_difference(*other);
+    if (!difference.ok()) return fail(1, difference.error().message);
+    if (!*difference) return show(std::string("they are the same\n"));
+    std::printf("they part in tick %u: %s\n", (*difference)->tick, (*difference)->field.c_str());
+    return 1;
+}
+
+int run_store(const Flags& flags) {
+    if (flags.world->empty()) return list(flags);
+    auto world = KeptWorld::open(flags.file, *flags.world);
+    if (!world.ok()) return fail(2, world.error().message);
+    if (flags.verify) return verify(*world, flags);
+    if (flags.at) return show_at(*world, flags);
+    if (flags.hash_every) return show_hashes(*world, flags);
+    if (!flags.diff.empty()) return show_difference(*world, flags);
+    return summarize(*world, flags);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{
+        "Plays a recording of a Jostle world, or what a server kept of one: tells what is in it, "
+        "shows any of its ticks, or checks all of it."};
+    Flags flags;
+    app.add_option("file", flags.file, "The recording, or with --world the store")->required();
+    auto* world = app.add_option("--world", flags.world,
+                                 "A world of a store, by name or id; without a name: lists them")
+                      ->expected(0, 1)
+                      ->default_str("");
+    auto* at = app.add_option("--at", flags.at, "Shows the world as it was in this tick");
+    auto* verify_flag =
+        app.add_flag("--verify", flags.verify, "Decodes everything and lists what is damaged")
+            ->excludes(at);
+    app.add_option("--export", flags.export_to, "With --at: writes it as a scene file")
+        ->needs(at)
+        ->needs(world);
+    auto* every = app.add_option("--hash-every", flags.hash_every,
+                                 "The hash of the state, every so many ticks")
+                      ->check(CLI::Range(1U, 1000000000U))
+                      ->needs(world)
+                      ->excludes(at)
+                      ->excludes(verify_flag);
+    app.add_option("--diff", flags.diff, "Another store with that world: where do they part?")
+        ->needs(world)
+        ->excludes(at)
+        ->excludes(verify_flag)
+        ->excludes(every);
+    app.add_flag("--json", flags.json, "Says it as JSON");
+    app.footer(footer);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    return flags.world ? run_store(flags) : run_recording(flags);
+}

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "tools/sim/converge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "jostle/analysis/work_error.h"
+
+namespace jostle::sim {
+namespace {
+
+using physics::Error;
+using physics::Result;
+using physics::Status;
+
+constexpr double slowest_hz = 4;          // of any step
+constexpr std::size_t samples_max = 240;  // looked at in a run
+constexpr double short_run = 0.05;        // s of processor time: repeated, the least counts
+constexpr double safe_share = 0.25;       // of the tolerance: agreement that leaves no doubt
+constexpr double nudge_share = 1e-6;      // of the scale, a second
+constexpr double chaotic_growth = 100;    // of a nudge
+constexpr double hopeless_order = 0.5;    // of the doubt: below, refining does not help
+constexpr double clear_of_doubt = 4;      // times it: an error that is the run's own
+constexpr double least_extent = 1e-3;     // m: bodies that hardly move say nothing of a scale
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string name_of(const Setting& setting) {
+    return number(setting.hz) + " Hz, " + std::to_string(setting.substeps) + " sub-steps";
+}
+
+double error_of(const Distance& distance, double scale) {
+    return std::max(distance.position / scale, distance.angle);
+}
+
+Status check(const scenes::SceneDescription& scene, const ConvergenceQuestion& question) {
+    const auto is_dynamic = [](const auto& b) { return b.body.type == physics::BodyType::dynamic; };
+    if (std::none_of(scene.bodies.begin(), scene.bodies.end(), is_dynamic))
+        return Error{{}, scene.name + " has no dynamic body: there is nothing to converge"};
+    const auto& rates = question.rates;
+    if (rates.size() == 1)
+        return Error{{}, "one rate cannot be compared with anything: give two or more"};
+    for (std::size_t k = 1; k < rates.size(); k++) {
+        const double times = rates[k] / rates[0];
+        if (std::abs(times - std::round(times)) > 1e-9 * times)
+            return Error{{},
+                         number(rates[k]) + " Hz is no multiple of " + number(rates[0]) +
+                             " Hz, so that the runs have no times in common"};
+    }
+    return {};
+}
+
+std::vector<double> rates_of(const scenes::SceneDescription& scene,
+                             const ConvergenceQuestion& question) {
+    if (!question.rates.empty()) return question.rates;
+    std::vector<double> rates = {0.5 * scene.hz >= slowest_hz ? 0.5 * scene.hz : scene.hz};
+    while (2 * rates.back() <= question.finest_hz * (1 + 1e-9)) rates.push_back(2 * rates.back());
+    return rates;
+}
+
+std::vector<int> substeps_of(const scenes::SceneDescription& scene,
+                             const ConvergenceQuestion& question) {
+    std::vector<int> substeps = question.substeps;
+    const int usual = scene.world.substeps;
+    if (substeps.empty())
+        substeps = {std::max(usual / 4, 1), std::max(usual / 2, 1), usual, std::min(2 * usual, 64)};
+    std::sort(substeps.begin(), substeps.end());
+    substeps.erase(std::unique(substeps.begin(), substeps.end()), substeps.end());
+    return substeps;
+}
+
+// Runs a scene at one setting after the other, as long as the budget lasts.
+class Runs {
+public:
+    Runs(const scenes::SceneDescription& scene, const ConvergenceQuestion& question,
+         Samples samples, const Announce& announce)
+        : scene_(scene),
+          samples_(samples),
+          seconds_(static_cast<double>(samples.count) / samples.hz),
+          budget_(question.budget_seconds),
+          announce_(announce) {}
+
+    struct Run {
+        Setting setting;
+        Motion motion;
+        double cpu_us_per_second = 0;
+    };
+
+    Result<Run> run(const Setting& setting) {
+        announce_(name_of(setting));
+        auto motion = run_motion(scene_, setting, samples_);
+        if (!motion) return motion.error();
+        double least = motion->cpu_seconds;
+        spent_ += least;
+        for (int k = 0; k < 2 && least < short_run; k++)
+            if (auto again = run_motion(scene_, setting, samples_)) {
+                least = std::min(least, again->cpu_seconds);
+                spent_ += again->cpu_seconds;
+            }
+        return Run{setting, std::move(*motion), 1e6 * least / seconds_};
+    }
+
+    // The same with starts that hardly differ.
+    Result<Motion> run_twin(const Setting& setting, double nudge) {
+        announce_(name_of(setting) + ", nudged");
+        return run_motion(nudged(scene_, nudge), setting, samples_);
+    }
+
+    bool affords(double cpu_us_per_second) const {
+        return spent_ + 1e-6 * cpu_us_per_second * seconds_ <= budget_;
+    }
+
+private:
+    const scenes::SceneDescription& scene_;
+    Samples samples_;
+    double seconds_, budget_, spent_ = 0;
+    const Announce& announce_;
+};
+
+// s: when the error at one sample first passes the tolerance; the whole run when it never does.
+double agree_until(const Motion& a, const Motion& b, double scale, double tolerance,
+                   const Samples& samples) {
+    const std::size_t count = std::min(a.samples(), b.samples());
+    for (std::size_t k = 0; k < count; k++)
+        if (error_of(distance_at(a, b, k), scale) > tolerance)
+            return static_cast<double>(k) / samples.hz;
+    return static_cast<double>(count) / samples.hz;
+}
+
+double end_error(const Motion& a, const Motion& b, double scale) {
+    return error_of(distance_at(a, b, std::min(a.samples(), b.samples()) - 1), scale);
+}
+
+// With the most sub-steps, from the lowest rate up, until two neighbours agree.
+Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceQuestion& question,
+                                     const std::vector<double>& rates, int substeps,
+                                     Convergence& found) {
+    std::vector<Runs::Run> ladder;
+    std::vector<double> doubts;
+    for (const double hz : rates) {
+        const bool more = ladder.size() >= 2;
+        if (more &&
+            !runs.affords(ladder.back().cpu_us_per_second * hz / ladder.back().setting.hz)) {
+            found.cut_short = "all rates from " + number(hz) + " Hz on";
+            break;
+        }
+        auto run = runs.run({hz, substeps});
+        if (!run) return run.error();
+        if (!run->motion.blown.empty())
+            return Error{{},
+                         "the run at " + name_of(run->setting) + " ended: " + run->motion.blown};
+        ladder.push_back(std::move(*run));
+        const double extent = extent_of(ladder.back().motion);
+        found.scale = question.scale > 0 ? question.scale : extent > least_extent ? extent : 1;
+        if (ladder.size() < 2) continue;
+        doubts.push_back(error_of(
+            distance_between(ladder[ladder.size() - 2].motion, ladder.back().motion), found.scale));
+        if (question.rates.empty() && doubts.back() <= safe_share * question.tolerances.back())
+            break;
+    }
+    if (doubts.empty())
+        return Error{{}, "there is one rate alone, so nothing to compare: raise --finest-hz"};
+    found.finest = ladder.back().setting;
+    found.doubt = doubts.back();
+    if (doubts.size() > 1)
+        found.doubt_order = convergence::observed_order(
+            doubts[doubts.size() - 2], doubts.back(),
+            ladder.back().setting.hz / ladder[ladder.size() - 2].setting.hz);
+    return ladder;
+}
+
+ConvergenceRow row_of(const Runs::Run& run, const Motion& truth, const Convergence& found,
+                      const Samples& samples) {
+    ConvergenceRow row{.setting = run.setting,
+                       .cpu_us_per_second = run.cpu_us_per_second,
+                       .blown = run.motion.blown};
+    if (!row.blown.empty()) return row;
+    const Distance distance = distance_between(run.motion, truth);
+    row.distance = distance.position;
+    row.angle = distance.angle;
+    row.error = error_of(distance, found.scale);
+    row.end_error = end_error(run.motion, truth, found.scale);
+    row.agrees_until =
+        agree_until(run.motion, truth, found.scale, found.tolerances.front(), samples);
+    return row;
+}
+
+// Only where the error is clear of the doubt: below, it is as much the truth's as the run's.
+void add_orders(std::vector<ConvergenceRow>& rows, double doubt) {
+    for (std::size_t k = 1; k < rows.size(); k++) {
+        const ConvergenceRow& before = rows[k - 1];
+        if (before.setting.substeps != rows[k].setting.substeps) continue;
+        if (!(rows[k].error > clear_of_doubt * doubt)) continue;
+        rows[k].order = convergence::observed_order(before.error, rows[k].error,
+                                                    rows[k].setting.hz / before.setting.hz);
+    }
+}
+
+// Whether starts that hardly differ part as the runs do.
+Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceQuestion& question,
+             Convergence& found) {
+    const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
+    found.nudge = nudge_share * found.scale;
+    auto twin = runs.run_twin(same.setting, found.nudge);
+    if (!twin) return twin.error();
+    if (twin->samples() == 0) return Error{{}, "the nudged run ended: " + twin->blown};
+    found.twin_error = end_error(same.motion, *twin, found.scale);
+    found.growth = found.twin_error / (nudge_share * question.seconds);
+    return {};
+}
+
+Verdict verdict_of(const Convergence& found) {
+    if (found.doubt <= found.tolerances.back()) return Verdict::agreed;
+    const bool closer = found.doubt_order && *found.doubt_order > hopeless_order;
+    return !closer && found.growth > chaotic_growth ? Verdict::chaotic : Verdict::not_yet;
+}
+
+}  // namespace
+
+std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
+    if (doubt > tolerance) return {};
+    std::vector<convergence::WorkError> runs;
+    for (const ConvergenceRow& row : rows)
+        runs.push_back({row.cpu_us_per_second,
+                        row.blown.empty() ? row.error : std::numeric_limits<double>::infinity()});
+    const auto best = convergence::least_work(runs, tolerance);
+    if (!best) return {};
+    return rows[*best];
+}
+
+Result<Convergence> converge(const scenes::SceneDescription& scene,
+                             const ConvergenceQuestion& question, const Announce& announce) {
+    if (auto status = check(scene, question); !status) return status.error();
+    const std::vector<double> rates = rates_of(scene, question);
+    const std::vector<int> substeps = substeps_of(scene, question);
+    // Every step of the lowest rate, or every second one, and so on.
+    const double steps = std::round(question.seconds * rates[0]);
+    if (steps < 1)
+        return Error{{},
+                     number(question.seconds) + " s are less than one step at " + number(rates[0]) +
+                         " Hz: simulate longer"};
+    const double stride = std::ceil(steps / static_cast<double>(samples_max));
+    const Samples samples{rates[0] / stride, static_cast<std::size_t>(steps / stride)};
+
+    Convergence found{.scene = scene.name,
+                      .seconds = static_cast<double>(samples.count) / samples.hz,
+                      .tolerances = question.tolerances};
+    Runs runs(scene, question, samples, announce);
+    auto ladder = climb(runs, question, rates, substeps.back(), found);
+    if (!ladder) return ladder.error();
+    const Motion& truth = ladder->back().motion;
+    found.bodies = static_cast<int>(truth.bodies);
+    found.agree_until = agree_until((*ladder)[ladder->size() - 2].motion, truth, found.scale,
+                                    found.tolerances.front(), samples);
+    if (auto status = nudge(runs, *ladder, question, found); !status) return status.error();
+    found.verdict = verdict_of(found);
+
+    for (const int count : substeps)
+        for (const Runs::Run& step : *ladder) {
+            if (count == substeps.back()) {
+                found.rows.push_back(row_of(step, truth, found, samples));
+                continue;
+            }
+            if (!runs.affords(step.cpu_us_per_second)) {
+                found.cut_short = "some settings";
+                break;
+            }
+            const auto run = runs.run({step.setting.hz, count});
+            if (!run) return run.error();
+            found.rows.push_back(row_of(*run, truth, found, samples));
+        }
+    // Nothing is known better than the finest run's neighbour says.
+    for (ConvergenceRow& row : found.rows) row.error = std::max(row.error, found.doubt);
+    found.rows.back().end_error = found.doubt;
+    add_orders(found.rows, found.doubt);
+    return found;
+}
+
+}  // namespace jostle::sim

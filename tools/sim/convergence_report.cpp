@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "tools/sim/convergence_report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "jostle/base/format_text.h"
+
+namespace jostle::sim {
+namespace {
+
+const char* name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::agreed:
+            return "agreed";
+        case Verdict::not_yet:
+            return "not yet";
+        case Verdict::chaotic:
+            return "chaotic";
+    }
+    return "";
+}
+
+std::string table(const Convergence& found) {
+    std::string text = format_text("%8s %10s %10s %10s %8s %8s %9s %11s\n", "hz", "sub-steps",
+                                   "error", "at end", "order", "same to", "us/step", "cpu us/s");
+    for (const ConvergenceRow& row : found.rows) {
+        const Setting& s = row.setting;
+        if (!row.blown.empty()) {
+            text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.blown.c_str());
+            continue;
+        }
+        text += format_text("%8g %10d %10.3g %10.3g %8s %7.3gs %9.3g %11.4g%s\n", s.hz, s.substeps,
+                            row.error, row.end_error,
+                            row.order ? format_text("%.2f", *row.order).c_str() : "",
+                            row.agrees_until, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
+                            s == found.finest ? "  finest" : "");
+    }
+    return text;
+}
+
+std::string answer(const Convergence& found, double tolerance) {
+    if (found.doubt > tolerance)
+        return format_text("  %-8g nobody knows: the two finest runs differ by %.3g\n", tolerance,
+                           found.doubt);
+    const auto row = found.cheapest(tolerance);
+    if (!row) return format_text("  %-8g no setting is good enough\n", tolerance);
+    return format_text("  %-8g --hz %g --substeps %d  (%.4g us/s, error %.3g)\n", tolerance,
+                       row->setting.hz, row->setting.substeps, row->cpu_us_per_second, row->error);
+}
+
+// Refinement by which the doubt would fall to the tolerance if it goes on falling as it did.
+std::string rate_needed(const Convergence& found) {
+    if (!found.doubt_order || *found.doubt_order <= 0.1) return "";
+    const double times = std::pow(found.doubt / found.tolerances.back(), 1 / *found.doubt_order);
+    return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.doubt_order,
+                       found.finest.hz * times);
+}
+
+std::string verdict(const Convergence& found) {
+    switch (found.verdict) {
+        case Verdict::agreed:
+            return format_text("The two finest runs agree: they differ by %.3g.\n", found.doubt);
+        case Verdict::not_yet:
+            return format_text("The runs do not agree yet: the two finest differ by %.3g",
+                               found.doubt) +
+                   rate_needed(found) +
+                   format_text(" (--finest-hz, --budget).\nThey agree to %g for %.3g s.\n",
+                               found.tolerances.front(), found.agree_until);
+        case Verdict::chaotic:
+            break;
+    }
+    return format_text(
+        "The scene is chaotic: no two runs agree. The two finest differ by %.3g, and so do runs\n"
+        "whose starts differ by %.1g m/s: by the end they are %.3g apart, %.0f times as far as "
+        "the\n"
+        "start took them. No rate and no engine tells where a body ends up. The two finest agree\n"
+        "to %g for %.3g s: ask about that time (--seconds), or about sums over many bodies.\n",
+        found.doubt, found.nudge, found.twin_error, found.growth, found.tolerances.front(),
+        found.agree_until);
+}
+
+}  // namespace
+
+std::string to_text(const Convergence& found) {
+    std::string text = format_text("%s: %d bodies, %g s, one thread\n", found.scene.c_str(),
+                                   found.bodies, found.seconds);
+    text += format_text(
+        "error: RMS distance of the centres over %.4g m, or RMS angle in rad: the larger.\n"
+        "Against the finest run, over all bodies and times. No error is told below %.3g, by which\n"
+        "the two finest runs differ. Same to: closer than %g until then.\n\n",
+        found.scale, found.doubt, found.tolerances.front());
+    text += table(found) + "\n" + verdict(found);
+    if (!found.cut_short.empty())
+        text += "Left out, for they would cost more than --budget: " + found.cut_short + ".\n";
+    text += "Cheapest setting for an error of at most\n";
+    for (const double tolerance : found.tolerances) text += answer(found, tolerance);
+    return text;
+}
+
+std::string to_json(const Convergence& found) {
+    using json = nlohmann::ordered_json;
+    json rows = json::array(), answers = json::array();
+    for (const ConvergenceRow& row : found.rows) {
+        json line = {{"hz", row.setting.hz}, {"substeps", row.setting.substeps}};
+        if (!row.blown.empty()) {
+            line["blown"] = row.blown;
+            rows.push_back(line);
+            continue;
+        }
+        line["error"] = row.error;
+        line["end_error"] = row.end_error;
+        line["distance_m"] = row.distance;
+        line["angle_rad"] = row.angle;
+        line["agrees_until_s"] = row.agrees_until;
+        line["order"] = row.order ? json(*row.order) : json(nullptr);
+        line["cpu_us_per_second"] = row.cpu_us_per_second;
+        rows.push_back(line);
+    }
+    for (const double tolerance : found.tolerances) {
+        json line = {{"tolerance", tolerance}};
+        if (const auto row = found.cheapest(tolerance)) {
+            line["hz"] = row->setting.hz;
+            line["substeps"] = row->setting.substeps;
+            line["cpu_us_per_second"] = row->cpu_us_per_second;
+        } else {
+            line["hz"] = nullptr;
+        }
+        answers.push_back(line);
+    }
+    const json all = {{"scene", found.scene},
+                      {"seconds", found.seconds},
+                      {"bodies", found.bodies},
+                      {"scale_m", found.scale},
+                      {"verdict", name_of(found.verdict)},
+                      {"finest_hz", found.finest.hz},
+                      {"finest_substeps", found.finest.substeps},
+                      {"doubt", found.doubt},
+                      {"doubt_order", found.doubt_order ? json(*found.doubt_order) : json(nullptr)},
+                      {"agree_until_s", found.agree_until},
+                      {"nudge_m_per_s", found.nudge},
+                      {"nudged_error", found.twin_error},
+                      {"nudge_growth", found.growth},
+                      {"cut_short", found.cut_short},
+                      {"cheapest", answers},
+                      {"rows", rows}};
+    return all.dump(2) + "\n";
+}
+
+}  // namespace jostle::sim

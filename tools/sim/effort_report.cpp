@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "tools/sim/effort_report.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "jostle/base/format_text.h"
+
+namespace jostle::sim {
+namespace {
+
+using physics::IslandEffort;
+
+constexpr std::size_t shown_islands = 8;
+
+struct Sum {
+    int islands = 0, bodies = 0, contacts = 0, joints = 0, direct = 0, short_of = 0;
+    double error = 0;
+};
+
+std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
+    std::map<int, Sum> sums;
+    for (const IslandEffort& e : efforts) {
+        Sum& sum = sums[e.substeps];
+        sum.islands++;
+        sum.bodies += e.bodies;
+        sum.contacts += e.contacts;
+        sum.joints += e.joints;
+        sum.direct += e.direct ? 1 : 0;
+        sum.short_of += e.wanted_substeps > e.substeps ? 1 : 0;
+        sum.error = std::max(sum.error, e.error);
+    }
+    return sums;
+}
+
+}  // namespace
+
+std::string to_text(const std::vector<IslandEffort>& efforts) {
+    if (efforts.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
+    std::string out =
+        "islands by sub-steps; error: m in a second, the worst; short: want more than the "
+        "budget gives\n"
+        "  sub-steps islands  bodies contacts  joints  direct   short    error\n";
+    for (const auto& [substeps, s] : sums_of(efforts))
+        out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
+                           s.contacts, s.joints, s.direct, s.short_of, s.error);
+    std::vector<IslandEffort> worst = efforts;
+    std::stable_sort(worst.begin(), worst.end(), [](const IslandEffort& x, const IslandEffort& y) {
+        return x.error > y.error;
+    });
+    worst.resize(std::min(worst.size(), shown_islands));
+    if (worst.front().error == 0) return out;
+    out += "furthest off:\n";
+    for (const IslandEffort& e : worst)
+        out += format_text("  body %u with %d others: %.2g m, %d sub-steps%s\n", e.body.index,
+                           e.bodies - 1, e.error, e.substeps,
+                           e.wanted_substeps > e.substeps ? ", wants more" : "");
+    return out;
+}
+
+std::string to_json(const std::vector<IslandEffort>& efforts) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const IslandEffort& e : efforts)
+        all.push_back({{"body", e.body.index},
+                       {"bodies", e.bodies},
+                       {"contacts", e.contacts},
+                       {"joints", e.joints},
+                       {"direct", e.direct},
+                       {"substeps", e.substeps},
+                       {"wanted_substeps", e.wanted_substeps},
+                       {"error_m", e.error}});
+    return all.dump(2) + "\n";
+}
+
+}  // namespace jostle::sim

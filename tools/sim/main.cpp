@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-sim: a scene, offline, as fast as it can.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
+#include "tools/sim/converge.h"
+#include "tools/sim/convergence_report.h"
+#include "tools/sim/effort_report.h"
+#include "tools/sim/inspect_plot.h"
+#include "tools/sim/inspect_report.h"
+#include "tools/sim/progress.h"
+#include "tools/sim/report.h"
+#include "tools/sim/trace.h"
+
+namespace {
+
+using jostle::physics::Status;
+using jostle::physics::World;
+
+constexpr const char* footer = R"(
+Examples:
+  jostle-sim pyramid --seconds 10
+  jostle-sim my_scene.json --seconds 5 --hz 120 --substeps 4 --threads 2 --json report.json
+  jostle-sim stack --trace stack.csv
+  jostle-sim my_scene.json --converge --seconds 3 --tolerance 0.01,0.001 --json converge.json
+  jostle-sim machines --inspect --at 120
+  jostle-sim my_scene.json --inspect door --at 0 --json rows.json
+
+The trace has a header and one row per body and tick: tick, body (its place in the scene), name, position px py pz (m),
+rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Static bodies are left out.
+--save writes the world as it ends; --load goes on from such a file instead of the scene's start.
+
+--converge asks which rate and how many sub-steps the scene needs. It runs it at half the scene's rate, then at twice
+that, and so on, until two runs agree; takes the finest for the truth; and tells the error and the processor time of every
+rate with every number of sub-steps, how fast the error falls (order 2: to a quarter at twice the rate), and the cheapest
+setting that is good enough. A run that starts a little differently tells whether the scene is chaotic: then no rate
+gives the truth for long, and it says for how long.
+
+--inspect shows what a step has to solve. It steps to --at and takes the body with all that joints and touching contacts
+tie to it (all, or no body: each such group): a row for each direction in which something holds, drives, limits or rubs.
+It tells which rows say what others say already, how hard the system A x = b of the rows' impulses is (condition number),
+how nine methods solve it, with the residual after each iteration, and what softness and scaling change. A body is named
+as in the scene, or by its place there, from 0. docs/open_solver.md has an example.
+
+Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";
+
+struct Flags {
+    std::string scene, json, trace, save, load, sleep, write_scene, instructions;
+    double seconds = 10;
+    std::optional<double> hz;
+    std::optional<int> substeps;
+    std::optional<double> tolerance;
+    std::optional<double> substep_budget;
+    std::optional<double> step_budget;
+    std::string efforts;
+    int threads = 1, trace_every = 1;
+    bool list = false, converge = false;
+    std::vector<double> rates, tolerances = {0.01};
+    std::vector<int> substep_counts;
+    double finest_hz = 1920, scale = 0, budget = 120;
+    std::string inspect;  // empty: not asked for
+    std::string plot;
+    std::uint64_t at = 60;
+    double mend = 0;
+    int iterations = 1000;
+    bool solver_softness = false;
+};
+
+// CLI::Range lets through what is not a number.
+CLI::Validator between(double low, double high) {
+    return CLI::Validator(
+        [low, high](std::string& text) -> std::string {
+            char* end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            if (!text.empty() && *end == 0 && value >= low && value <= high) return "";
+            char words[160];
+            std::snprintf(words, sizeof words, "%.40s is not a number from %g to %g", text.c_str(),
+                          low, high);
+            return words;
+        },
+        "NUMBER");
+}
+
+// Those that can be used here, from slow to fast.
+std::string instruction_set_names() {
+    std::string names;
+    for (const auto set : jostle::physics::available_instruction_sets())
+        names += std::string(names.empty() ? "" : ", ") + instruction_set_name(set);
+    return names;
+}
+
+std::optional<jostle::physics::InstructionSet> instruction_set_called(const std::string& name) {
+    for (const auto set : jostle::physics::available_instruction_sets())
+        if (name == instruction_set_name(set)) return set;
+    return std::nullopt;
+}
+
+void add_converge_flags(CLI::App& app, Flags& flags) {
+    CLI::Option* converge =
+        app.add_flag("--converge", flags.converge,
+                     "Runs the scene at more and more steps until two runs agree; see below");
+    const auto only_there = [&](CLI::Option* option) {
+        return option->needs(converge)->group("With --converge");
+    };
+    only_there(app.add_option("--tolerance", flags.tolerances,
+                              "Errors that would be good enough, relative to the scale")
+                   ->delimiter(',')
+                   ->capture_default_str()
+                   ->check(between(1e-9, 10)));
+    only_there(app.add_option("--rates", flags.rates,
+                              "Steps per second, each a multiple of the lowest; default: from half "
+                              "the scene's, doubled until two runs agree")
+                   ->delimiter(',')
+                   ->check(between(4, 10000)));
+    only_there(app.add_option("--substep-counts", flags.substep_counts,
+                              "Default: a quarter, half, all and twice the scene's")
+                   ->delimiter(',')
+                   ->check(CLI::Range(1, 64)));
+    only_there(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
+                   ->capture_default_str()
+                   ->check(between(8, 10000)));
+    only_there(app.add_option("--scale", flags.scale,
+                              "Metres that distances are divided by; default: the diagonal of the "
+                              "box in which the bodies move")
+                   ->check(between(1e-6, 1e6)));
+    only_there(app.add_option("--budget", flags.budget,
+                              "Seconds of processor time; runs that would cost more are left out")
+                   ->capture_default_str()
+                   ->check(between(0.1, 1e6)));
+    for (const char* other :
+         {"--error-tolerance", "--substep-budget", "--step-budget", "--efforts", "--threads",
+          "--trace", "--trace-every", "--save", "--load", "--write-scene"})
+        converge->excludes(app.get_option(other));
+}
+
+void add_inspect_flags(CLI::App& app, Flags& flags) {
+    CLI::Option* inspect = app.add_option_function<std::vector<std::string>>(
+        "--inspect",
+        [&flags](const std::vector<std::string>& given) {
+            flags.inspect = given.empty() || given[0].empty() ? "all" : given[0];
+        },
+        "Shows what a step has to solve for this body, or for all; see below");
+    inspect->expected(0, 1)->type_name("[BODY|all]");
+    const auto only_there = [&](CLI::Option* option) {
+        return option->needs(inspect)->group("With --inspect");
+    };
+    only_there(app.add_option("--at", flags.at, "After this step of the world")
+                   ->capture_default_str()
+                   ->check(CLI::Range(0, 100000000)));
+    only_there(app.add_option("--mend", flags.mend,
+                              "Share of each error of position that is to be gone after a sub-step")
+                   ->capture_default_str()
+                   ->check(between(0, 1)));
+    only_there(app.add_option("--iterations", flags.iterations, "At most, of a method")
+                   ->capture_default_str()
+                   ->check(CLI::Range(1, 1000000)));
+    only_there(app.add_option("--plot", flags.plot,
+                              "Draws the residual after each iteration here, as SVG"));
+    only_there(app.add_flag("--solver-softness", flags.solver_softness,
+                            "Rows as soft as the solver's sweeps make them, not rigid"));
+    for (const char* other :
+         {"--converge", "--seconds", "--trace", "--trace-every", "--save", "--write-scene"})
+        inspect->excludes(app.get_option(other));
+}
+
+void add_flags(CLI::App& app, Flags& flags) {
+    app.add_option("scene", flags.scene, "A scene's name or the path of a scene file");
+    app.add_option("--seconds", flags.seconds, "Simulated time")
+        ->capture_default_str()
+        ->check(between(0, 1e6));
+    app.add_option("--hz", flags.hz, "Steps per second; default: the scene's")
+        ->check(between(4, 10000));
+    app.add_option("--substeps", flags.substeps, "Solver passes per step; default: the scene's")
+        ->check(CLI::Range(1, 64));
+    app.add_option("--error-tolerance", flags.tolerance,
+                   "m: each island takes as many sub-steps as keep it so near after a second; 0: "
+                   "all take the same; default: the scene's")
+        ->check(between(0, 1e3));
+    app.add_option("--substep-budget", flags.substep_budget,
+                   "With a tolerance: sub-steps of a step at most, summed over the bodies; 0: any "
+                   "number")
+        ->check(between(0, 4294967295.0));
+    app.add_option("--step-budget", flags.step_budget,
+                   "Work of a step, in units of about 0.1 microseconds: after one of more the next "
+                   "gives something up; 0: any amount; default: the scene's")
+        ->check(between(0, 4294967295.0));
+    app.add_option("--efforts", flags.efforts,
+                   "Writes here, as JSON, what each island took in the end; - shows it as text");
+    app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 64));
+    app.add_option("--instructions", flags.instructions,
+                   "Instruction set of the inner loops: " + instruction_set_names() +
+                       "; the bits are the same for any; default: the last")
+        ->check([](const std::string& name) {
+            return instruction_set_called(name)
+                       ? std::string()
+                       : name + " is not one of " + instruction_set_names();
+        });
+    app.add_option("--sleep", flags.sleep, "on or off; default: the scene's")
+        ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--json", flags.json, "Writes the report here as JSON");
+    app.add_option("--trace", flags.trace, "Writes poses and velocities here as CSV");
+    app.add_option("--trace-every", flags.trace_every, "Ticks between traced ones")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--save", flags.save, "Writes the world here when done");
+    app.add_option("--load", flags.load, "Goes on from a saved world of the same scene");
+    app.add_option("--write-scene", flags.write_scene, "Writes the scene here as a scene file");
+    app.add_flag("--list", flags.list, "Names every scene of the catalogue and exits");
+    add_converge_flags(app, flags);
+    add_inspect_flags(app, flags);
+    app.footer(footer);
+}
+
+int fail(int status, const std::string& message) {
+    std::fprintf(stderr, "jostle-sim: %s\n", message.c_str());
+    return status;
+}
+
+double process_cpu_ms() {
+    return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Replaces the built world by a saved one. The ids in a saved world are those of the scene it came
+// from.
+Status load_world(jostle::scenes::BuiltScene& built, const std::string& path, int threads) {
+    std::ifstream in(path, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    if (!in) return jostle::physics::Error{{}, "cannot read " + path};
+    jostle::scenes::register_catalog_modules();
+    auto world = jostle::physics::load(std::as_bytes(std::span(text)));
+    if (!world.ok()) return jostle::physics::Error{{}, path + ": " + world.error().message};
+    built.world = std::move(*world);
+    return built.world.set_threads(threads);
+}
+
+bool save_world(const World& world, const std::string& path) {
+    const auto bytes = jostle::physics::save(world);
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    return out.good();
+}
+
+bool can_write(const std::string& path) {
+    return path.empty() || std::ofstream(path, std::ios::app).good();
+}
+
+bool write_text(const std::string& path, const std::string& text) {
+    std::ofstream out(path);
+    out << text;
+    out.close();
+    return static_cast<bool>(out);
+}
+
+int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
+    if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
+    jostle::sim::ConvergenceQuestion question{.seconds = flags.seconds,
+                                              .rates = flags.rates,
+                                              .finest_hz = flags.finest_hz,
+                                              .substeps = flags.substep_counts,
+                                              .tolerances = flags.tolerances,
+                                              .scale = flags.scale,
+                                              .budget_seconds = flags.budget};
+    std::sort(question.rates.begin(), question.rates.end());
+    question.rates.erase(std::unique(question.rates.begin(), question.rates.end()),
+                         question.rates.end());
+    std::sort(question.tolerances.rbegin(), question.tolerances.rend());
+    const auto found = jostle::sim::converge(scene, question, jostle::sim::show_line);
+    jostle::sim::show_line("");
+    if (!found) return fail(2, found.error().message);
+    std::fputs(to_text(*found).c_str(), stdout);
+    if (flags.json.empty()) return 0;
+    std::ofstream out(flags.json);
+    out << to_json(*found);
+    out.close();
+    return out ? 0 : fail(1, "cannot write " + flags.json);
+}
+
+int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::BuiltScene& built,
+                const Flags& flags) {
+    for (const std::string& path : {flags.json, flags.plot})
+        if (!can_write(path)) return fail(1, "cannot write " + path);
+    World& world = built.world;
+    if (world.step_count() > flags.at)
+        return fail(2, "--at: the world is at step " + std::to_string(world.step_count()) +
+                           " already; give a later one");
+    {
+        jostle::sim::Progress progress(flags.at - world.step_count());
+        for (std::uint64_t step = 1; world.step_count() < flags.at; step++) {
+            if (const Status s = world.step(1 / scene.hz); !s.ok())
+                return fail(1, s.error().message);
+            progress.at(step, world.profile().bodies_awake);
+        }
+    }
+    const auto found = jostle::sim::inspect(
+        scene, built,
+        {.body = flags.inspect,
+         .rows = {.mend = flags.mend, .solver_softness = flags.solver_softness},
+         .effort = {.iterations_max = flags.iterations}});
+    if (!found.ok())
+        return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,
+                    found.error().message);
+    std::fputs(to_text(*found).c_str(), stdout);
+    if (!flags.json.empty())
+        if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
+    if (flags.plot.empty()) return 0;
+    if (found->groups.size() != 1 || !found->groups[0].refused.empty())
+        return fail(1, "--plot draws one group; name one of its bodies");
+    const std::string title = found->scene + " after step " + std::to_string(found->step);
+    if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
+        return fail(1, "cannot write " + flags.plot);
+    return 0;
+}
+
+int run(const Flags& flags) {
+    if (const auto set = instruction_set_called(flags.instructions))
+        if (const Status s = jostle::physics::use_instruction_set(*set); !s.ok())
+            return fail(2, s.error().message);
+    auto scene = jostle::scenes::load_scene(flags.scene);
+    if (!scene.ok()) return fail(2, scene.error().message);
+    if (flags.hz) scene->hz = *flags.hz;
+    if (flags.substeps) scene->world.substeps = *flags.substeps;
+    if (flags.tolerance) scene->world.tolerance = *flags.tolerance;
+    if (flags.substep_budget)
+        scene->world.substep_budget = static_cast<std::int64_t>(*flags.substep_budget);
+    if (flags.step_budget) scene->world.step_budget = static_cast<std::int64_t>(*flags.step_budget);
+    if (!flags.sleep.empty()) scene->world.sleeping = flags.sleep == "on";
+    if (flags.converge) return run_converge(*scene, flags);
+    scene->world.threads = flags.threads;
+    if (!flags.write_scene.empty()) {
+        std::ofstream out(flags.write_scene);
+        out << jostle::scenes::write_scene_json(*scene);
+        if (!out) return fail(1, "cannot write " + flags.write_scene);
+    }
+    auto built = jostle::scenes::build_scene(*scene);
+    if (!built.ok()) return fail(2, flags.scene + ": " + built.error().message);
+    if (!flags.load.empty())
+        if (const Status s = load_world(*built, flags.load, flags.threads); !s.ok())
+            return fail(2, s.error().message);
+    if (!flags.inspect.empty()) return run_inspect(*scene, *built, flags);
+    std::unique_ptr<jostle::sim::Trace> trace;
+    if (!flags.trace.empty()) {
+        trace = jostle::sim::Trace::open(flags.trace);
+        if (!trace) return fail(1, "cannot write " + flags.trace);
+        trace->write(built->world.step_count(), *built, *scene);
+    }
+
+    const auto steps = static_cast<std::uint64_t>(std::llround(flags.seconds * scene->hz));
+    jostle::sim::Meter meter;
+    double cpu_ms = 0;
+    {
+        jostle::sim::Progress progress(steps);
+        for (std::uint64_t step = 1; step <= steps; step++) {
+            const double before = process_cpu_ms();
+            if (const Status s = built->world.step(1 / scene->hz); !s.ok())
+                return fail(1, s.error().message);
+            cpu_ms += process_cpu_ms() - before;
+            meter.add(built->world.profile());
+            if (trace && step % static_cast<std::uint64_t>(flags.trace_every) == 0)
+                trace->write(built->world.step_count(), *built, *scene);
+            progress.at(step, built->world.profile().bodies_awake);
+        }
+    }
+    if (trace && !trace->close()) return fail(1, "cannot write all of " + flags.trace);
+
+    jostle::sim::Report report{.scene = scene->name,
+                               .threads = flags.threads,
+                               .substeps = built->world.substeps(),
+                               .hz = scene->hz};
+    meter.fill(report, built->world);
+    report.cpu_ms_per_step_mean = steps > 0 ? cpu_ms / static_cast<double>(steps) : 0;
+    std::fputs(to_text(report).c_str(), stdout);
+    if (!flags.json.empty()) {
+        std::ofstream out(flags.json);
+        out << to_json(report);
+        if (!out) return fail(1, "cannot write " + flags.json);
+    }
+    if (flags.efforts == "-")
+        std::fputs(jostle::sim::to_text(built->world.island_efforts()).c_str(), stdout);
+    else if (!flags.efforts.empty() &&
+             !write_text(flags.efforts, jostle::sim::to_json(built->world.island_efforts())))
+        return fail(1, "cannot write " + flags.efforts);
+    if (!flags.save.empty() && !save_world(built->world, flags.save))
+        return fail(1, "cannot write " + flags.save);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{
+        "Runs a scene offline as fast as it can and reports what it cost and how it ended; or, "
+        "with --converge, which rate and sub-steps it needs; or, with --inspect, what a step of it "
+        "has to solve."};
+    Flags flags;
+    add_flags(app, flags);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    if (flags.list) {
+        for (const auto& scene : jostle::scenes::catalog())
+            std::printf("%-12.*s %.*s\n", static_cast<int>(scene.name.size()), scene.name.data(),
+                        static_cast<int>(scene.description.size()), scene.description.data());
+        return 0;
+    }
+    if (flags.scene.empty())
+        return fail(2, "name a scene or a scene file; --list names the scenes");
+    return run(flags);
+}

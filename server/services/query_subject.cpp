@@ -29,7 +29,7 @@ Result<QueryFramePtr> frame_of(WorldHost& world, CopyParts parts) {
                              QueryBroker::patience.count())};
 }
 
-Status check_moment(const v1::SeenMoment& seen) {
+Status check_moment(const v1::ViewTime& seen) {
     if (seen.fraction() >= 0 && seen.fraction() <= 1) return {};
     return invalid_argument(
         fmt::format("seen.fraction is {:g}; it must be from 0 to 1", seen.fraction()));
@@ -45,7 +45,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
-                                   const v1::SeenMoment* seen, const PastView::MayMeet& may_meet) {
+                                   const v1::ViewTime* seen, const PastView::MayMeet& may_meet) {
     if (seen)
         if (Status s = check_moment(*seen); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);

@@ -23,17 +23,17 @@ using EntityId = std::uint32_t;  // never reused in a world; 0 is none
 using ClientId = std::uint32_t;  // 0 is the scene
 
 // The world as a client saw it when it acted: so far on the way from a tick to the next.
-struct SeenMoment {
+struct ViewTime {
     std::uint32_t tick = 0;
     double fraction = 0;  // 0 to 1
 
-    bool operator==(const SeenMoment&) const = default;
+    bool operator==(const ViewTime&) const = default;
 };
 // What a client points at: the first thing that the ray meets.
 struct Aim {
     physics::Vec3 origin, motion;         // world; m
     EntityId ignore = 0;                  // an entity that the ray goes through; 0: none
-    std::optional<SeenMoment> seen = {};  // nothing: as the world is when the input is applied
+    std::optional<ViewTime> seen = {};  // nothing: as the world is when the input is applied
 };
 
 struct SpawnCommand {

@@ -19,7 +19,7 @@ void FrameRing::put(FramePtr frame) {
     frames_.pop_front();
 }
 
-std::optional<PastMoment> FrameRing::at(const SeenMoment& seen) const {
+std::optional<PastMoment> FrameRing::at(const ViewTime& seen) const {
     const std::lock_guard lock(mutex_);
     if (frames_.empty()) return std::nullopt;
     const FramePtr &oldest = frames_.front(), &newest = frames_.back();

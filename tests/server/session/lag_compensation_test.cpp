@@ -78,7 +78,7 @@ Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rew
         if (seen && tick > 2 * 60 && tick % 20 == 0 && tick < 460) {
             shooter.conversation.send(push_at(*seen));
             round.shots++;
-            const v1::SeenMoment moment = shooter.conversation.shown_moment();
+            const v1::ViewTime moment = shooter.conversation.shown_moment();
             const double was =
                 10 * (moment.tick() + static_cast<double>(moment.fraction()) - 1) / 60;
             round.of_what_was += std::abs(*seen - was) < 0.2 ? 1 : 0;

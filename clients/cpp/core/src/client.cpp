@@ -69,7 +69,7 @@ std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 
-v1::SeenMoment Client::shown_moment() const {
+v1::ViewTime Client::shown_moment() const {
     const auto lock = locked(*state_);
     return state_->conversation.shown_moment();
 }

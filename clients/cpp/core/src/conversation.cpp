@@ -80,7 +80,7 @@ void Conversation::look_at(const Sight& sight) {
     sight_due_ = true;
 }
 
-v1::SeenMoment Conversation::shown_moment() const {
+v1::ViewTime Conversation::shown_moment() const {
     return client::shown_moment(newest_, buffer_.clock().shown_us(), tick_us_);
 }
 

@@ -47,7 +47,7 @@ public:
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
     // none.
-    v1::SeenMoment shown_moment() const;
+    v1::ViewTime shown_moment() const;
     void look_at(const Sight& sight);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }

@@ -12,8 +12,8 @@ constexpr double shown_after_us = 50'000;  // as InterpolationBuffer
 
 }  // namespace
 
-v1::SeenMoment shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us) {
-    v1::SeenMoment moment;
+v1::ViewTime shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us) {
+    v1::ViewTime moment;
     moment.set_tick(newest.frame);
     if (shown_us == 0 || shown_us < newest.due_us - not_drawn_us || tick_us <= 0) return moment;
     const double after_us = std::min(static_cast<double>(shown_us - newest.due_us), shown_after_us);

@@ -11,12 +11,12 @@ namespace {
 constexpr NewestFrame newest{600, 10'000'000};
 constexpr double tick_length_us = 1e6 / 60;
 
-double ticks(const v1::SeenMoment& moment) {
+double ticks(const v1::ViewTime& moment) {
     return moment.tick() + static_cast<double>(moment.fraction());
 }
 
 TEST(ShownMoment, is_as_many_ticks_before_the_newest_frame_as_the_picture_is_behind_it) {
-    const v1::SeenMoment shown = shown_moment(newest, 10'000'000 - 75'000, tick_length_us);
+    const v1::ViewTime shown = shown_moment(newest, 10'000'000 - 75'000, tick_length_us);
     EXPECT_EQ(shown.tick(), 595u);
     EXPECT_NEAR(shown.fraction(), 0.5, 1e-5);
 }

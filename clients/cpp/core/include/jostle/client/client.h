@@ -58,7 +58,7 @@ public:
     std::vector<SmoothPose> interpolated(Clock::time_point now);
     // The moment that the last picture showed, for Aim.seen and QueryOptions::seen; for who draws
     // none that of the newest frame. Tick 0: there is none yet.
-    v1::SeenMoment shown_moment() const;
+    v1::ViewTime shown_moment() const;
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of

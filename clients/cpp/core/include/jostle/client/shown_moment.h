@@ -18,6 +18,6 @@ struct NewestFrame {
 
 // `shown_us`: of RenderClock; 0, or more than a second before the newest frame: nobody draws, so
 // what is known is the newest frame. Pictures go on for 50 ms after the newest frame, not longer.
-v1::SeenMoment shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us);
+v1::ViewTime shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us);
 
 }  // namespace jostle::client

@@ -39,8 +39,8 @@ std::vector<SharedBytes> parts_of(std::uint64_t id, const std::string& bytes) {
 std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::Geometry& geometry) {
     if (scenes::outline_bytes(geometry) <= scenes::inline_outline_bytes_max) return nullptr;
     const void* address = scenes::shared_data(geometry);
-    if (const auto seen = by_address_.find(address); seen != by_address_.end())
-        return seen->second.geometry;
+    if (const auto view_time = by_address_.find(address); view_time != by_address_.end())
+        return view_time->second.geometry;
     v1::Shape shape;
     scenes::write_outline(shape, geometry, {});
     std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());

@@ -193,7 +193,7 @@ void write_results(v1::Private& to, std::span<const InputResult> results) {
         result.set_code(input_code_of(from.status));
         result.set_tick(from.tick);
         result.set_entity(from.entity);
-        result.set_moment_clamped(from.moment_clamped);
+        result.set_view_time_clamped(from.view_time_clamped);
         if (!from.status.ok()) result.set_message(from.status.error().message);
     }
 }

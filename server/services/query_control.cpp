@@ -134,14 +134,14 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 template <class Request>
 Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
                          const PastView::MayMeet& may_meet = anything) {
-    return query_subject(worlds, request.world(), request.has_seen() ? &request.seen() : nullptr,
+    return query_subject(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
                          may_meet);
 }
 
 template <class Response>
-void write_moment(Response& to, const QuerySubject& asked) {
+void write_view_time(Response& to, const QuerySubject& asked) {
     to.set_tick(asked.tick);
-    to.set_moment_clamped(asked.clamped);
+    to.set_view_time_clamped(asked.clamped);
 }
 
 // What rays may meet of the past.
@@ -202,7 +202,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
     const Result<QuerySubject> asked = ask(context_.worlds, request, along_rays(request));
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
-    write_moment(response, *asked);
+    write_view_time(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
@@ -236,7 +236,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
-    write_moment(response, *asked);
+    write_view_time(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
@@ -270,7 +270,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
     const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
-    write_moment(response, *asked);
+    write_view_time(response, *asked);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     const auto found = request.has_shape()
                            ? asked->queries.overlap_shape(shape.geometry, shape.pose, filter)
@@ -299,7 +299,7 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
     const Result<QuerySubject> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
-    write_moment(response, *asked);
+    write_view_time(response, *asked);
     const auto found = asked->queries.closest_points(points, request.max_distance(),
                                                      read_filter(request.filter(), *frame));
     if (!found.ok()) return from_solver(found.error());

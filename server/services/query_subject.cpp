@@ -29,10 +29,10 @@ Result<QueryFramePtr> frame_of(WorldHost& world, CopyParts parts) {
                              QueryBroker::patience.count())};
 }
 
-Status check_moment(const v1::ViewTime& seen) {
-    if (seen.fraction() >= 0 && seen.fraction() <= 1) return {};
+Status check_view_time(const v1::ViewTime& view_time) {
+    if (view_time.fraction() >= 0 && view_time.fraction() <= 1) return {};
     return invalid_argument(
-        fmt::format("seen.fraction is {:g}; it must be from 0 to 1", seen.fraction()));
+        fmt::format("seen.fraction is {:g}; it must be from 0 to 1", view_time.fraction()));
 }
 
 }  // namespace
@@ -45,16 +45,16 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
-                                   const v1::ViewTime* seen, const PastView::MayMeet& may_meet) {
-    if (seen)
-        if (Status s = check_moment(*seen); !s.ok()) return s.error();
+                                   const v1::ViewTime* view_time, const PastView::MayMeet& may_meet) {
+    if (view_time)
+        if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
     if (!world.ok()) return world.error();
     const Result<QueryFramePtr> frame = frame_of(**world, copy_shapes);
     if (!frame.ok()) return frame.error();
     QuerySubject now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
-    if (!seen) return now;
-    const PastView past(*(*world)->past().at({seen->tick(), seen->fraction()}));
+    if (!view_time) return now;
+    const PastView past(*(*world)->past().at({view_time->tick(), view_time->fraction()}));
     const Result<physics::Queries> then =
         now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, may_meet));
     if (!then.ok()) return Error{ErrorCode::internal, then.error().message};

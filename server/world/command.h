@@ -33,7 +33,7 @@ struct ViewTime {
 struct Aim {
     physics::Vec3 origin, motion;         // world; m
     EntityId ignore = 0;                  // an entity that the ray goes through; 0: none
-    std::optional<ViewTime> seen = {};  // nothing: as the world is when the input is applied
+    std::optional<ViewTime> view_time = {};  // nothing: as the world is when the input is applied
 };
 
 struct SpawnCommand {
@@ -100,7 +100,7 @@ struct InputResult {
     // saw it.
     std::optional<std::int64_t> margin_us = {};
     // It named a moment of which no frame was left, and was judged by the oldest one.
-    bool moment_clamped = false;
+    bool view_time_clamped = false;
 };
 
 class ResultQueue;

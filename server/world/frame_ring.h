@@ -29,7 +29,7 @@ public:
 
     void put(FramePtr frame);
     // What is later than the newest frame is as it is there. Nothing before the first frame.
-    std::optional<PastMoment> at(const ViewTime& seen) const;
+    std::optional<PastMoment> at(const ViewTime& view_time) const;
 
     std::size_t frames_max() const { return frames_max_; }
 

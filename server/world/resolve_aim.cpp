@@ -78,10 +78,10 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
     const std::optional<Aim>* aim = aim_of(action);
     if (!aim || !*aim) return {};
     Result<Met> found = Met{};
-    const auto then = (*aim)->seen ? past.at(*(*aim)->seen) : std::nullopt;
+    const auto then = (*aim)->view_time ? past.at(*(*aim)->view_time) : std::nullopt;
     if (then) {
         const PastView view(*then);
-        result.moment_clamped = view.clamped();
+        result.view_time_clamped = view.clamped();
         found = meet_then(state, view, now, **aim);
     } else {
         found = meet_now(state, **aim);

@@ -77,7 +77,7 @@ TEST(Admission, every_number_is_checked_and_named) {
         refuses("aim.seen.fraction",
                 ExplodeCommand{.radius = 1,
                                .speed = 1,
-                               .aim = Aim{.motion = {0, 0, 1}, .seen = ViewTime{1, bad}}});
+                               .aim = Aim{.motion = {0, 0, 1}, .view_time = ViewTime{1, bad}}});
         refuses("axes", ControlCommand{{.axes = {0, 0, bad}}});
     }
 }

@@ -38,9 +38,9 @@ public:
     // Ages when they were read, in ms, of snapshots read between two times; sorted.
     std::vector<double> ages_ms(double from_s, double until_s) const {
         std::vector<double> ages;
-        for (const Seen& seen : seen_)
-            if (seen.read_s >= from_s && seen.read_s < until_s)
-                ages.push_back((seen.read_s - seen.sent_s) * 1000);
+        for (const Seen& view_time : seen_)
+            if (view_time.read_s >= from_s && view_time.read_s < until_s)
+                ages.push_back((view_time.read_s - view_time.sent_s) * 1000);
         std::ranges::sort(ages);
         return ages;
     }

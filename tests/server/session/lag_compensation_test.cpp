@@ -74,20 +74,20 @@ Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rew
                        each_way);
     Round round;
     test::play(server, *world, {&shooter}, 8 * 60, [&](int tick) {
-        const std::optional<double> seen = x_of(shooter.draw(), target);
-        if (seen && tick > 2 * 60 && tick % 20 == 0 && tick < 460) {
-            shooter.conversation.send(push_at(*seen));
+        const std::optional<double> view_time = x_of(shooter.draw(), target);
+        if (view_time && tick > 2 * 60 && tick % 20 == 0 && tick < 460) {
+            shooter.conversation.send(push_at(*view_time));
             round.shots++;
             const v1::ViewTime moment = shooter.conversation.shown_moment();
             const double was =
                 10 * (moment.tick() + static_cast<double>(moment.fraction()) - 1) / 60;
-            round.of_what_was += std::abs(*seen - was) < 0.2 ? 1 : 0;
+            round.of_what_was += std::abs(*view_time - was) < 0.2 ? 1 : 0;
         }
         for (const v1::InputResult& result : shooter.conversation.take_results()) {
             const bool hit = result.code() == v1::INPUT_CODE_APPLIED && result.entity() == target;
             round.hits += hit ? 1 : 0;
             round.misses += result.code() == v1::INPUT_CODE_NOT_FOUND ? 1 : 0;
-            round.clamped += result.moment_clamped() ? 1 : 0;
+            round.clamped += result.view_time_clamped() ? 1 : 0;
         }
     });
     return round;
@@ -130,7 +130,7 @@ TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
     test::play(server, *world, {&shooter}, 10);
     const auto shoot_as_of = [&](std::uint32_t tick) {
         v1::Input input = push_at(0);
-        input.mutable_impulse()->mutable_aim()->mutable_seen()->set_tick(tick);
+        input.mutable_impulse()->mutable_aim()->mutable_view_time()->set_tick(tick);
         shooter.conversation.take_results();
         shooter.conversation.send(input);
         test::play(server, *world, {&shooter}, 5);
@@ -147,9 +147,9 @@ TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now
     PlayedLink shooter(server, {.name = "shooter"}, {.delay_ms = 75});
     v1::Input grab;
     test::play(server, *world, {&shooter}, 120, [&](int tick) {
-        const std::optional<double> seen = x_of(shooter.draw(), target);
+        const std::optional<double> view_time = x_of(shooter.draw(), target);
         if (tick != 100) return;
-        *grab.mutable_grab()->mutable_aim() = shot_at(*seen);
+        *grab.mutable_grab()->mutable_aim() = shot_at(*view_time);
         shooter.conversation.send(grab);
     });
     const auto results = shooter.conversation.take_results();
@@ -174,8 +174,8 @@ TEST(LagCompensation, a_question_over_rpc_is_answered_for_the_moment_that_was_se
         v1::CastRaysRequest request;
         *request.add_rays()->mutable_origin() = shot_at(x).origin();
         *request.mutable_rays(0)->mutable_motion() = shot_at(x, 25).motion();
-        request.mutable_seen()->set_tick(tick);
-        request.mutable_seen()->set_fraction(fraction);
+        request.mutable_view_time()->set_tick(tick);
+        request.mutable_view_time()->set_fraction(fraction);
         v1::CastRaysResponse response;
         const Status asked = queries.cast_rays(request, response);
         EXPECT_TRUE(asked.ok()) << asked.error().message;
@@ -185,23 +185,23 @@ TEST(LagCompensation, a_question_over_rpc_is_answered_for_the_moment_that_was_se
     const double was = 10.0 * (then - 1 + 0.5) / 60;
     const v1::CastRaysResponse hit = ask(was, then, 0.5f);
     EXPECT_EQ(hit.tick(), then);
-    EXPECT_FALSE(hit.moment_clamped());
+    EXPECT_FALSE(hit.view_time_clamped());
     ASSERT_EQ(hit.rays(0).hits_size(), 1);
     EXPECT_EQ(hit.rays(0).hits(0).entity(), target);
     EXPECT_NEAR(hit.rays(0).hits(0).point().z(), 0.3, 1e-6) << "right through its middle";
     EXPECT_EQ(ask(was, world->frame()->tick, 0).rays(0).hits(0).entity(), wall) << "it ran on";
-    EXPECT_TRUE(ask(was, 1, 0).moment_clamped());
+    EXPECT_TRUE(ask(was, 1, 0).view_time_clamped());
     EXPECT_EQ(ask(was, 1, 0).tick(), world->frame()->tick - 24);
 
     v1::OverlapRequest overlap;
     overlap.mutable_point()->set_x(was);
-    overlap.mutable_seen()->set_tick(then);
-    overlap.mutable_seen()->set_fraction(0.5f);
+    overlap.mutable_view_time()->set_tick(then);
+    overlap.mutable_view_time()->set_fraction(0.5f);
     v1::OverlapResponse inside;
     ASSERT_TRUE(queries.overlap(overlap, inside).ok());
     ASSERT_EQ(inside.entities_size(), 1);
     EXPECT_EQ(inside.entities(0), target);
-    overlap.mutable_seen()->set_fraction(1.5f);
+    overlap.mutable_view_time()->set_fraction(1.5f);
     EXPECT_EQ(test::error_of(queries.overlap(overlap, inside)).message,
               "seen.fraction is 1.5; it must be from 0 to 1");
 }

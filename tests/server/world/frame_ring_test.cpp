@@ -45,10 +45,10 @@ TEST(FrameRing, what_is_too_long_ago_is_the_oldest_frame_and_says_so) {
 TEST(FrameRing, what_is_to_come_is_the_newest_frame) {
     FrameRing ring(400, 60);
     for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
-    for (const ViewTime seen : {ViewTime{100, 0.5}, ViewTime{4'000'000'000, 0}}) {
-        EXPECT_EQ(ring.at(seen)->before->tick, 100u);
-        EXPECT_EQ(ring.at(seen)->after->tick, 100u);
-        EXPECT_FALSE(ring.at(seen)->clamped);
+    for (const ViewTime view_time : {ViewTime{100, 0.5}, ViewTime{4'000'000'000, 0}}) {
+        EXPECT_EQ(ring.at(view_time)->before->tick, 100u);
+        EXPECT_EQ(ring.at(view_time)->after->tick, 100u);
+        EXPECT_FALSE(ring.at(view_time)->clamped);
     }
 }
 

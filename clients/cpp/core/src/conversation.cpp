@@ -86,8 +86,8 @@ v1::ViewTime Conversation::shown_moment() const {
 
 std::uint32_t Conversation::send(v1::Input input) {
     if (v1::Aim* aim = aim_of(input);
-        aim && !aim->has_seen() && options_.aim_at_what_is_shown && newest_.frame != 0)
-        *aim->mutable_seen() = shown_moment();
+        aim && !aim->has_view_time() && options_.aim_at_what_is_shown && newest_.frame != 0)
+        *aim->mutable_view_time() = shown_moment();
     return inputs_.push(std::move(input));
 }
 

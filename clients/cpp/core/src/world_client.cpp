@@ -102,7 +102,7 @@ struct QueryClient::Impl {
                          Request& request, const QueryOptions& options) {
         request.set_world(world);
         write(*request.mutable_filter(), options);
-        if (options.seen) *request.mutable_seen() = *options.seen;
+        if (options.seen) *request.mutable_view_time() = *options.seen;
         return call(*stub, method, request, security);
     }
 
@@ -111,7 +111,7 @@ struct QueryClient::Impl {
         const auto response = ask(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
         Answer<std::vector<std::uint32_t>> answer{.tick = response->tick(),
-                                                  .moment_clamped = response->moment_clamped()};
+                                                  .view_time_clamped = response->view_time_clamped()};
         answer.value.assign(response->entities().begin(), response->entities().end());
         return answer;
     }
@@ -135,7 +135,7 @@ Result<Answer<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point 
     const auto response = impl_->ask(&v1::QueryService::Stub::CastRays, request, options);
     if (!response.ok()) return response.error();
     Answer<std::optional<RayHit>> answer{.tick = response->tick(),
-                                         .moment_clamped = response->moment_clamped()};
+                                         .view_time_clamped = response->view_time_clamped()};
     if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return answer;
     const v1::Hit& hit = response->rays(0).hits(0);
     answer.value = RayHit{.entity = hit.entity(),
@@ -168,7 +168,7 @@ Result<Answer<std::optional<Nearest>>> QueryClient::closest_point(Point point, d
     const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
     Answer<std::optional<Nearest>> answer{.tick = response->tick(),
-                                          .moment_clamped = response->moment_clamped()};
+                                          .view_time_clamped = response->view_time_clamped()};
     if (response->points_size() == 0 || response->points(0).entity() == 0) return answer;
     const v1::ClosestPoint& nearest = response->points(0);
     answer.value = Nearest{.entity = nearest.entity(),

@@ -51,7 +51,7 @@ struct Answer {
     Value value{};
     std::uint32_t tick =
         0;  // of the state that was asked: at most a few ticks old, or as of `seen`
-    bool moment_clamped = false;  // `seen` was too long ago: the oldest that the server had
+    bool view_time_clamped = false;  // `seen` was too long ago: the oldest that the server had
 };
 
 class QueryClient {

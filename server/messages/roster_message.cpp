@@ -58,11 +58,11 @@ public:
     explicit RosterWriter(GeometryTable& table) : table_(table) {}
 
     void remove(EntityId id) {
-        roster().add_removed(id);
+        entity_update().add_removed(id);
         count(id_bytes);
     }
     void add(const EntityDescription& entity) {
-        v1::Entity& to = *roster().add_added();
+        v1::Entity& to = *entity_update().add_added();
         to.set_id(entity.id);
         to.set_type(to_message(entity.type));
         const bool even = has_one_density(entity);
@@ -89,7 +89,7 @@ private:
     static constexpr std::size_t id_bytes = 5;
     static constexpr std::size_t frame_bytes = 4;  // tag and length of an entity
 
-    v1::Roster& roster() { return *message_.mutable_roster(); }
+    v1::Roster& entity_update() { return *message_.mutable_entity_update(); }
 
     // What a viewer draws, where it is and how big, and what decides its touch.
     void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
@@ -137,7 +137,7 @@ RosterMessages roster_messages(const EntityList& from, const EntityList& to,
 
 std::string encode_removed(std::span<const EntityId> entities) {
     v1::ServerMessage message;
-    message.mutable_roster()->mutable_removed()->Add(entities.begin(), entities.end());
+    message.mutable_entity_update()->mutable_removed()->Add(entities.begin(), entities.end());
     return message.SerializeAsString();
 }
 

@@ -45,8 +45,8 @@ void PlayState::take(const v1::ServerMessage& message) {
             if (message.geometry().part() + 1 == message.geometry().parts())
                 geometry.insert(message.geometry().id());
             break;
-        case v1::ServerMessage::kRoster:
-            take(message.roster());
+        case v1::ServerMessage::kEntityUpdate:
+            take(message.entity_update());
             break;
         case v1::ServerMessage::kSnapshot:
             take(message.snapshot());
@@ -63,14 +63,14 @@ void PlayState::take(const v1::ServerMessage& message) {
     }
 }
 
-void PlayState::take(const v1::Roster& roster) {
+void PlayState::take(const v1::Roster& entity_update) {
     rosters++;
-    for (const std::uint32_t id : roster.removed()) {
+    for (const std::uint32_t id : entity_update.removed()) {
         removed.insert(id);
         expect(entities.erase(id) == 1, "a roster removes entity " + std::to_string(id) +
                                             ", which the client never heard of");
     }
-    for (const v1::Entity& entity : roster.added()) {
+    for (const v1::Entity& entity : entity_update.added()) {
         for (const v1::Shape& shape : entity.shapes())
             expect(!shape.has_geometry() || geometry.contains(shape.geometry()),
                    "a roster names a geometry that was not told before");

@@ -180,7 +180,7 @@ void SinkConversation::decode(Bytes bytes) {
     Status applied;
     if (message.has_welcome()) view_->begin(message.welcome());
     if (message.has_geometry()) applied = view_->apply(message.geometry());
-    if (message.has_roster()) view_->apply(message.roster());
+    if (message.has_entity_update()) view_->apply(message.entity_update());
     if (message.has_snapshot()) {
         applied = view_->apply(message.snapshot());
         figures_.decoded += applied.ok() ? 1 : 0;

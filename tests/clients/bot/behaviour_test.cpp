@@ -29,14 +29,14 @@ public:
         welcome.mutable_quant()->set_units_per_meter(512);
         welcome.mutable_quant()->set_rotation_component(511);
         view_.begin(welcome);
-        v1::Roster roster;
+        v1::Roster entity_update;
         for (std::uint32_t k = 0; k < built_.bodies.size(); k++) {
-            v1::Entity& entity = *roster.add_added();
+            v1::Entity& entity = *entity_update.add_added();
             entity.set_id(k + 1);
             entity.set_name(scene_.bodies[k].name);
             entity.set_drivable(module_of(k + 1) != nullptr);
         }
-        view_.apply(roster);
+        view_.apply(entity_update);
     }
 
     void run(double seconds) {

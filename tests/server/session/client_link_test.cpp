@@ -127,7 +127,7 @@ TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_sna
     client.listen();
     ASSERT_GE(client.kinds.size(), 3u);
     EXPECT_EQ(client.kinds[0], v1::ServerMessage::kWelcome);
-    EXPECT_EQ(client.kinds[1], v1::ServerMessage::kRoster);
+    EXPECT_EQ(client.kinds[1], v1::ServerMessage::kEntityUpdate);
     EXPECT_EQ(client.kinds[2], v1::ServerMessage::kSnapshot);
     EXPECT_EQ(client.newest_bases, 0u);
     EXPECT_EQ(client.state.welcome.world_name(), "stack");

@@ -127,8 +127,8 @@ void Conversation::on_message(Clock::time_point now) {
                 stats_.last_error = told.error().message;
             }
             break;
-        case v1::ServerMessage::kRoster:
-            view_.apply(message_.roster());
+        case v1::ServerMessage::kEntityUpdate:
+            view_.apply(message_.entity_update());
             break;
         case v1::ServerMessage::kSnapshot:
             if (message_.snapshot().has_driven())

@@ -61,9 +61,9 @@ const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
     return known == geometry_.end() ? nullptr : &known->second;
 }
 
-void WorldView::apply(const v1::Roster& roster) {
-    for (const std::uint32_t id : roster.removed()) entities_.erase(id);
-    for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
+void WorldView::apply(const v1::Roster& entity_update) {
+    for (const std::uint32_t id : entity_update.removed()) entities_.erase(id);
+    for (const v1::Entity& entity : entity_update.added()) entities_[entity.id()] = entity;
     leave_out_unknown();
 }
 

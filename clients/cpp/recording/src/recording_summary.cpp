@@ -12,7 +12,7 @@ const char* kind_name(const v1::ServerMessage& message) {
     switch (message.message_case()) {
         case v1::ServerMessage::kWelcome:
             return "welcome";
-        case v1::ServerMessage::kRoster:
+        case v1::ServerMessage::kEntityUpdate:
             return "roster";
         case v1::ServerMessage::kSnapshot:
             return "snapshot";
@@ -54,8 +54,8 @@ RecordingSummary summarize(RecordingReader& recording) {
         summary.message_bytes += record->bytes;
         summary.seconds = static_cast<double>(record->arrived_us) / 1e6;
         if (message.has_snapshot()) count_snapshot(summary, *record);
-        for (const std::uint32_t id : message.roster().removed()) there.erase(id);
-        for (const v1::Entity& entity : message.roster().added()) there.insert(entity.id());
+        for (const std::uint32_t id : message.entity_update().removed()) there.erase(id);
+        for (const v1::Entity& entity : message.entity_update().added()) there.insert(entity.id());
         summary.entities_max = std::max(summary.entities_max, there.size());
     }
     summary.entities = there.size();

@@ -44,14 +44,14 @@ struct Yard {
         add(own_id, physics::Box{{0.25, 0.25, 0.25}}, {0, 0.25, 0}, true);
         add(other_id, physics::Box{{0.25, 0.25, 0.25}}, {1.5, 0.25, 0}, true);
         add(far_id, physics::Box{{0.25, 0.25, 0.25}}, {20, 0.25, 1}, true);
-        view.apply(roster);
+        view.apply(entity_update);
         predictor.follow(own_id);
     }
 
     // --- the server ---
     physics::World server;
     std::map<std::uint32_t, physics::BodyId> bodies;
-    v1::Roster roster;
+    v1::Roster entity_update;
     std::uint32_t server_tick = 0, applied = 0;
     std::int32_t margin_us = 0;
     std::map<std::uint32_t, std::map<std::uint32_t, Vec3>> truth;  // by tick, by entity
@@ -69,7 +69,7 @@ struct Yard {
             {.type = dynamic ? physics::BodyType::dynamic : physics::BodyType::static_body,
              .pose = {.position = at, .rotation = physics::from_axis_angle({0, 1, 0}, turn)}},
             shape);
-        v1::Entity& entity = *roster.add_added();
+        v1::Entity& entity = *entity_update.add_added();
         entity.set_id(id);
         entity.set_type(dynamic ? v1::BODY_TYPE_DYNAMIC : v1::BODY_TYPE_STATIC);
         entity.set_mass(server.body(bodies[id])->mass);
@@ -458,7 +458,7 @@ TEST(Predictor, the_top_of_a_tower_stands_on_what_is_too_far_away_to_be_foreseen
     constexpr std::uint32_t first = 10, top = 19;
     for (std::uint32_t k = 0; k < 10; k++)
         yard.add(first + k, physics::Box{{0.35, 0.35, 0.35}}, {-8, 0.35 + 0.7 * k, 0}, true);
-    yard.view.apply(yard.roster);
+    yard.view.apply(yard.entity_update);
     yard.predictor.follow(top);
     yard.run(3);
     EXPECT_EQ(yard.predictor.bodies(), 5u) << "3 m of 7";
@@ -480,7 +480,7 @@ TEST(Predictor, drags_the_top_off_a_tower) {
     for (std::uint32_t k = 0; k < 10; k++)
         yard.add(first + k, physics::Box{{0.35, 0.35, 0.35}}, {-8, 0.35 + 0.7 * k, 0}, true,
                  0.1 * k);
-    yard.view.apply(yard.roster);
+    yard.view.apply(yard.entity_update);
     yard.predictor.follow(top);
     yard.run(3);
     const Vec3 point{-7.7, 6.8, 0.35};
@@ -520,13 +520,13 @@ TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
         yard.server.set_gravity_scale(body, 0).expect();
         yard.server.set_locks(body, physics::lock_y).expect();
         if (told) {
-            v1::Entity& entity = *yard.roster.mutable_added(yard.roster.added_size() - 1);
+            v1::Entity& entity = *yard.entity_update.mutable_added(yard.entity_update.added_size() - 1);
             entity.set_linear_damping(0.7);
             entity.set_angular_damping(0.5);
             entity.set_gravity_scale(0);
             entity.mutable_locks()->set_y(true);
         }
-        yard.view.apply(yard.roster);
+        yard.view.apply(yard.entity_update);
         yard.predictor.follow(odd);
         yard.run(2);
         for (int k = 0; k < 4; k++) {
@@ -554,8 +554,8 @@ TEST(Predictor, what_hangs_on_a_joint_swings_on) {
                        .frame_b = {{0, 1, -1}, {}},
                        .kind = physics::BallJoint{}})
         .value();
-    yard.roster.mutable_added(yard.roster.added_size() - 1)->set_jointed(true);
-    yard.view.apply(yard.roster);
+    yard.entity_update.mutable_added(yard.entity_update.added_size() - 1)->set_jointed(true);
+    yard.view.apply(yard.entity_update);
     yard.run(3);
     std::vector<std::pair<std::uint32_t, Vec3>> seen;  // in pictures of about that tick
     for (int k = 0; k < 90; k++) {

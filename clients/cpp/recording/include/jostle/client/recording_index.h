@@ -26,7 +26,7 @@ struct RecordingEntry {
 inline std::optional<RecordingEntry> entry_of(const v1::ServerMessage& message,
                                               std::uint64_t offset) {
     using Kind = RecordingEntry::Kind;
-    if (message.has_roster() || message.has_geometry())
+    if (message.has_entity_update() || message.has_geometry())
         return RecordingEntry{.offset = offset, .kind = Kind::standing};
     if (message.has_snapshot() && message.snapshot().bases() == 0)
         return RecordingEntry{offset, message.snapshot().frame(), Kind::keyframe};

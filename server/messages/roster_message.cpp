@@ -80,7 +80,7 @@ public:
         if (entity.locks != 0) *to.mutable_locks() = scenes::locks_message(entity.locks);
         count(to.ByteSizeLong() + frame_bytes);
     }
-    RosterMessages take() {
+    EntityUpdateMessages take() {
         flush();
         return std::move(out_);
     }
@@ -119,18 +119,18 @@ private:
     GeometryTable& table_;
     v1::ServerMessage message_;
     std::size_t bytes_ = 0;
-    RosterMessages out_;
+    EntityUpdateMessages out_;
 };
 
 }  // namespace
 
-RosterMessages roster_messages(const EntityList& from, const EntityList& to,
+EntityUpdateMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry) {
     Difference difference = difference_of(from, to);
     RosterWriter writer(geometry);
     for (const EntityId id : difference.removed) writer.remove(id);
     for (const auto& entity : difference.added) writer.add(*entity);
-    RosterMessages messages = writer.take();
+    EntityUpdateMessages messages = writer.take();
     messages.removed = std::move(difference.removed);
     return messages;
 }

@@ -14,7 +14,7 @@
 
 namespace jostle::server {
 
-struct RosterMessages {
+struct EntityUpdateMessages {
     std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
     std::vector<SharedBytes> rosters;                            // what is gone first
     std::vector<EntityId> removed;                               // likewise
@@ -24,7 +24,7 @@ struct RosterMessages {
 // A Roster that only tells who is gone.
 std::string encode_removed(std::span<const EntityId> entities);
 
-RosterMessages roster_messages(const EntityList& from, const EntityList& to,
+EntityUpdateMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry);
 
 }  // namespace jostle::server

@@ -130,7 +130,7 @@ private:
                            std::vector<SharedBytes> cells);
     bool tell_members(const wire::QuantizedFrame& cell);
     void tell_removed(const std::shared_ptr<const EntityList>& entities);
-    void push(const RosterMessages& messages);
+    void push(const EntityUpdateMessages& messages);
     bool has_news(const Frame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
     Private own_part();

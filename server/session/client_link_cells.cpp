@@ -60,7 +60,7 @@ bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
         if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
     }
     if (fresh.empty()) return all;
-    const RosterMessages messages = feed_->roster_of(fresh);
+    const EntityUpdateMessages messages = feed_->roster_of(fresh);
     push(messages);
     for (const SharedBytes& roster : messages.rosters) sight_->spend(roster->size(), true);
     for (const auto& entity : fresh) {

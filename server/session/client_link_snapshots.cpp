@@ -190,7 +190,7 @@ void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities
     if (goes_on_later()) sent_.on_list(entities, baselines_.last());
 }
 
-void ClientLink::push(const RosterMessages& messages) {
+void ClientLink::push(const EntityUpdateMessages& messages) {
     for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
         if (goes_on_later()) sent_.on_geometry(geometry->id, baselines_.last());

@@ -28,20 +28,20 @@ CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
 }
 
-RosterMessages WorldFeed::roster_of(const EntityList& entities) {
+EntityUpdateMessages WorldFeed::roster_of(const EntityList& entities) {
     const std::lock_guard lock(mutex_);
     static const EntityList nothing;
     return roster_messages(nothing, entities, geometry_);
 }
 
-std::shared_ptr<const RosterMessages> WorldFeed::entity_list_change(
+std::shared_ptr<const EntityUpdateMessages> WorldFeed::entity_list_change(
     const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
     const std::lock_guard lock(mutex_);
     for (const EntityListChange& change : entity_list_changes_) {
         if (change.from == from && change.to == to) return change.messages;
     }
     static const EntityList nothing;
-    const auto messages = std::make_shared<const RosterMessages>(
+    const auto messages = std::make_shared<const EntityUpdateMessages>(
         roster_messages(from ? *from : nothing, *to, geometry_));
     if (entity_list_changes_.size() == entity_list_changes_kept)
         entity_list_changes_.erase(entity_list_changes_.begin());

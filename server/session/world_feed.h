@@ -32,11 +32,11 @@ public:
 
     // The messages that take a client from one entity list to another; null `from`: it knows
     // nothing yet.
-    std::shared_ptr<const RosterMessages> entity_list_change(
+    std::shared_ptr<const EntityUpdateMessages> entity_list_change(
         const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
     // A field of a Snapshot.
     // The messages that tell of these entities.
-    RosterMessages roster_of(const EntityList& entities);
+    EntityUpdateMessages roster_of(const EntityList& entities);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
@@ -45,7 +45,7 @@ private:
     struct EntityListChange {
         std::shared_ptr<const EntityList> from,
             to;  // held, so that no other entity list can have their address
-        std::shared_ptr<const RosterMessages> messages;
+        std::shared_ptr<const EntityUpdateMessages> messages;
     };
 
     const std::shared_ptr<WorldHost> host_;

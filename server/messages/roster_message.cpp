@@ -111,7 +111,7 @@ private:
     }
     void flush() {
         if (bytes_ == 0) return;
-        out_.rosters.push_back(std::make_shared<const std::string>(message_.SerializeAsString()));
+        out_.entity_updates.push_back(std::make_shared<const std::string>(message_.SerializeAsString()));
         message_.Clear();
         bytes_ = 0;
     }

@@ -16,7 +16,7 @@ namespace jostle::server {
 
 struct EntityUpdateMessages {
     std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
-    std::vector<SharedBytes> rosters;                            // what is gone first
+    std::vector<SharedBytes> entity_updates;                            // what is gone first
     std::vector<EntityId> removed;                               // likewise
 };
 

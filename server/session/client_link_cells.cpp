@@ -62,7 +62,7 @@ bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
     if (fresh.empty()) return all;
     const EntityUpdateMessages messages = feed_->roster_of(fresh);
     push(messages);
-    for (const SharedBytes& roster : messages.rosters) sight_->spend(roster->size(), true);
+    for (const SharedBytes& roster : messages.entity_updates) sight_->spend(roster->size(), true);
     for (const auto& entity : fresh) {
         if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
         known_entities_[entity->id] = true;

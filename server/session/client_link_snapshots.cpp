@@ -196,7 +196,7 @@ void ClientLink::push(const EntityUpdateMessages& messages) {
         if (goes_on_later()) sent_.on_geometry(geometry->id, baselines_.last());
         for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
     }
-    for (const SharedBytes& roster : messages.rosters) waiting_.push_back({{}, roster});
+    for (const SharedBytes& roster : messages.entity_updates) waiting_.push_back({{}, roster});
 }
 
 // A change of the entity list comes before the first snapshot that needs it, so when there is one

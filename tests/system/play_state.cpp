@@ -64,7 +64,7 @@ void PlayState::take(const v1::ServerMessage& message) {
 }
 
 void PlayState::take(const v1::Roster& entity_update) {
-    rosters++;
+    entity_updates++;
     for (const std::uint32_t id : entity_update.removed()) {
         removed.insert(id);
         expect(entities.erase(id) == 1, "a roster removes entity " + std::to_string(id) +

@@ -27,7 +27,7 @@ public:
 
     std::uint32_t client_id = 0;
     v1::Welcome welcome;
-    int welcomes = 0, rosters = 0, snapshots = 0, keyframes = 0, stats = 0, pongs = 0;
+    int welcomes = 0, entity_updates = 0, snapshots = 0, keyframes = 0, stats = 0, pongs = 0;
     std::size_t snapshot_bytes = 0;
     std::uint32_t newest_frame = 0;
     std::uint32_t skipped = 0;                         // as the server tells

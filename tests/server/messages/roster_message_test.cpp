@@ -59,8 +59,8 @@ TEST(RosterMessage, carries_what_a_viewer_draws) {
     const auto messages =
         roster_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
     EXPECT_TRUE(messages.geometry.empty());
-    ASSERT_EQ(messages.rosters.size(), 1u);
-    const v1::Roster entity_update = parse(messages.rosters[0]).entity_update();
+    ASSERT_EQ(messages.entity_updates.size(), 1u);
+    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
     ASSERT_EQ(entity_update.added_size(), 1);
     const v1::Entity& entity = entity_update.added(0);
     EXPECT_EQ(entity.id(), 9u);
@@ -92,7 +92,7 @@ TEST(RosterMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
                                           {std::make_shared<const EntityDescription>(plain),
                                            std::make_shared<const EntityDescription>(odd)},
                                           table);
-    const v1::Roster entity_update = parse(messages.rosters[0]).entity_update();
+    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
     const v1::Entity& told = entity_update.added(1);
     EXPECT_TRUE(told.jointed());
@@ -120,12 +120,12 @@ TEST(RosterMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
         content += parse(part).geometry().data();
     }
     EXPECT_GT(messages.geometry[0]->messages.size(), 1u);
-    for (const SharedBytes& entity_update : messages.rosters) bytes += entity_update->size();
+    for (const SharedBytes& entity_update : messages.entity_updates) bytes += entity_update->size();
     EXPECT_LT(bytes, 900'000u) << "2,000 copies would be a gigabyte";
     v1::Shape shape;
     ASSERT_TRUE(shape.ParseFromString(content));
     EXPECT_EQ(shape.mesh().vertices_size(), 101 * 101);
-    EXPECT_EQ(parse(messages.rosters[0]).entity_update().added(7).shapes(0).geometry(),
+    EXPECT_EQ(parse(messages.entity_updates[0]).entity_update().added(7).shapes(0).geometry(),
               messages.geometry[0]->id);
 }
 
@@ -135,7 +135,7 @@ TEST(RosterMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have_other
                               entity_with(3, mesh_of(10, 1))};
     const auto messages = roster_messages({}, entities, table);
     EXPECT_EQ(messages.geometry.size(), 2u);
-    const v1::Roster entity_update = parse(messages.rosters[0]).entity_update();
+    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).shapes(0).geometry(), entity_update.added(1).shapes(0).geometry());
     EXPECT_NE(entity_update.added(0).shapes(0).geometry(), entity_update.added(2).shapes(0).geometry());
 }
@@ -148,7 +148,7 @@ TEST(RosterMessage, what_a_client_may_spawn_is_told_with_its_body) {
     const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
     const auto messages = roster_messages({}, {entity_with(1, hull)}, table);
     EXPECT_TRUE(messages.geometry.empty());
-    EXPECT_GT(parse(messages.rosters[0]).entity_update().added(0).shapes(0).hull().points_size(), 20);
+    EXPECT_GT(parse(messages.entity_updates[0]).entity_update().added(0).shapes(0).hull().points_size(), 20);
 }
 
 TEST(RosterMessage, a_long_list_comes_in_messages_of_bounded_size) {
@@ -156,14 +156,14 @@ TEST(RosterMessage, a_long_list_comes_in_messages_of_bounded_size) {
     for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
     GeometryTable table;
     const auto messages = roster_messages({}, entities, table);
-    EXPECT_GT(messages.rosters.size(), 2u);
+    EXPECT_GT(messages.entity_updates.size(), 2u);
     int told = 0;
-    for (const SharedBytes& bytes : messages.rosters) {
+    for (const SharedBytes& bytes : messages.entity_updates) {
         EXPECT_LE(bytes->size(), part_bytes_max + 1024);
         told += parse(bytes).entity_update().added_size();
     }
     EXPECT_EQ(told, 20'000);
-    EXPECT_TRUE(roster_messages(entities, entities, table).rosters.empty());
+    EXPECT_TRUE(roster_messages(entities, entities, table).entity_updates.empty());
 }
 
 }  // namespace

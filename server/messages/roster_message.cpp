@@ -53,9 +53,9 @@ bool has_one_density(const EntityDescription& entity) {
 }
 
 // Fills one roster after the other.
-class RosterWriter {
+class EntityUpdateWriter {
 public:
-    explicit RosterWriter(GeometryTable& table) : table_(table) {}
+    explicit EntityUpdateWriter(GeometryTable& table) : table_(table) {}
 
     void remove(EntityId id) {
         entity_update().add_removed(id);
@@ -127,7 +127,7 @@ private:
 EntityUpdateMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry) {
     Difference difference = difference_of(from, to);
-    RosterWriter writer(geometry);
+    EntityUpdateWriter writer(geometry);
     for (const EntityId id : difference.removed) writer.remove(id);
     for (const auto& entity : difference.added) writer.add(*entity);
     EntityUpdateMessages messages = writer.take();

@@ -124,7 +124,7 @@ private:
 
 }  // namespace
 
-EntityUpdateMessages roster_messages(const EntityList& from, const EntityList& to,
+EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry) {
     Difference difference = difference_of(from, to);
     EntityUpdateWriter writer(geometry);

@@ -24,7 +24,7 @@ struct EntityUpdateMessages {
 // A Roster that only tells who is gone.
 std::string encode_removed(std::span<const EntityId> entities);
 
-EntityUpdateMessages roster_messages(const EntityList& from, const EntityList& to,
+EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry);
 
 }  // namespace jostle::server

@@ -31,7 +31,7 @@ CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
 EntityUpdateMessages WorldFeed::roster_of(const EntityList& entities) {
     const std::lock_guard lock(mutex_);
     static const EntityList nothing;
-    return roster_messages(nothing, entities, geometry_);
+    return entity_update_messages(nothing, entities, geometry_);
 }
 
 std::shared_ptr<const EntityUpdateMessages> WorldFeed::entity_list_change(
@@ -42,7 +42,7 @@ std::shared_ptr<const EntityUpdateMessages> WorldFeed::entity_list_change(
     }
     static const EntityList nothing;
     const auto messages = std::make_shared<const EntityUpdateMessages>(
-        roster_messages(from ? *from : nothing, *to, geometry_));
+        entity_update_messages(from ? *from : nothing, *to, geometry_));
     if (entity_list_changes_.size() == entity_list_changes_kept)
         entity_list_changes_.erase(entity_list_changes_.begin());
     entity_list_changes_.push_back({from, to, messages});

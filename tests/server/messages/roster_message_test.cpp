@@ -57,7 +57,7 @@ TEST(EntityUpdateMessage, carries_what_a_viewer_draws) {
     const EntityList before{entity_with(2, physics::Box{}), entity_with(3, physics::Box{})};
     GeometryTable table;
     const auto messages =
-        roster_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
+        entity_update_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
     EXPECT_TRUE(messages.geometry.empty());
     ASSERT_EQ(messages.entity_updates.size(), 1u);
     const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
@@ -88,7 +88,7 @@ TEST(EntityUpdateMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
     odd.shapes[0].density = 100;
     odd.shapes[1].mass = 7;
     GeometryTable table;
-    const auto messages = roster_messages({},
+    const auto messages = entity_update_messages({},
                                           {std::make_shared<const EntityDescription>(plain),
                                            std::make_shared<const EntityDescription>(odd)},
                                           table);
@@ -110,7 +110,7 @@ TEST(EntityUpdateMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
     EntityList entities;
     for (EntityId id = 1; id <= 2000; id++) entities.push_back(entity_with(id, mesh));
     GeometryTable table;
-    const auto messages = roster_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table);
     ASSERT_EQ(messages.geometry.size(), 1u);
     std::size_t bytes = 0;
     std::string content;
@@ -133,7 +133,7 @@ TEST(EntityUpdateMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have
     GeometryTable table;
     const EntityList entities{entity_with(1, mesh_of(10)), entity_with(2, mesh_of(10)),
                               entity_with(3, mesh_of(10, 1))};
-    const auto messages = roster_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table);
     EXPECT_EQ(messages.geometry.size(), 2u);
     const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).shapes(0).geometry(), entity_update.added(1).shapes(0).geometry());
@@ -146,7 +146,7 @@ TEST(EntityUpdateMessage, what_a_client_may_spawn_is_told_with_its_body) {
         points.push_back({std::cos(i * 0.7), i / 16.0 - 1, std::sin(i * 0.7)});
     GeometryTable table;
     const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
-    const auto messages = roster_messages({}, {entity_with(1, hull)}, table);
+    const auto messages = entity_update_messages({}, {entity_with(1, hull)}, table);
     EXPECT_TRUE(messages.geometry.empty());
     EXPECT_GT(parse(messages.entity_updates[0]).entity_update().added(0).shapes(0).hull().points_size(), 20);
 }
@@ -155,7 +155,7 @@ TEST(EntityUpdateMessage, a_long_list_comes_in_messages_of_bounded_size) {
     EntityList entities;
     for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
     GeometryTable table;
-    const auto messages = roster_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table);
     EXPECT_GT(messages.entity_updates.size(), 2u);
     int told = 0;
     for (const SharedBytes& bytes : messages.entity_updates) {
@@ -163,7 +163,7 @@ TEST(EntityUpdateMessage, a_long_list_comes_in_messages_of_bounded_size) {
         told += parse(bytes).entity_update().added_size();
     }
     EXPECT_EQ(told, 20'000);
-    EXPECT_TRUE(roster_messages(entities, entities, table).entity_updates.empty());
+    EXPECT_TRUE(entity_update_messages(entities, entities, table).entity_updates.empty());
 }
 
 }  // namespace

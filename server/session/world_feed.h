@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/messages/roster_message.h"
+#include "server/messages/entity_update_message.h"
 #include "server/replication/cell_feed.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/world_host.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/messages/roster_message.h"
+#include "server/messages/entity_update_message.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@ namespace jostle::server {
 namespace {
 
 // Entities told at once to who sees a part of a world, and about how many bytes one takes.
-constexpr std::size_t roster_part_max = 64, entity_bytes = 48;
+constexpr std::size_t entity_updates_per_message_max = 64, entity_bytes = 48;
 
 }  // namespace
 
@@ -53,14 +53,14 @@ bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
     for (const wire::EntityState& entity : cell.entities) {
         if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
         all = false;
-        if (fresh.size() == roster_part_max || !sight_->affords(fresh.size() * entity_bytes, true))
+        if (fresh.size() == entity_updates_per_message_max || !sight_->affords(fresh.size() * entity_bytes, true))
             break;
         const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
                                                  [](const auto& known) { return known->id; });
         if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
     }
     if (fresh.empty()) return all;
-    const EntityUpdateMessages messages = feed_->roster_of(fresh);
+    const EntityUpdateMessages messages = feed_->entity_update_for(fresh);
     push(messages);
     for (const SharedBytes& roster : messages.entity_updates) sight_->spend(roster->size(), true);
     for (const auto& entity : fresh) {

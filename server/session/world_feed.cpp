@@ -28,7 +28,7 @@ CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
 }
 
-EntityUpdateMessages WorldFeed::roster_of(const EntityList& entities) {
+EntityUpdateMessages WorldFeed::entity_update_for(const EntityList& entities) {
     const std::lock_guard lock(mutex_);
     static const EntityList nothing;
     return entity_update_messages(nothing, entities, geometry_);

@@ -36,7 +36,7 @@ public:
         const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
     // A field of a Snapshot.
     // The messages that tell of these entities.
-    EntityUpdateMessages roster_of(const EntityList& entities);
+    EntityUpdateMessages entity_update_for(const EntityList& entities);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);

@@ -186,7 +186,7 @@ std::string encode_cells_left_field(std::span<const CellId> cells) {
 
 namespace {
 
-void write_results(v1::Private& to, std::span<const InputResult> results) {
+void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
     for (const InputResult& from : results) {
         v1::InputResult& result = *to.add_results();
         result.set_sequence(from.sequence);
@@ -200,12 +200,12 @@ void write_results(v1::Private& to, std::span<const InputResult> results) {
 
 }  // namespace
 
-std::string encode_snapshot_head(const Private& from, std::string_view more,
+std::string encode_snapshot_head(const ClientUpdate& from, std::string_view more,
                                  std::size_t shared_bytes) {
     v1::Snapshot fields;
     if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
         from.input_received != 0 || !from.results.empty()) {
-        v1::Private& own = *fields.mutable_own();
+        v1::ClientUpdate& own = *fields.mutable_own();
         own.set_input_sequence(from.input_sequence);
         own.set_echo_client_time_us(from.echo_client_time_us);
         own.set_snapshots_skipped(from.snapshots_skipped);

@@ -58,7 +58,7 @@ std::string encode_notice(NoticeKind kind, const std::string& message);
 // --- snapshots: a shared piece and a client's own, one after the other, are one ServerMessage ---
 
 // What is zero, or empty, is as it was told last.
-struct Private {
+struct ClientUpdate {
     std::uint32_t input_sequence = 0;
     std::uint32_t echo_client_time_us = 0;
     std::uint32_t snapshots_skipped = 0;
@@ -80,7 +80,7 @@ std::string encode_cell_field(const EncodedCell& cell);
 std::string encode_cells_left_field(std::span<const CellId> cells);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
-std::string encode_snapshot_head(const Private& own, std::string_view more,
+std::string encode_snapshot_head(const ClientUpdate& own, std::string_view more,
                                  std::size_t shared_bytes);
 
 }  // namespace jostle::server

@@ -76,7 +76,7 @@ private:
     void offer_datagrams(const Hello& hello, Welcome& welcome);
     bool by_datagrams(const Frame& frame, Clock::time_point now);
     void send_datagram(Clock::time_point now);
-    Private datagram_part();
+    ClientUpdate datagram_part();
     std::optional<OutMessage> take_news(Clock::time_point now);
 
     void on_message(const Hello& hello, Clock::time_point now);
@@ -133,7 +133,7 @@ private:
     void push(const EntityUpdateMessages& messages);
     bool has_news(const Frame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
-    Private own_part();
+    ClientUpdate own_part();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
     std::string take_events(const Frame& frame);
     std::string take_driven(const Frame& frame);
@@ -171,7 +171,7 @@ private:
     std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
     int dropped_ = 0;                   // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
-    Private told_;  // the numbers that were told last
+    ClientUpdate told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
     std::unique_ptr<DatagramLane> lane_;  // null: all goes by the stream

@@ -93,8 +93,8 @@ void ClientLink::send_datagram(Clock::time_point now) {
 }
 
 // Numbers of which each makes those before it superfluous, so that any may get lost.
-Private ClientLink::datagram_part() {
-    Private own{.input_sequence = std::exchange(untold_sequence_, 0),
+ClientUpdate ClientLink::datagram_part() {
+    ClientUpdate own{.input_sequence = std::exchange(untold_sequence_, 0),
                 .echo_client_time_us = std::exchange(client_time_us_, 0)};
     own.input_margin_us = std::exchange(untold_margin_us_, 0);
     own.input_received = confirmed();

@@ -117,7 +117,7 @@ void ClientLink::collect_results() {
 }
 
 // What only this client is told with a snapshot; each number when it is another than last time.
-Private ClientLink::own_part() {
+ClientUpdate ClientLink::own_part() {
     std::uint32_t answered = told_.input_sequence;
     std::int64_t margin_us = 0;
     for (const InputResult& result : results_) {
@@ -125,7 +125,7 @@ Private ClientLink::own_part() {
         margin_us = result.margin_us.value_or(margin_us);
     }
     const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
-    Private own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
+    ClientUpdate own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
     own.input_margin_us = within_margins(margin_us);
     if (lane_ && confirmed() != told_received_) own.input_received = told_received_ = confirmed();
     if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;

@@ -92,7 +92,7 @@ void PlayState::take(const v1::Events& happened) {
     events.push_back(happened);
 }
 
-void PlayState::take_results(const v1::Private& own) {
+void PlayState::take_results(const v1::ClientUpdate& own) {
     for (const v1::InputResult& result : own.results()) {
         expect(results.emplace(result.sequence(), result).second,
                "input " + std::to_string(result.sequence()) + " was answered twice");

@@ -53,7 +53,7 @@ public:
 private:
     void take(const v1::Roster& entity_update);
     void take(const v1::Snapshot& snapshot);
-    void take_results(const v1::Private& own);
+    void take_results(const v1::ClientUpdate& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;
     std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
                                                 const std::string& packed, const wire::Bases& bases,

@@ -22,8 +22,8 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
                                   .late_us = -123456,
                                   .still = 3};
     const std::string shared = encode_shared_snapshot(encoded);
-    for (const Private own :
-         {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
+    for (const ClientUpdate own :
+         {ClientUpdate{}, ClientUpdate{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
         const auto message = parse(encode_snapshot_head(own, "", shared.size()) + shared);
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();

@@ -234,7 +234,7 @@ void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
     stats_.input_margin_ms = input_clock_.margin_ms();
 }
 
-void Conversation::on_results(const v1::Private& own, Clock::time_point now) {
+void Conversation::on_results(const v1::ClientUpdate& own, Clock::time_point now) {
     for (const v1::InputResult& result : own.results()) {
         if (!inputs_.answered(result.sequence(), now)) continue;
         if (result.code() == v1::INPUT_CODE_APPLIED)

@@ -77,7 +77,7 @@ private:
     bool stream_takes_inputs(Clock::time_point now) const;
     std::string datagram_with_inputs(Clock::time_point now);
     void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
-    void on_results(const v1::Private& own, Clock::time_point now);
+    void on_results(const v1::ClientUpdate& own, Clock::time_point now);
     void on_events(v1::Events&& events);
     void put_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);

@@ -205,7 +205,7 @@ std::string encode_snapshot_head(const ClientUpdate& from, std::string_view more
     v1::Snapshot fields;
     if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
         from.input_received != 0 || !from.results.empty()) {
-        v1::ClientUpdate& own = *fields.mutable_own();
+        v1::ClientUpdate& own = *fields.mutable_client_update();
         own.set_input_sequence(from.input_sequence);
         own.set_echo_client_time_us(from.echo_client_time_us);
         own.set_snapshots_skipped(from.snapshots_skipped);

@@ -76,7 +76,7 @@ private:
     void offer_datagrams(const Hello& hello, Welcome& welcome);
     bool by_datagrams(const Frame& frame, Clock::time_point now);
     void send_datagram(Clock::time_point now);
-    ClientUpdate datagram_part();
+    ClientUpdate datagram_client_update();
     std::optional<OutMessage> take_news(Clock::time_point now);
 
     void on_message(const Hello& hello, Clock::time_point now);
@@ -133,7 +133,7 @@ private:
     void push(const EntityUpdateMessages& messages);
     bool has_news(const Frame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
-    ClientUpdate own_part();
+    ClientUpdate client_update();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
     std::string take_events(const Frame& frame);
     std::string take_driven(const Frame& frame);

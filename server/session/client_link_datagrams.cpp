@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::size_t own_bytes_max = 64;  // of a snapshot's head in a datagram
+constexpr std::size_t client_update_bytes_max = 64;  // of a snapshot's head in a datagram
 constexpr auto lost_after_min = 250ms;
 
 }  // namespace
@@ -82,8 +82,8 @@ void ClientLink::send_datagram(Clock::time_point now) {
     if (frame->entity_list != entity_list_) tell_entities(frame->entity_list);
     const SharedBytes shared = feed_->snapshots().encoding(
         frame, lane_->frames().bases_for(frame->tick), channel_kinds_, codec_);
-    if (!lane_->fits(shared->size() + own_bytes_max, now)) return;
-    const OutMessage message{encode_snapshot_head(datagram_part(), {}, shared->size()), shared};
+    if (!lane_->fits(shared->size() + client_update_bytes_max, now)) return;
+    const OutMessage message{encode_snapshot_head(datagram_client_update(), {}, shared->size()), shared};
     lane_->send(message, frame->tick, now);
     snapshot_due_ = false;
     last_snapshot_ = now;
@@ -93,7 +93,7 @@ void ClientLink::send_datagram(Clock::time_point now) {
 }
 
 // Numbers of which each makes those before it superfluous, so that any may get lost.
-ClientUpdate ClientLink::datagram_part() {
+ClientUpdate ClientLink::datagram_client_update() {
     ClientUpdate own{.input_sequence = std::exchange(untold_sequence_, 0),
                 .echo_client_time_us = std::exchange(client_time_us_, 0)};
     own.input_margin_us = std::exchange(untold_margin_us_, 0);
@@ -111,7 +111,7 @@ std::optional<OutMessage> ClientLink::take_news(Clock::time_point now) {
     }
     const std::string more = take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
-    OutMessage message{encode_snapshot_head(own_part(), more, 0), nullptr};
+    OutMessage message{encode_snapshot_head(client_update(), more, 0), nullptr};
     if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
     watch_.answered(results_);
     results_.clear();

@@ -117,7 +117,7 @@ void ClientLink::collect_results() {
 }
 
 // What only this client is told with a snapshot; each number when it is another than last time.
-ClientUpdate ClientLink::own_part() {
+ClientUpdate ClientLink::client_update() {
     std::uint32_t answered = told_.input_sequence;
     std::int64_t margin_us = 0;
     for (const InputResult& result : results_) {
@@ -228,7 +228,7 @@ OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now,
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
                                     sight_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
-    OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
+    OutMessage message{encode_snapshot_head(client_update(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
     watch_.answered(results_);
     if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);

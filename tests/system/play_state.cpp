@@ -110,10 +110,10 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     snapshot_bytes += snapshot.packed().size();
     keyframes += snapshot.bases() == 0;
     stats += snapshot.has_stats();
-    if (const std::uint32_t told = snapshot.own().snapshots_skipped(); told != 0) skipped = told;
-    if (const std::int32_t told = snapshot.own().input_margin_us(); told != 0)
+    if (const std::uint32_t told = snapshot.client_update().snapshots_skipped(); told != 0) skipped = told;
+    if (const std::int32_t told = snapshot.client_update().input_margin_us(); told != 0)
         input_margin_us = told;
-    take_results(snapshot.own());
+    take_results(snapshot.client_update());
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
     const auto base_of = [&](std::uint32_t frame) {

@@ -87,7 +87,7 @@ void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
         if (field.number == v1::Snapshot::kFrameFieldNumber)
             frame_ = static_cast<std::uint32_t>(field.value);
         if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
-        if (field.number == v1::Snapshot::kOwnFieldNumber) own = field.bytes;
+        if (field.number == v1::Snapshot::kClientUpdateFieldNumber) own = field.bytes;
     }
     if (walk.broken()) return figures_.add_error("the server sent a snapshot that is none");
     figures_.snapshots++;

@@ -363,14 +363,14 @@ export class Connection {
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
     // Before its frame, so that late inputs are where the server had them.
-    for (const result of s.own?.results ?? []) this.foresees?.result(result);
+    for (const result of s.client_update?.results ?? []) this.foresees?.result(result);
     if (s.driven) {
       this.driven.apply(s.driven);
       this.foresees?.driven(this.driven.newest);
     }
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
-    for (const result of s.own?.results ?? [])
+    for (const result of s.client_update?.results ?? [])
       if (this.inputs.answered(result.sequence) && result.code !== InputCode.APPLIED) this.events.refused(result);
     if (s.stats) this.events.stats(s.stats);
     for (const tick of s.events) this.events.happened(tick);
@@ -401,7 +401,7 @@ export class Connection {
         const agoUs = this.clock.serverUs(arrived) - serverUs;
         this.ageMs = agoUs / 1000;
         this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
-        this.inputClock.onMargin(s.own?.inputSequence ?? 0, s.own?.inputMarginUs ?? 0);
+        this.inputClock.onMargin(s.client_update?.inputSequence ?? 0, s.client_update?.inputMarginUs ?? 0);
       }
       this.foresees?.frame(told);
     } catch (error) {

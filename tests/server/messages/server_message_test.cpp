@@ -33,10 +33,10 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
         EXPECT_EQ(snapshot.crc(), 0xdeadbeef);
         EXPECT_EQ(snapshot.late_us(), -123456);
         EXPECT_EQ(snapshot.still(), 3u);
-        EXPECT_EQ(snapshot.own().input_sequence(), own.input_sequence);
-        EXPECT_EQ(snapshot.own().echo_client_time_us(), own.echo_client_time_us);
-        EXPECT_EQ(snapshot.own().snapshots_skipped(), own.snapshots_skipped);
-        EXPECT_EQ(snapshot.own().input_margin_us(), own.input_margin_us);
+        EXPECT_EQ(snapshot.client_update().input_sequence(), own.input_sequence);
+        EXPECT_EQ(snapshot.client_update().echo_client_time_us(), own.echo_client_time_us);
+        EXPECT_EQ(snapshot.client_update().snapshots_skipped(), own.snapshots_skipped);
+        EXPECT_EQ(snapshot.client_update().input_margin_us(), own.input_margin_us);
     }
 }
 
@@ -62,7 +62,7 @@ TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
     EXPECT_EQ(message.snapshot().stats().tick(), 77u);
     EXPECT_EQ(message.snapshot().stats().clients(), 3u);
     EXPECT_EQ(message.snapshot().frame(), 77u);
-    EXPECT_FALSE(message.snapshot().has_own()) << "nothing to tell";
+    EXPECT_FALSE(message.snapshot().has_client_update()) << "nothing to tell";
 }
 
 TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
@@ -100,7 +100,7 @@ TEST(ServerMessage, results_and_notices_keep_code_and_text) {
                               .tick = 77,
                               .entity = 6};
     const auto told = parse(encode_snapshot_head({.results = std::span(&refused, 1)}, "", 0));
-    const v1::InputResult& result = told.snapshot().own().results(0);
+    const v1::InputResult& result = told.snapshot().client_update().results(0);
     EXPECT_EQ(result.sequence(), 5u);
     EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);
     EXPECT_EQ(result.tick(), 77u);

@@ -135,7 +135,7 @@ TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_
     talk.snapshot(40, noon + 30ms);
     v1::ServerMessage results;
     results.mutable_snapshot()->set_frame(41);
-    auto* const result = results.mutable_snapshot()->mutable_own()->add_results();
+    auto* const result = results.mutable_snapshot()->mutable_client_update()->add_results();
     result->set_sequence(1);
     result->set_code(v1::INPUT_CODE_APPLIED);
     result->set_tick(40);

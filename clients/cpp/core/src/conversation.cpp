@@ -135,9 +135,9 @@ void Conversation::on_message(Clock::time_point now) {
                 // What cannot be read is not foreseen.
                 static_cast<void>(view_.apply(message_.snapshot().driven()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
-            inputs_.confirm(message_.snapshot().own().input_received(), now);
+            inputs_.confirm(message_.snapshot().client_update().input_received(), now);
             // These stand by themselves, whatever became of the poses.
-            on_results(message_.snapshot().own(), now);
+            on_results(message_.snapshot().client_update(), now);
             if (message_.snapshot().has_stats()) world_stats_ = message_.snapshot().stats();
             for (v1::Events& events : *message_.mutable_snapshot()->mutable_events())
                 on_events(std::move(events));
@@ -230,7 +230,7 @@ void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
                                 Clock::time_point now) {
     input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
                           static_cast<std::int64_t>(to_us(now)));
-    input_clock_.on_margin(snapshot.own().input_sequence(), snapshot.own().input_margin_us());
+    input_clock_.on_margin(snapshot.client_update().input_sequence(), snapshot.client_update().input_margin_us());
     stats_.input_margin_ms = input_clock_.margin_ms();
 }
 

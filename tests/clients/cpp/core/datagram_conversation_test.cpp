@@ -38,7 +38,7 @@ struct DatagramConversationTest : testing::Test {
         s.set_frame(frame);
         s.set_packed(packed.data(), packed.size());
         s.set_crc(wire::frame_crc(state));
-        s.mutable_own()->set_input_received(received);
+        s.mutable_client_update()->set_input_received(received);
         return message.SerializeAsString();
     }
     std::optional<v1::ClientMessage> parsed(const std::optional<std::string>& bytes) {
@@ -122,7 +122,7 @@ TEST_F(DatagramConversationTest, when_the_way_breaks_the_stream_says_the_ack_tha
 
 TEST_F(DatagramConversationTest, results_come_without_a_world_and_count) {
     v1::ServerMessage message;
-    v1::InputResult& result = *message.mutable_snapshot()->mutable_own()->add_results();
+    v1::InputResult& result = *message.mutable_snapshot()->mutable_client_update()->add_results();
     result.set_sequence(1);
     result.set_code(v1::INPUT_CODE_APPLIED);
     conversation.receive(message.SerializeAsString(), now);

@@ -183,8 +183,8 @@ struct Yard {
         told.snapshot.set_channels(channels.bytes.data(), channels.bytes.size());
         told.snapshot.set_channels_crc(channels.crc);
         told.snapshot.set_late_us(due - std::llround(server_tick * 1e6 / 60));
-        told.snapshot.mutable_own()->set_input_sequence(applied);
-        told.snapshot.mutable_own()->set_input_margin_us(margin_us);
+        told.snapshot.mutable_client_update()->set_input_sequence(applied);
+        told.snapshot.mutable_client_update()->set_input_margin_us(margin_us);
         falling.push_back(std::move(told));
     }
 

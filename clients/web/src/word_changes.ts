@@ -1,6 +1,6 @@
 // A list of words as what changed in it since the list before, and what somebody drives, which is told so (proto/WIRE.md, "Driven things").
 
-import type { Driven } from './gen/jostle/v1/play_pb';
+import type { ControlledEntityState } from './gen/jostle/v1/play_pb';
 
 const WORDS_MAX = 16 * 1024;
 const NO_WORDS = new Uint32Array(0);
@@ -39,7 +39,7 @@ export class DrivenWords {
   /** undefined: nothing was told, or not all of it. */
   newest: DrivenThing | undefined;
 
-  apply({ entity, tick, module, words: size, whole, changed, values }: Driven): void {
+  apply({ entity, tick, module, words: size, whole, changed, values }: ControlledEntityState): void {
     const before = whole ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
     const words = before && withChanges(before, size, changed, values);
     this.newest = words && { entity, tick, module, words };

@@ -67,7 +67,7 @@ void WorldView::apply(const v1::Roster& entity_update) {
     leave_out_unknown();
 }
 
-Status WorldView::apply(const v1::Driven& driven) {
+Status WorldView::apply(const v1::ControlledEntityState& driven) {
     if (!driven.whole() && driven.entity() != driven_.entity)
         return Error{ErrorCode::failed_precondition,
                      "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};

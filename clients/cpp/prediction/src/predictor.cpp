@@ -168,7 +168,7 @@ void Predictor::on_results(const std::vector<v1::InputResult>& results) {
 void Predictor::on_frame(const WorldView& view) {
     // Bodies of a frame that is known, or of which nobody is followed, need not be read.
     const std::uint32_t frame = view.frame().frame;
-    const WorldView::Driven& driven = view.driven();
+    const WorldView::ControlledEntityState& driven = view.driven();
     if (frame == impl_->newest_frame && driven.tick == impl_->newest_drive) return;
     impl_->newest_frame = frame;
     impl_->newest_drive = driven.tick;

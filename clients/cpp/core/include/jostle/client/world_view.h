@@ -43,7 +43,7 @@ public:
 
     // What this client drives. An error: it is not told against what is known; the next whole one
     // is taken again.
-    Status apply(const v1::Driven& driven);
+    Status apply(const v1::ControlledEntityState& driven);
 
     // On the server's clock, in us.
     struct Times {
@@ -84,12 +84,12 @@ public:
 
     // What this client drives, for who foresees it (jostle/modules/driven.h has the words, which
     // are foreign); entity 0: that was not told. It stays as it was told last.
-    struct Driven {
+    struct ControlledEntityState {
         std::uint32_t entity = 0, tick = 0;
         std::string module;
         std::vector<std::uint32_t> words;
     };
-    const Driven& driven() const { return driven_; }
+    const ControlledEntityState& driven() const { return driven_; }
 
 private:
     struct KnownFrame {
@@ -114,7 +114,7 @@ private:
     std::shared_ptr<SeenCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
-    Driven driven_;
+    ControlledEntityState driven_;
     struct Unfinished {
         std::uint64_t id = 0;
         std::uint32_t next = 0;

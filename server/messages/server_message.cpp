@@ -156,13 +156,13 @@ std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
     if (whole) before = {};
     wire::WordChanges changes = wire::changes_between(before, driven.words);
     v1::Snapshot fields;
-    v1::Driven& to = *fields.mutable_driven();
+    v1::Driven& to = *fields.mutable_controlled_entity();
     to.set_entity(driven.entity);
     to.set_module(driven.module);
     to.set_tick(tick);
     to.set_words(static_cast<std::uint32_t>(driven.words.size()));
-    to.set_whole(whole);
-    to.set_changed(std::move(changes.changed));
+    to.set_keyframe(whole);
+    to.set_changed_mask(std::move(changes.changed));
     to.set_values(std::move(changes.values));
     return fields.SerializeAsString();
 }

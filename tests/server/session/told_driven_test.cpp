@@ -46,7 +46,7 @@ struct Driver {
             v1::ServerMessage message;
             if (!message.ParseFromString(bytes)) return;
             if (message.has_welcome()) predictor.begin(message.welcome());
-            if (message.snapshot().has_driven())
+            if (message.snapshot().has_controlled_entity())
                 driven_bytes += message.snapshot().driven().ByteSizeLong();
         };
         run(60);

@@ -131,7 +131,7 @@ void Conversation::on_message(Clock::time_point now) {
             view_.apply(message_.entity_update());
             break;
         case v1::ServerMessage::kSnapshot:
-            if (message_.snapshot().has_driven())
+            if (message_.snapshot().has_controlled_entity())
                 // What cannot be read is not foreseen.
                 static_cast<void>(view_.apply(message_.snapshot().driven()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);

@@ -70,7 +70,7 @@ TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
     EXPECT_EQ(view.apply(part).error().code, ErrorCode::failed_precondition);
     EXPECT_EQ(view.driven().entity, 0u);
     v1::Driven whole = part;
-    whole.set_whole(true);
+    whole.set_keyframe(true);
     whole.set_changed("\x01");
     ASSERT_TRUE(view.apply(whole).ok());
     ASSERT_TRUE(view.apply(part).ok());

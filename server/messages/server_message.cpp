@@ -169,7 +169,7 @@ std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
 
 std::string encode_cell_field(const EncodedCell& from) {
     v1::Snapshot fields;
-    v1::CellPart& cell = *fields.add_cells();
+    v1::CellUpdate& cell = *fields.add_cells();
     cell.set_cell(from.id);
     cell.set_number(from.number);
     cell.set_bases(wire::encode_base_frames(from.number, from.bases));

@@ -165,7 +165,7 @@ std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot&
     expect(snapshot.packed().empty(), name + " has cells and a frame");
     for (const std::uint32_t cell : snapshot.cells_left())
         expect(cells.erase(cell) == 1, name + " leaves a cell that was never told");
-    for (const v1::CellPart& part : snapshot.cells()) {
+    for (const v1::CellUpdate& part : snapshot.cells()) {
         auto& states = cells[part.cell()];
         const std::string cell = name + ", cell " + std::to_string(part.cell());
         const auto base_of = [&](std::uint32_t number) -> const wire::QuantizedFrame* {

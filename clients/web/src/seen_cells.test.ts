@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { DecodeError, frameCrc, type EntityState } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { SeenCells, type CellPart } from './seen_cells';
+import { SeenCells, type CellUpdate } from './seen_cells';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 
 // A cell without entities, absolute or against another: its CRC is 0.
-const empty = (cell: number, number: number, bases = 0): CellPart => ({
+const empty = (cell: number, number: number, bases = 0): CellUpdate => ({
   cell,
   number,
   bases,

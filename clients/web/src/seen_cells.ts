@@ -4,7 +4,7 @@ import { baseFrames } from './base_frames';
 import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
 
 /** A cell as it comes. */
-export interface CellPart {
+export interface CellUpdate {
   readonly cell: number;
   readonly number: number;
   readonly bases: number;
@@ -29,7 +29,7 @@ export class SeenCells {
   private step = 1; // ticks from the one before
 
   /** Throws a DecodeError, and everything is as it was. */
-  apply(parts: readonly CellPart[], left: readonly number[], spec: QuantSpec, codec: number, frame = 0): void {
+  apply(parts: readonly CellUpdate[], left: readonly number[], spec: QuantSpec, codec: number, frame = 0): void {
     const fresh = parts.map((part) => ({ cell: part.cell, state: this.decode(part, spec, codec) }));
     if (this.newest !== 0 && frame > this.newest) this.step = frame - this.newest;
     this.newest = frame;
@@ -95,7 +95,7 @@ export class SeenCells {
     this.step = 1;
   }
 
-  private decode(part: CellPart, spec: QuantSpec, codec: number): QuantizedFrame {
+  private decode(part: CellUpdate, spec: QuantSpec, codec: number): QuantizedFrame {
     const known = this.cells.get(part.cell) ?? [];
     const name = `cell ${part.cell} of tick ${part.number}`;
     if (part.bases !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)

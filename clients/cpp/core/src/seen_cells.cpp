@@ -12,7 +12,7 @@
 
 namespace jostle::client {
 
-Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellPart& part,
+Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
                                                const wire::QuantSpec& spec,
                                                wire::Codec codec) const {
     const std::string name =
@@ -45,7 +45,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellPart& part,
 Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
                         wire::Codec codec) {
     std::vector<std::pair<std::uint32_t, wire::QuantizedFrame>> fresh;
-    for (const v1::CellPart& part : snapshot.cells()) {
+    for (const v1::CellUpdate& part : snapshot.cells()) {
         auto state = decode(part, spec, codec);
         if (!state.ok()) return state.error();
         fresh.emplace_back(part.cell(), *std::move(state));

@@ -32,7 +32,7 @@ public:
 
 private:
     using States = std::deque<wire::QuantizedFrame>;  // rising, at most `kept`
-    Result<wire::QuantizedFrame> decode(const v1::CellPart& part, const wire::QuantSpec& spec,
+    Result<wire::QuantizedFrame> decode(const v1::CellUpdate& part, const wire::QuantSpec& spec,
                                         wire::Codec codec) const;
 
     // How far on the way from the state before to the newest one a picture is.

@@ -20,7 +20,7 @@ wire::QuantizedFrame state(std::uint32_t number, const States& entities) {
 
 void add_cell(v1::Snapshot& snapshot, std::uint32_t cell, const wire::QuantizedFrame& now,
               const wire::QuantizedFrame* base = nullptr) {
-    v1::CellPart& part = *snapshot.add_cells();
+    v1::CellUpdate& part = *snapshot.add_cells();
     part.set_cell(cell);
     part.set_number(now.frame);
     if (base) part.set_bases(wire::encode_base_frames(now.frame, {.base = base->frame}));

@@ -41,16 +41,16 @@ struct Counter {
     Counts& counts;
 };
 
-void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& bases) {
+void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& baselines) {
     FrameModels models;
     Counter counter{.models = models, .counts = counts};
     const wire::QuantSpec spec;
-    const wire::Succession to = wire::succession_of(frame, bases);
+    const wire::Succession to = wire::succession_of(frame, baselines);
     wire::WalkedLists lists = wire::lists_of(to);
     wire::RangeWalk walk(counter, models, spec);
-    walk.entities(lists, bases, frame.entities.size());
+    walk.entities(lists, baselines, frame.entities.size());
     std::vector<wire::EntityState> none;
-    walk.survivors(to.kept, none, to.survivors, wire::spacing_of(frame.frame, bases));
+    walk.survivors(to.kept, none, to.survivors, wire::spacing_of(frame.frame, baselines));
 }
 
 // Nobody goes or comes in those scenes: here every half second a body in twenty does.

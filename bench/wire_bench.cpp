@@ -43,11 +43,11 @@ std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, 
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
-        const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Bases baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const auto began = bench::cpu_seconds();
-        const auto packed = wire::encode_frame(frames[i], bases, {}, codec);
+        const auto packed = wire::encode_frame(frames[i], baselines, {}, codec);
         const auto encoded = bench::cpu_seconds();
-        const auto back = wire::decode_frame(frames[i].frame, packed, bases, {}, 1u << 20, codec);
+        const auto back = wire::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
         decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
         if (!back.ok() || *back != frames[i]) {

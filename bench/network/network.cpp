@@ -33,7 +33,7 @@ Exit status: 0 done, 1 a frame did not come back, or the file could not be writt
 
 struct NetworkFlags {
     double seconds = 45;
-    std::vector<int> bases = {1, 6};
+    std::vector<int> baselines = {1, 6};
     std::string json;
 };
 
@@ -51,11 +51,11 @@ using Frames = std::vector<wire::QuantizedFrame>;
 bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
                wire::Codec codec) {
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
-        const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Bases baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const double began = cpu_seconds();
-        const auto packed = wire::encode_frame(frames[i], bases, spec, codec);
+        const auto packed = wire::encode_frame(frames[i], baselines, spec, codec);
         const double encoded = cpu_seconds();
-        const auto back = wire::decode_frame(frames[i].frame, packed, bases, spec,
+        const auto back = wire::decode_frame(frames[i].frame, packed, baselines, spec,
                                              wire::default_entities_max, codec);
         row.decode_us += 1e6 * (cpu_seconds() - encoded);
         row.encode_us += 1e6 * (encoded - began);
@@ -120,7 +120,7 @@ bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire
         std::fprintf(stderr, "jostle-bench: %s\n", recorded.error().message.c_str());
         return false;
     }
-    for (const int base : flags.bases)
+    for (const int base : flags.baselines)
         for (const char* codec : {"1", "2", "giesen"}) {
             const auto age = static_cast<std::size_t>(base);
             Row row{.codec = codec, .base = base, .m = spec.rotation_component};
@@ -167,7 +167,7 @@ void add_network(CLI::App& app, int& status) {
     command->add_option("--seconds", flags->seconds, "Of the scene")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
-    command->add_option("--base", flags->bases, "Ticks between a frame and its base; with commas")
+    command->add_option("--base", flags->baselines, "Ticks between a frame and its base; with commas")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Range(1, 15));

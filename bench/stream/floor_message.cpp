@@ -10,7 +10,7 @@ namespace jostle::bench {
 FloorMessage make_floor_message(int bytes, std::uint32_t frame) {
     v1::Snapshot snapshot;
     snapshot.set_frame(frame);
-    snapshot.set_bases(1);
+    snapshot.set_baselines(1);
     snapshot.set_crc(frame);
     const auto rest = bytes - static_cast<int>(snapshot.ByteSizeLong());
     std::string packed(static_cast<std::size_t>(rest > 3 ? rest - 3 : 0), '\0');

@@ -83,7 +83,7 @@ Status check(const Config& c) {
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"tick.rewind_ms_max", c.tick.rewind_ms_max, 0, 2000},
         {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
-        {"stream.ack_ms", c.stream.ack_ms, 1, 1000},
+        {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
         {"stream.cell_m", c.stream.cell_m, 1, 100000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},

@@ -102,7 +102,7 @@ Setters setters_of(Config& c) {
         {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
         {"tick.rewind_ms_max", into(c.tick.rewind_ms_max)},
         {"stream.ack_window_max", into(c.stream.ack_window_max)},
-        {"stream.ack_ms", into(c.stream.ack_ms)},
+        {"stream.ack_interval_ms", into(c.stream.ack_interval_ms)},
         {"stream.cell_m", into(c.stream.cell_m)},
         {"stream.heartbeats_per_second", into(c.stream.heartbeats_per_second)},
         {"stream.hello_seconds", into(c.stream.hello_seconds)},

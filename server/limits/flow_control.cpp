@@ -41,7 +41,7 @@ FlowControl::FlowControl(const StreamSettings& settings, double hz, int divider)
 // While the rate rises the window goes by what arrived: it bounds what a rate that is too high
 // adds.
 int FlowControl::window() const {
-    const double way_s = rtt_min_s_ + settings_.ack_ms / 1000.0 + slack_s;
+    const double way_s = rtt_min_s_ + settings_.ack_interval_ms / 1000.0 + slack_s;
     const double rate = limited_ ? std::min(rate_, delivered_rate_) : rate_;
     const int wanted = static_cast<int>(std::lround(rate * way_s));
     return std::clamp(std::min(wanted, window_learned_), window_min, settings_.ack_window_max);

@@ -127,8 +127,8 @@ Result<Action> action_of(const v1::Input& input) {
 }
 
 Ack decode(const v1::Ack& ack) {
-    return {ack.frame(), ack.need_keyframe(), std::min(ack.held_ms(), ack_held_ms_max),
-            ack.before()};
+    return {ack.frame(), ack.need_keyframe(), std::min(ack.ack_delay_ms(), ack_delay_ms_max),
+            ack.ack_bits()};
 }
 
 Result<Interest> decode(const v1::Interest& interest) {

@@ -22,7 +22,7 @@ inline constexpr std::size_t client_name_bytes_max = 32;
 inline constexpr int hello_channels_max = 64;
 inline constexpr std::size_t resume_token_bytes_max = 256;
 inline constexpr std::uint32_t hello_kbps_min = 16;
-inline constexpr std::uint32_t ack_held_ms_max = 60'000;
+inline constexpr std::uint32_t ack_delay_ms_max = 60'000;
 
 struct Hello {
     std::uint32_t protocol = 0;
@@ -46,8 +46,8 @@ struct Hello {
 struct Ack {
     std::uint32_t frame = 0;
     bool need_keyframe = false;
-    std::uint32_t held_ms = 0;
-    std::uint32_t before = 0;  // bit k: frame - 1 - k was decoded, too
+    std::uint32_t ack_delay_ms = 0;
+    std::uint32_t ack_bits = 0;  // bit k: frame - 1 - k was decoded, too
 };
 struct InputBatch {
     std::uint32_t first_sequence = 0;

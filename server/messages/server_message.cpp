@@ -67,7 +67,7 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_tick(from.tick);
     welcome.set_tick_hz(from.tick_hz);
     welcome.set_snapshot_hz(from.snapshot_hz);
-    welcome.set_ack_ms(from.ack_ms);
+    welcome.set_ack_interval_ms(from.ack_interval_ms);
     v1::QuantSpec& quant = *welcome.mutable_quant();
     quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
     quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
@@ -84,7 +84,7 @@ std::string encode_welcome(const Welcome& from) {
     }
     welcome.set_resume_token(from.resume_token);
     welcome.set_resumed(from.resumed);
-    welcome.set_continues(from.continues);
+    welcome.set_state_preserved(from.state_preserved);
     welcome.set_last_sequence(from.last_sequence);
     welcome.set_resume_seconds(from.resume_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
@@ -139,11 +139,11 @@ std::string encode_notice(NoticeKind kind, const std::string& text) {
 std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
     snapshot.set_frame(encoded.frame);
-    snapshot.set_bases(wire::encode_base_frames(encoded.frame, encoded.bases));
+    snapshot.set_baselines(wire::encode_base_frames(encoded.frame, encoded.baselines));
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
     snapshot.set_late_us(encoded.late_us);
-    snapshot.set_still(encoded.still);
+    snapshot.set_unchanged_ticks(encoded.unchanged_ticks);
     if (const auto& told = encoded.channels; !told.bytes.empty()) {
         snapshot.set_channels(told.bytes.data(), told.bytes.size());
         snapshot.set_channels_crc(told.crc);
@@ -172,7 +172,7 @@ std::string encode_cell_field(const EncodedCell& from) {
     v1::CellUpdate& cell = *fields.add_cells();
     cell.set_cell(from.id);
     cell.set_number(from.number);
-    cell.set_bases(wire::encode_base_frames(from.number, from.bases));
+    cell.set_baselines(wire::encode_base_frames(from.number, from.baselines));
     cell.set_packed(from.packed.data(), from.packed.size());
     cell.set_crc(from.crc);
     return fields.SerializeAsString();

@@ -24,7 +24,7 @@ struct Welcome {
     std::uint32_t tick = 0;
     double tick_hz = 0;
     std::uint32_t snapshot_hz = 0;
-    std::uint32_t ack_ms = 0;
+    std::uint32_t ack_interval_ms = 0;
     wire::QuantSpec quant;
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
@@ -38,7 +38,7 @@ struct Welcome {
     };
     std::optional<Datagrams> datagrams = {};
     std::string resume_token = {};  // empty: its place is not kept
-    bool resumed = false, continues = false;
+    bool resumed = false, state_preserved = false;
     std::uint32_t last_sequence = 0;
     double resume_seconds = 0;
 };

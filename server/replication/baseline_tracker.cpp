@@ -9,19 +9,19 @@ constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 betwee
 }  // namespace
 
 wire::BaseFrames BaselineTracker::bases_for(std::uint32_t frame) const {
-    wire::BaseFrames bases;
-    if (sent_.empty() || frame - sent_.back() > oldest_base) return bases;
-    bases.base = sent_.back();
+    wire::BaseFrames baselines;
+    if (sent_.empty() || frame - sent_.back() > oldest_base) return baselines;
+    baselines.base = sent_.back();
     // The newest sent frame that is at least half of dt1 before `before`.
-    const std::uint32_t apart = (frame - bases.base + 1) / 2;
+    const std::uint32_t apart = (frame - baselines.base + 1) / 2;
     const auto older = [&](std::uint32_t before) -> std::uint32_t {
         for (auto at = sent_.rbegin(); at != sent_.rend(); ++at)
             if (*at + apart <= before) return before - *at > oldest_base ? 0 : *at;
         return 0;
     };
-    bases.base2 = older(bases.base);
-    if (bases.base2 != 0) bases.base3 = older(bases.base2);
-    return bases;
+    baselines.base2 = older(baselines.base);
+    if (baselines.base2 != 0) baselines.base3 = older(baselines.base2);
+    return baselines;
 }
 
 bool BaselineTracker::go_back_to(std::uint32_t frame) {

@@ -54,32 +54,32 @@ const wire::QuantizedFrame* CellFeed::find(const History& history, std::uint32_t
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames bases, wire::Codec codec) {
+SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames baselines, wire::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
     // made for one client.
     const auto known = histories_.find(state.id);
-    if (known == histories_.end()) return encode({}, state, bases, codec);
+    if (known == histories_.end()) return encode({}, state, baselines, codec);
     History& history = known->second;
-    if (history.states.back().number != state.number) return encode(history, state, bases, codec);
-    SharedBytes& bytes = history.encodings[{bases, codec}];
-    if (!bytes) bytes = encode(history, state, bases, codec);
+    if (history.states.back().number != state.number) return encode(history, state, baselines, codec);
+    SharedBytes& bytes = history.encodings[{baselines, codec}];
+    if (!bytes) bytes = encode(history, state, baselines, codec);
     return bytes;
 }
 
-SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaseFrames bases,
+SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaseFrames baselines,
                              wire::Codec codec) const {
-    const wire::QuantizedFrame* base = bases.base != 0 ? find(history, bases.base) : nullptr;
+    const wire::QuantizedFrame* base = baselines.base != 0 ? find(history, baselines.base) : nullptr;
     const wire::QuantizedFrame* base2 =
-        base && bases.base2 != 0 ? find(history, bases.base2) : nullptr;
+        base && baselines.base2 != 0 ? find(history, baselines.base2) : nullptr;
     const wire::QuantizedFrame* base3 =
-        base2 && bases.base3 != 0 ? find(history, bases.base3) : nullptr;
-    const wire::BaseFrames used{base ? bases.base : 0, base2 ? bases.base2 : 0,
-                                base3 ? bases.base3 : 0};
+        base2 && baselines.base3 != 0 ? find(history, baselines.base3) : nullptr;
+    const wire::BaseFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
+                                base3 ? baselines.base3 : 0};
     return std::make_shared<const std::string>(serialize_(
         {.id = state.id,
          .number = state.number,
-         .bases = used,
+         .baselines = used,
          .packed = wire::encode_frame(*state.content, {base, base2, base3}, spec_, codec),
          .crc = state.crc}));
 }

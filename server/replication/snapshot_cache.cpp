@@ -20,7 +20,7 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
 }
 
 // For so long all was as in the base, and changed at most in the frame's own tick.
-std::uint32_t still_ticks(const Frame& frame, const Frame& base) {
+std::uint32_t unchanged_ticks(const Frame& frame, const Frame& base) {
     if (frame.changed_at <= base.tick) return frame.tick - base.tick;
     const bool held = frame.changed_at == frame.tick && frame.before_changed_at <= base.tick;
     return held ? frame.tick - 1 - base.tick : 0;
@@ -118,16 +118,16 @@ std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const 
     return runs;
 }
 
-SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames bases,
+SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames baselines,
                                     std::uint64_t kinds, std::optional<wire::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
     // Each base makes sense only with the one before it, in falling order.
-    const Entry* base = bases.base < frame->tick ? find(bases.base) : nullptr;
-    const Entry* base2 = base && bases.base2 < bases.base ? find(bases.base2) : nullptr;
-    const Entry* base3 = base2 && bases.base3 < bases.base2 ? find(bases.base3) : nullptr;
-    const wire::BaseFrames used{base ? bases.base : 0, base2 ? bases.base2 : 0,
-                                base3 ? bases.base3 : 0};
+    const Entry* base = baselines.base < frame->tick ? find(baselines.base) : nullptr;
+    const Entry* base2 = base && baselines.base2 < baselines.base ? find(baselines.base2) : nullptr;
+    const Entry* base3 = base2 && baselines.base3 < baselines.base2 ? find(baselines.base3) : nullptr;
+    const wire::BaseFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
+                                base3 ? baselines.base3 : 0};
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     wire::PackedChannels channels;
@@ -139,28 +139,28 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
     if (!bytes)
         bytes = std::make_shared<const std::string>(
             serialize_({.frame = frame->tick,
-                        .bases = used,
+                        .baselines = used,
                         .packed = poses ? packed(entry, used, *poses) : std::vector<std::byte>(),
                         .crc = poses ? entry.crc : 0,
                         .late_us = frame->late_us,
-                        .still = base ? still_ticks(*frame, *base->frame) : 0,
+                        .unchanged_ticks = base ? unchanged_ticks(*frame, *base->frame) : 0,
                         .channels = std::move(channels)}));
     return entry.encodings[{used, kinds, poses}] = bytes;
 }
 
-const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& bases,
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& baselines,
                                                     wire::Codec codec) {
-    const auto [at, fresh] = entry.packed.try_emplace({bases, codec});
+    const auto [at, fresh] = entry.packed.try_emplace({baselines, codec});
     if (!fresh) return at->second;
     const auto poses = [&](std::uint32_t number) {
         const Entry* base = number != 0 ? find(number) : nullptr;
         return base ? &base->quantized : nullptr;
     };
-    const Entry* const base = find(bases.base);
+    const Entry* const base = find(baselines.base);
     const std::vector<wire::QuietRun> quiet =
         base ? quiet_runs(entry, *base) : std::vector<wire::QuietRun>();
     at->second = wire::encode_frame(entry.quantized,
-                                    {poses(bases.base), poses(bases.base2), poses(bases.base3)},
+                                    {poses(baselines.base), poses(baselines.base2), poses(baselines.base3)},
                                     spec_, codec, quiet);
     made_++;
     return at->second;

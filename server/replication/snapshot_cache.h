@@ -28,11 +28,11 @@ using SharedBytes = std::shared_ptr<const std::string>;
 // What an encoding is made of; `serialize` turns it into the bytes that clients share.
 struct EncodedSnapshot {
     std::uint32_t frame = 0;
-    wire::BaseFrames bases;
+    wire::BaseFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     std::int64_t late_us = 0;
-    std::uint32_t still = 0;        // ticks after the base in which nothing changed
+    std::uint32_t unchanged_ticks = 0;        // ticks after the base in which nothing changed
     wire::PackedChannels channels;  // of the kinds that were asked for, against the base
 };
 
@@ -48,7 +48,7 @@ public:
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
     // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
     // null.
-    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames bases, std::uint64_t kinds = 0,
+    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames baselines, std::uint64_t kinds = 0,
                          std::optional<wire::Codec> poses = wire::Codec::bits);
     // The frame's entities as integers.
     wire::QuantizedFrame quantized(const FramePtr& frame);
@@ -62,7 +62,7 @@ public:
 
 private:
     struct Asked {
-        wire::BaseFrames bases;
+        wire::BaseFrames baselines;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
         std::optional<wire::Codec> poses;
 
@@ -82,7 +82,7 @@ private:
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
     // channels with them.
-    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& bases,
+    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& baselines,
                                          wire::Codec codec);
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* before, Entry oldest) const;

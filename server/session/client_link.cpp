@@ -225,7 +225,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .tick = frame->tick,
                     .tick_hz = world->hz(),
                     .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-                    .ack_ms = static_cast<std::uint32_t>(context_.config.stream.ack_ms),
+                    .ack_interval_ms = static_cast<std::uint32_t>(context_.config.stream.ack_interval_ms),
                     .quant = feed_->snapshots().spec(),
                     .server_time_us = to_us(now),
                     .epoch_us = world->epoch_us(),
@@ -236,7 +236,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .cells = sight_ != nullptr,
                     .resume_token = seat_ ? seat_->token : std::string(),
                     .resumed = lost != nullptr,
-                    .continues = gone.has_value(),
+                    .state_preserved = gone.has_value(),
                     .last_sequence = confirmed(),
                     .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
     offer_datagrams(hello, welcome);
@@ -297,7 +297,7 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
 }
 
 void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
-    flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.held_ms), now);
+    flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.ack_delay_ms), now);
     sent_.on_ack(ack.frame);
     if (lane_) lane_->on_ack(ack.frame, ack.before, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;

@@ -29,7 +29,7 @@ OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
             more_to_tell_ = true;
             continue;
         }
-        SharedBytes bytes = feed_->cells().encoding(part.state, part.bases, codec_);
+        SharedBytes bytes = feed_->cells().encoding(part.state, part.baselines, codec_);
         if (!sight_->affords(bytes->size(), part.fresh)) {
             more_to_tell_ = true;
             if (part.fresh) continue;

@@ -221,7 +221,7 @@ std::uint32_t ClientLink::newest_sent() const {
 OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                                    std::vector<SharedBytes> cells) {
     if (lane_)
-        if (auto bases = lane_->take_stream_bases()) baselines_ = *std::move(bases);
+        if (auto baselines = lane_->take_stream_bases()) baselines_ = *std::move(baselines);
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =

@@ -66,16 +66,16 @@ private:
     }
 
     bool put_crc(v1::Snapshot& snapshot) const {
-        wire::Bases bases;
-        const auto told = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+        wire::Bases baselines;
+        const auto told = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
         const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
-        const wire::QuantizedFrame** const slots[] = {&bases.base, &bases.base2, &bases.base3};
+        const wire::QuantizedFrame** const slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
         const auto frame = wire::decode_frame(
-            snapshot.frame(), {bytes, snapshot.packed().size()}, bases, conversation_.view().spec(),
+            snapshot.frame(), {bytes, snapshot.packed().size()}, baselines, conversation_.view().spec(),
             wire::default_entities_max, conversation_.view().codec());
         if (!frame.ok()) return false;
         snapshot.set_crc(wire::frame_crc(*frame));

@@ -16,17 +16,17 @@ void run(Bytes input) {
         Reader head(record.bytes);
         // Mostly the next one, seldom so far ahead that it is refused.
         const std::uint32_t number = ring.newest() + 1 + head.number<std::uint8_t>();
-        const wire::Bases bases = ring.bases(record.kind);
+        const wire::Bases baselines = ring.baselines(record.kind);
         const wire::Codec codec = codec_of(record.kind);
-        const auto frame = wire::decode_frame(number, bytes_of(head.rest()), bases, spec,
+        const auto frame = wire::decode_frame(number, bytes_of(head.rest()), baselines, spec,
                                               wire::default_entities_max, codec);
         if (!frame.ok()) {
             expect(!frame.error().message.empty(), "a refusal has a reason");
             continue;
         }
-        const auto packed = wire::encode_frame(*frame, bases, spec, codec);
+        const auto packed = wire::encode_frame(*frame, baselines, spec, codec);
         const auto again =
-            wire::decode_frame(number, packed, bases, spec, wire::default_entities_max, codec);
+            wire::decode_frame(number, packed, baselines, spec, wire::default_entities_max, codec);
         expect(again.ok() && *again == *frame, "a frame is the same when it was sent on");
         expect(wire::frame_crc(*again) == wire::frame_crc(*frame), "and so is its CRC");
         ring.add(std::move(*frame));

@@ -80,11 +80,11 @@ void run(Bytes input) {
         const auto choice = in.number<std::uint8_t>();
         entities = next(entities, in, spec);
         const wire::QuantizedFrame frame{.frame = number, .entities = entities};
-        const wire::Bases bases = ring.bases(choice);
+        const wire::Bases baselines = ring.baselines(choice);
         const wire::Codec codec = codec_of(choice);
-        const auto packed = wire::encode_frame(frame, bases, spec, codec);
+        const auto packed = wire::encode_frame(frame, baselines, spec, codec);
         const auto decoded =
-            wire::decode_frame(number, packed, bases, spec, wire::default_entities_max, codec);
+            wire::decode_frame(number, packed, baselines, spec, wire::default_entities_max, codec);
         expect(decoded.ok(),
                decoded.ok() ? "" : "what was encoded is refused: " + decoded.error().message);
         expect(*decoded == frame, "what was encoded is decoded");

@@ -19,9 +19,9 @@ public:
     }
     std::uint32_t newest() const { return frames_.empty() ? 0 : frames_.back().frame; }
     // Two bits each say how far back the next base lies; 0 ends the list.
-    wire::Bases bases(std::uint8_t choice) const {
-        wire::Bases bases;
-        const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    wire::Bases baselines(std::uint8_t choice) const {
+        wire::Bases baselines;
+        const wire::QuantizedFrame** slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
         std::size_t back = 0;
         for (const auto slot : slots) {
             const std::size_t step = choice & 3;
@@ -30,7 +30,7 @@ public:
             if (step == 0 || back > frames_.size()) break;
             *slot = &frames_[frames_.size() - back];
         }
-        return bases;
+        return baselines;
     }
 
 private:

@@ -215,8 +215,8 @@ std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
             encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, golden.spec, codec);
         std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
         bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
-        const int bases = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
-        const int kind = (0b010101 & ((1 << 2 * bases) - 1)) | (codec == wire::Codec::range) << 7;
+        const int baselines = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
+        const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range) << 7;
         out += record(static_cast<std::uint8_t>(kind), bytes);
         newest = g.frame.frame;
     }
@@ -578,7 +578,7 @@ void write_sink_streams(const fs::path& folder) {
     v1::ServerMessage welcome, snapshot;
     welcome.mutable_welcome()->set_client_id(1);
     welcome.mutable_welcome()->set_tick_hz(60);
-    welcome.mutable_welcome()->set_ack_ms(100);
+    welcome.mutable_welcome()->set_ack_interval_ms(100);
     snapshot.mutable_snapshot()->set_frame(5);
     snapshot.mutable_snapshot()->set_late_us(-100);
     std::string raw("\1"), socket("\0HTTP/1.1 101 x\r\ns3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n\r\n", 49);

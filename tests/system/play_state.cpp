@@ -108,7 +108,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     const std::string name = "snapshot " + std::to_string(snapshot.frame());
     snapshots++;
     snapshot_bytes += snapshot.packed().size();
-    keyframes += snapshot.bases() == 0;
+    keyframes += snapshot.baselines() == 0;
     stats += snapshot.has_stats();
     if (const std::uint32_t told = snapshot.client_update().snapshots_skipped(); told != 0) skipped = told;
     if (const std::int32_t told = snapshot.client_update().input_margin_us(); told != 0)
@@ -122,14 +122,14 @@ void PlayState::take(const v1::Snapshot& snapshot) {
                name + " refers to frame " + std::to_string(frame) + ", which was never sent");
         return base;
     };
-    const auto told_bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+    const auto told_bases = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
     expect(told_bases.ok(), name + " names bases that cannot be");
     if (!told_bases.ok()) return;
-    const wire::Bases bases{base_of(told_bases->base), base_of(told_bases->base2),
+    const wire::Bases baselines{base_of(told_bases->base), base_of(told_bases->base2),
                             base_of(told_bases->base3)};
     const auto frame =
         welcome.cells() ? seen_by_cells(snapshot, name)
-                        : decoded(name, snapshot.frame(), snapshot.packed(), bases, snapshot.crc());
+                        : decoded(name, snapshot.frame(), snapshot.packed(), baselines, snapshot.crc());
     if (!frame) return;
     expect(std::ranges::all_of(frame->entities,
                                [&](const auto& entity) { return entities.contains(entity.id); }),
@@ -146,11 +146,11 @@ void PlayState::take(const v1::Snapshot& snapshot) {
 std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
                                                        std::uint32_t number,
                                                        const std::string& packed,
-                                                       const wire::Bases& bases,
+                                                       const wire::Bases& baselines,
                                                        std::uint32_t crc) {
     const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
                                static_cast<std::int32_t>(welcome.quant().rotation_component())};
-    auto frame = wire::decode_frame(number, std::as_bytes(std::span(packed)), bases, spec,
+    auto frame = wire::decode_frame(number, std::as_bytes(std::span(packed)), baselines, spec,
                                     wire::default_entities_max,
                                     static_cast<wire::Codec>(std::max(1u, welcome.codec())));
     expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
@@ -172,14 +172,14 @@ std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot&
             expect(number == 0 || states.contains(number), cell + " refers to a state never sent");
             return number != 0 && states.contains(number) ? &states[number] : nullptr;
         };
-        const auto told = wire::decode_base_frames(part.number(), part.bases());
+        const auto told = wire::decode_base_frames(part.number(), part.baselines());
         expect(told.ok(), cell + " names bases that cannot be");
         if (!told.ok()) return std::nullopt;
         auto state =
             decoded(cell, part.number(), part.packed(),
                     {base_of(told->base), base_of(told->base2), base_of(told->base3)}, part.crc());
         if (!state) return std::nullopt;
-        if (part.bases() == 0) states.clear();
+        if (part.baselines() == 0) states.clear();
         states[part.number()] = *std::move(state);
     }
     std::map<std::uint32_t, std::pair<std::uint32_t, wire::EntityState>> newest;

@@ -72,9 +72,9 @@ void SinkConversation::on_welcome(Bytes bytes) {
     client_id_ = welcome.client_id();
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
     tick_us_ = welcome.tick_hz() > 0 ? 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5) : 0;
-    if (wishes_.ack_every == 0 && welcome.ack_ms() > 0) {
+    if (wishes_.ack_every == 0 && welcome.ack_interval_ms() > 0) {
         ack_every_ = 0;
-        ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_ms(), ack_ms_max));
+        ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_interval_ms(), ack_ms_max));
     }
 }
 
@@ -247,7 +247,7 @@ bool SinkConversation::ack_is_due(Clock::time_point now) const {
 void SinkConversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
-    ack.set_held_ms(static_cast<std::uint32_t>(
+    ack.set_ack_delay_ms(static_cast<std::uint32_t>(
         std::chrono::duration_cast<std::chrono::milliseconds>(now - heard_).count()));
     unacked_ = 0;
     last_ack_ = now;

@@ -12,8 +12,8 @@ describe('base frames', () => {
   });
 
   it('that no encoder writes are refused', () => {
-    for (const bases of [255, 256, 1 | (255 << 8) | (1 << 16), 1 | (1 << 24), 10, 5 | (5 << 8), 0xffffffff])
-      expect(() => baseFrames(10, bases), `${bases}`).toThrow();
+    for (const baselines of [255, 256, 1 | (255 << 8) | (1 << 16), 1 | (1 << 24), 10, 5 | (5 << 8), 0xffffffff])
+      expect(() => baseFrames(10, baselines), `${baselines}`).toThrow();
     expect(baseFrames(10, 3)).toEqual([7, 4, 1]);
     expect(() => baseFrames(9, 3)).toThrow(/before the first frame/);
   });

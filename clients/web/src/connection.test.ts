@@ -131,7 +131,7 @@ describe('connection', () => {
     welcome();
     sockets[0]!.take();
     for (const frame of [50, 51])
-      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, bases: frame - 49, packed: new Uint8Array(1) } } });
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, baselines: frame - 49, packed: new Uint8Array(1) } } });
     const acks = sockets[0]!.take().filter((m) => m.case === 'ack');
     expect(acks[0]!.value.needKeyframe).toBe(true);
     expect(connection.decodeErrors).toBe(1);
@@ -156,8 +156,8 @@ describe('connection', () => {
   it('sees a flipped bit by the CRC, asks for a keyframe once and is right again', () => {
     welcome();
     sockets[0]!.take();
-    const give = (frame: number, bases: number, bytes: number[], crc = 0) =>
-      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, bases, packed: new Uint8Array(bytes), crc } } });
+    const give = (frame: number, baselines: number, bytes: number[], crc = 0) =>
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, baselines, packed: new Uint8Array(bytes), crc } } });
     give(50, 0, [0, 0]); // a world without bodies
     give(51, 1 | (255 << 8), [0, 0x40]); // one bit of its zeros
     give(52, 1 | (255 << 8), [0, 0]); // against the one that was not understood
@@ -177,8 +177,8 @@ describe('connection', () => {
     const [first, second, empty] = [golden[golden[k]!.base - 1]!, golden[k]!, { packed: new Uint8Array(), crc: 0 }];
     const give = (frame: number, baseFrame: number, told: { packed: Uint8Array; crc: number }) => {
       const packed = new Uint8Array(2); // a world without bodies, absolute or against another; its CRC is 0
-      const bases = baseFrame === 0 ? 0 : (frame - baseFrame) | (255 << 8);
-      const value = { frame, bases, packed, crc: 0, channels: told.packed, channelsCrc: told.crc };
+      const baselines = baseFrame === 0 ? 0 : (frame - baseFrame) | (255 << 8);
+      const value = { frame, baselines, packed, crc: 0, channels: told.packed, channelsCrc: told.crc };
       sockets[0]!.give({ message: { case: 'snapshot', value } });
     };
     const told = () => connection.frames.newest?.channels;
@@ -243,7 +243,7 @@ describe('connection', () => {
     vi.advanceTimersByTime(34);
     const [batch] = sockets[1]!.take().filter((m) => m.case === 'input');
     expect([batch!.value.firstSequence, batch!.value.inputs.length]).toEqual([2, 2]);
-    sockets[1]!.give({ message: { case: 'snapshot', value: { frame: 53, bases: 3 | (255 << 8), packed: new Uint8Array(2) } } });
+    sockets[1]!.give({ message: { case: 'snapshot', value: { frame: 53, baselines: 3 | (255 << 8), packed: new Uint8Array(2) } } });
     expect(connection.frames.newest?.frame).toBe(53);
     expect([connection.decodeErrors, connection.resumed]).toEqual([0, 1]);
     connection.join('pyramid'); // who leaves has no place to come back to

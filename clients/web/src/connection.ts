@@ -324,7 +324,7 @@ export class Connection {
     if (welcome.resumed) this.inputs.goOnAfter(welcome.lastSequence);
     else this.inputs.beginAnew();
     this.resumed += welcome.resumed ? 1 : 0;
-    if (!welcome.continues) {
+    if (!welcome.statePreserved) {
       this.forgetTheWorld(welcome);
       this.foresees?.begin(welcome);
     }
@@ -380,23 +380,23 @@ export class Connection {
 
   private decode(s: Snapshot): void {
     try {
-      const bases = baseFrames(s.frame, s.bases);
-      const [base, base2, base3] = bases.map((number) => {
+      const baselines = baseFrames(s.frame, s.baselines);
+      const [base, base2, base3] = baselines.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
       const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, base2, base3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
-      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(bases[0]));
-      if (s.still > 0) this.frames.hold(this.dueUs(bases[0] + s.still, s.lateUs));
+      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(baselines[0]));
+      if (s.unchangedTicks > 0) this.frames.hold(this.dueUs(baselines[0] + s.unchangedTicks, s.lateUs));
       const blends = this.welcome?.cells ? this.cells.blends(s.frame) : undefined;
       const told = this.frames.add(frame, serverUs, this.spec, channels, blends, 1e6 / (this.welcome?.tickHz || 60));
       this.needKeyframe = false;
       this.snapshots++;
       this.decodedAt = nowUs();
       const arrived = nowUs();
-      this.renderClock.onFrame(serverUs, arrived, s.still > 0);
+      this.renderClock.onFrame(serverUs, arrived, s.unchangedTicks > 0);
       if (this.clock.ready) {
         const agoUs = this.clock.serverUs(arrived) - serverUs;
         this.ageMs = agoUs / 1000;
@@ -411,8 +411,8 @@ export class Connection {
     }
   }
 
-  private wholeOf(s: Snapshot, bases: Bases): QuantizedFrame {
-    const frame = decodeFrame(s.frame, s.packed, bases, this.spec, undefined, this.codec);
+  private wholeOf(s: Snapshot, baselines: Bases): QuantizedFrame {
+    const frame = decodeFrame(s.frame, s.packed, baselines, this.spec, undefined, this.codec);
     if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
     return frame;
   }
@@ -447,13 +447,13 @@ export class Connection {
     return create(AckSchema, {
       frame: this.frames.newest?.frame ?? 0,
       needKeyframe: this.needKeyframe,
-      heldMs: this.decodedAt === 0 ? 0 : Math.floor((this.lastAck - this.decodedAt) / 1000),
+      ackDelayMs: this.decodedAt === 0 ? 0 : Math.floor((this.lastAck - this.decodedAt) / 1000),
     });
   }
 
   private sendAckIfDue(): void {
     if (!this.ackDue) return;
-    const dueUs = this.lastAck + (this.welcome?.ackMs ?? 0) * 1000;
+    const dueUs = this.lastAck + (this.welcome?.ackIntervalMs ?? 0) * 1000;
     if (this.needKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
   }
 

@@ -26,7 +26,7 @@ function readGolden(name: string) {
         atRest: view.getUint8(at + 23) === 1,
       });
     const packed = new Uint8Array(bytes.subarray(at, (at += size!)));
-    return { frame: frame!, bases: [base!, base2!, base3!], crc: crc!, entities, packed };
+    return { frame: frame!, baselines: [base!, base2!, base3!], crc: crc!, entities, packed };
   });
   expect(at).toBe(bytes.length);
   return { codec, spec, frames };
@@ -41,7 +41,7 @@ describe('golden frames', () => {
     const { codec, spec, frames } = readGolden(name);
     const decoded = new Map<number, QuantizedFrame>();
     for (const golden of frames) {
-      const [base, base2, base3] = golden.bases.map((number) => decoded.get(number));
+      const [base, base2, base3] = golden.baselines.map((number) => decoded.get(number));
       const frame = decodeFrame(golden.frame, golden.packed, { base, base2, base3 }, spec, 1000, codec);
       expect(frame.entities).toEqual(golden.entities);
       expect(frameCrc(frame)).toBe(golden.crc);

@@ -51,10 +51,10 @@ class BitFrameReader {
     this.in = new BitReader(packed);
   }
 
-  decode(bases: Bases, t: Spacing, maxEntities: number): EntityState[] {
-    const removed = new Set(this.readPositions(bases.base?.entities.length ?? 0, 'removed'));
-    const survivors = survivorsOf(bases, removed);
-    const spawned = this.readSpawned(bases, maxEntities - survivors.length);
+  decode(baselines: Bases, t: Spacing, maxEntities: number): EntityState[] {
+    const removed = new Set(this.readPositions(baselines.base?.entities.length ?? 0, 'removed'));
+    const survivors = survivorsOf(baselines, removed);
+    const spawned = this.readSpawned(baselines, maxEntities - survivors.length);
     const kept = this.readSurvivors(survivors, t);
     if (!this.in.atCleanEnd()) this.fail('bits are left over or missing');
     return merge(kept, spawned);
@@ -105,11 +105,11 @@ class BitFrameReader {
     return v;
   }
 
-  private readSpawned(bases: Bases, limit: number): EntityState[] {
+  private readSpawned(baselines: Bases, limit: number): EntityState[] {
     const count = this.in.expGolomb(0);
     this.checkEnd();
     if (count > limit) this.fail('spawned: more entities than the limit');
-    const known = new Finder(bases.base);
+    const known = new Finder(baselines.base);
     const out: EntityState[] = [];
     let nextId = 1;
     for (let i = 0; i < count; i++) {
@@ -184,25 +184,25 @@ class BitFrameReader {
 export function decodeFrame(
   frame: number,
   packed: Uint8Array,
-  bases: Bases,
+  baselines: Bases,
   spec: QuantSpec,
   maxEntities = 1 << 20,
   codec = 1,
 ): QuantizedFrame {
   if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
   if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
-  const base2 = bases.base ? bases.base2 : undefined;
-  const base3 = base2 ? bases.base3 : undefined;
+  const base2 = baselines.base ? baselines.base2 : undefined;
+  const base3 = base2 ? baselines.base3 : undefined;
   const t: Spacing = {
-    dt1: bases.base ? frame - bases.base.frame : 1,
-    dt2: bases.base && base2 ? bases.base.frame - base2.frame : 1,
+    dt1: baselines.base ? frame - baselines.base.frame : 1,
+    dt2: baselines.base && base2 ? baselines.base.frame - base2.frame : 1,
     dt3: base2 && base3 ? base2.frame - base3.frame : 1,
   };
   for (const dt of [t.dt1, t.dt2, t.dt3])
     if (dt < 1 || dt > MAX_SPACING)
-      throw new DecodeError(`frame ${frame} is not 1 to 255 ticks after its bases`);
+      throw new DecodeError(`frame ${frame} is not 1 to 255 ticks after its baselines`);
   const reader = codec === 2 ? new RangeFrameReader(packed, spec) : new BitFrameReader(packed, spec);
-  const entities = reader.decode({ base: bases.base, base2, base3 }, t, maxEntities);
+  const entities = reader.decode({ base: baselines.base, base2, base3 }, t, maxEntities);
   return { frame, entities };
 }
 

@@ -85,11 +85,11 @@ export class Finder {
 }
 
 /** Entities of the base that are still there; `removed` are positions in it. */
-export function survivorsOf(bases: Bases, removed: Set<number>): Survivor[] {
-  const in2 = new Finder(bases.base2);
-  const in3 = new Finder(bases.base2 ? bases.base3 : undefined);
+export function survivorsOf(baselines: Bases, removed: Set<number>): Survivor[] {
+  const in2 = new Finder(baselines.base2);
+  const in3 = new Finder(baselines.base2 ? baselines.base3 : undefined);
   const out: Survivor[] = [];
-  (bases.base?.entities ?? []).forEach((b1, i) => {
+  (baselines.base?.entities ?? []).forEach((b1, i) => {
     if (removed.has(i)) return;
     const b2 = in2.find(b1.id);
     out.push({ b1, b2, b3: b2 ? in3.find(b1.id) : undefined });

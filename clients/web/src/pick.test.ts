@@ -45,8 +45,8 @@ function fieldAndCone(): SceneView {
     {
       frame: 1,
       entities: [
-        { id: 1, position: [0, 0, 0], ...still },
-        { id: 2, position: [5 * 512, 0, 0], ...still },
+        { id: 1, position: [0, 0, 0], ...unchangedTicks },
+        { id: 2, position: [5 * 512, 0, 0], ...unchangedTicks },
       ],
     },
     0,

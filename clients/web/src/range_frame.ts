@@ -57,15 +57,15 @@ export class RangeFrameReader {
     private readonly spec: QuantSpec,
   ) {}
 
-  decode(bases: Bases, t: Spacing, maxEntities: number): EntityState[] {
+  decode(baselines: Bases, t: Spacing, maxEntities: number): EntityState[] {
     this.in = new RangeDecoder(this.packed, M.freshModels(t.dt1));
-    const inBase = bases.base?.entities.length ?? 0;
+    const inBase = baselines.base?.entities.length ?? 0;
     const changes = this.in.bit(M.CHANGES_ENTITIES);
     const removed = changes ? this.readRemoved(inBase) : new Set<number>();
     const limit = maxEntities - (inBase - removed.size);
     if (limit < 0) this.fail('more entities than the limit');
-    const spawned = changes ? this.readSpawned(bases, limit) : [];
-    const kept = this.readSurvivors(survivorsOf(bases, removed), t);
+    const spawned = changes ? this.readSpawned(baselines, limit) : [];
+    const kept = this.readSurvivors(survivorsOf(baselines, removed), t);
     this.checkEnd();
     if (!this.in.atCleanEnd) this.fail('bytes are left over');
     return merge(kept, spawned);
@@ -126,10 +126,10 @@ export class RangeFrameReader {
     return positions;
   }
 
-  private readSpawned(bases: Bases, limit: number): EntityState[] {
+  private readSpawned(baselines: Bases, limit: number): EntityState[] {
     const total = this.count(M.SPAWNED);
     if (total > limit) this.fail('spawned: more entities than the limit');
-    const known = new Finder(bases.base);
+    const known = new Finder(baselines.base);
     const out: EntityState[] = [];
     let before = NOBODY;
     for (let i = 0; i < total; i++) {

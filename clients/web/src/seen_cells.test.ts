@@ -6,10 +6,10 @@ import { SeenCells, type CellUpdate } from './seen_cells';
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 
 // A cell without entities, absolute or against another: its CRC is 0.
-const empty = (cell: number, number: number, bases = 0): CellUpdate => ({
+const empty = (cell: number, number: number, baselines = 0): CellUpdate => ({
   cell,
   number,
-  bases,
+  baselines,
   packed: new Uint8Array(2),
   crc: 0,
 });

@@ -7,7 +7,7 @@ import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, t
 export interface CellUpdate {
   readonly cell: number;
   readonly number: number;
-  readonly bases: number;
+  readonly baselines: number;
   readonly packed: Uint8Array;
   readonly crc: number;
 }
@@ -98,9 +98,9 @@ export class SeenCells {
   private decode(part: CellUpdate, spec: QuantSpec, codec: number): QuantizedFrame {
     const known = this.cells.get(part.cell) ?? [];
     const name = `cell ${part.cell} of tick ${part.number}`;
-    if (part.bases !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)
+    if (part.baselines !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)
       throw new DecodeError(`${name} is not newer than the last one`);
-    const [base, base2, base3] = baseFrames(part.number, part.bases).map((number) => {
+    const [base, base2, base3] = baseFrames(part.number, part.baselines).map((number) => {
       const state = known.find((k) => k.frame === number);
       if (number !== 0 && !state) throw new DecodeError(`${name}: its state ${number} is not known`);
       return state;

@@ -10,16 +10,16 @@ constexpr std::uint32_t no_base = 255, as_before = 0;
 
 }  // namespace
 
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& bases) {
-    if (bases.base == 0) return 0;
-    const std::uint32_t first = frame - bases.base;
+std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& baselines) {
+    if (baselines.base == 0) return 0;
+    const std::uint32_t first = frame - baselines.base;
     const auto later = [](std::uint32_t from, std::uint32_t to, std::uint32_t usual) {
         if (to == 0) return no_base;
         return from - to == usual ? as_before : from - to;
     };
-    const std::uint32_t second = later(bases.base, bases.base2, first);
-    if (bases.base2 == 0) return first | second << 8;
-    return first | second << 8 | later(bases.base2, bases.base3, bases.base - bases.base2) << 16;
+    const std::uint32_t second = later(baselines.base, baselines.base2, first);
+    if (baselines.base2 == 0) return first | second << 8;
+    return first | second << 8 | later(baselines.base2, baselines.base3, baselines.base - baselines.base2) << 16;
 }
 
 Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code) {
@@ -27,25 +27,25 @@ Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code) {
         return Error{ErrorCode::corrupt_data,
                      "frame " + std::to_string(frame) + ": bases " + std::to_string(code) + why};
     };
-    BaseFrames bases;
-    if (code == 0) return bases;
+    BaseFrames baselines;
+    if (code == 0) return baselines;
     std::uint32_t distance = code & 255, second = code >> 8 & 255, third = code >> 16;
     if (distance == as_before || distance == no_base || third > no_base)
         return refuse(" are no distances of 1 to 254");
     if (distance >= frame) return refuse(" lie before the first frame");
-    bases.base = frame - distance;
+    baselines.base = frame - distance;
     if (second == no_base) {
         if (third != 0) return refuse(" have a third without a second");
-        return bases;
+        return baselines;
     }
     distance = second == as_before ? distance : second;
-    if (distance >= bases.base) return refuse(" lie before the first frame");
-    bases.base2 = bases.base - distance;
-    if (third == no_base) return bases;
+    if (distance >= baselines.base) return refuse(" lie before the first frame");
+    baselines.base2 = baselines.base - distance;
+    if (third == no_base) return baselines;
     distance = third == as_before ? distance : third;
-    if (distance >= bases.base2) return refuse(" lie before the first frame");
-    bases.base3 = bases.base2 - distance;
-    return bases;
+    if (distance >= baselines.base2) return refuse(" lie before the first frame");
+    baselines.base3 = baselines.base2 - distance;
+    return baselines;
 }
 
 }  // namespace jostle::wire

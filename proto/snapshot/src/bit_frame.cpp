@@ -146,15 +146,15 @@ public:
     BitFrameReader(std::span<const std::byte> packed, const QuantSpec& spec)
         : in_(packed), spec_(spec) {}
 
-    Result<std::vector<EntityState>> decode(const Bases& bases, const Spacing& t,
+    Result<std::vector<EntityState>> decode(const Bases& baselines, const Spacing& t,
                                             std::size_t max_entities) {
         std::vector<std::size_t> removed;
-        const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
+        const std::size_t in_base = baselines.base ? baselines.base->entities.size() : 0;
         if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
-        const std::vector<Survivor> survivors = survivors_of(bases, removed);
+        const std::vector<Survivor> survivors = survivors_of(baselines, removed);
         std::vector<EntityState> spawned;
         if (survivors.size() > max_entities ||
-            !read_spawned(spawned, bases, max_entities - survivors.size()))
+            !read_spawned(spawned, baselines, max_entities - survivors.size()))
             return corrupt(error_.empty() ? "more entities than the limit" : error_);
         std::vector<EntityState> kept;
         if (!read_survivors(kept, survivors, t)) return corrupt(error_);
@@ -200,12 +200,12 @@ private:
                fail("a rotation that is none");
     }
 
-    bool read_spawned(std::vector<EntityState>& spawned, const Bases& bases, std::size_t limit) {
+    bool read_spawned(std::vector<EntityState>& spawned, const Bases& baselines, std::size_t limit) {
         const std::uint64_t count = in_.exp_golomb(0);
         if (ended()) return false;
         if (count > limit) return fail("spawned: more entities than the limit");
         std::uint64_t next_id = 1;
-        Finder in_base(bases.base);
+        Finder in_base(baselines.base);
         for (std::uint64_t i = 0; i < count; i++) {
             const std::uint64_t id = next_id + in_.exp_golomb(gap_order);
             if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
@@ -291,9 +291,9 @@ std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
 }
 
 Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,
-                                                  const Bases& bases, const Spacing& t,
+                                                  const Bases& baselines, const Spacing& t,
                                                   const QuantSpec& spec, std::size_t max_entities) {
-    return BitFrameReader(packed, spec).decode(bases, t, max_entities);
+    return BitFrameReader(packed, spec).decode(baselines, t, max_entities);
 }
 
 }  // namespace jostle::wire

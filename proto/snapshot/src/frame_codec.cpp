@@ -24,18 +24,18 @@ bool usable(const QuantSpec& spec) {
 
 }  // namespace
 
-std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& bases,
+std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& baselines,
                                     const QuantSpec& spec, Codec codec,
                                     std::span<const QuietRun> quiet) {
     const Succession to =
-        quiet.empty() ? succession_of(frame, bases) : succession_of(frame, bases, quiet);
-    const Spacing t = spacing_of(frame.frame, bases);
-    return codec == Codec::range ? encode_range_frame(to, bases, t, spec)
+        quiet.empty() ? succession_of(frame, baselines) : succession_of(frame, baselines, quiet);
+    const Spacing t = spacing_of(frame.frame, baselines);
+    return codec == Codec::range ? encode_range_frame(to, baselines, t, spec)
                                  : encode_bit_frame(to, t, spec);
 }
 
 Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
-                                    const Bases& bases, const QuantSpec& spec,
+                                    const Bases& baselines, const QuantSpec& spec,
                                     std::size_t max_entities, Codec codec) {
     if (!usable(spec))
         return corrupt("the quantisation is out of range: " + std::to_string(spec.units_per_meter) +
@@ -45,13 +45,13 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
     if (codec != Codec::bits && codec != Codec::range)
         return corrupt("codec " + std::to_string(static_cast<std::uint32_t>(codec)) +
                        " is not known; 1 and 2 are");
-    const Spacing t = spacing_of(frame_number, bases);
+    const Spacing t = spacing_of(frame_number, baselines);
     if (!in_range(t))
         return corrupt("frame " + std::to_string(frame_number) +
                        " is not 1 to 255 ticks after its bases");
     Result<std::vector<EntityState>> entities =
-        codec == Codec::range ? decode_range_frame(packed, bases, t, spec, max_entities)
-                              : decode_bit_frame(packed, bases, t, spec, max_entities);
+        codec == Codec::range ? decode_range_frame(packed, baselines, t, spec, max_entities)
+                              : decode_bit_frame(packed, baselines, t, spec, max_entities);
     if (!entities.ok()) return entities.error();
     return QuantizedFrame{.frame = frame_number, .entities = std::move(*entities)};
 }

@@ -5,20 +5,20 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& bases,
+std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& baselines,
                                           const Spacing& t, const QuantSpec& spec) {
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;
     RangeWalk walk(out, models, spec);
     WalkedLists lists = lists_of(to);
-    walk.entities(lists, bases, to.kept.size() + to.spawned.size());
+    walk.entities(lists, baselines, to.kept.size() + to.spawned.size());
     std::vector<EntityState> none;
     walk.survivors(to.kept, none, to.survivors, t, to.quiet_after);
     return out.finish();
 }
 
 Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> packed,
-                                                    const Bases& bases, const Spacing& t,
+                                                    const Bases& baselines, const Spacing& t,
                                                     const QuantSpec& spec,
                                                     std::size_t max_entities) {
     FrameModels models = start_models(t.dt1);
@@ -28,8 +28,8 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
         return corrupt(what + " (at byte " + std::to_string(in.byte_position()) + ")");
     };
     WalkedLists lists;
-    if (!walk.entities(lists, bases, max_entities)) return at(walk.fault());
-    const std::vector<Survivor> survivors = survivors_of(bases, lists.removed);
+    if (!walk.entities(lists, baselines, max_entities)) return at(walk.fault());
+    const std::vector<Survivor> survivors = survivors_of(baselines, lists.removed);
     if (survivors.size() > max_entities) return at("more entities than the limit");
     std::vector<EntityState> kept;
     kept.reserve(survivors.size());

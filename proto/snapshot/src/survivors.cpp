@@ -8,11 +8,11 @@
 
 namespace jostle::wire {
 
-std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::size_t>& removed) {
-    if (!bases.base) return {};
-    const std::vector<EntityState>& base = bases.base->entities;
+std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std::size_t>& removed) {
+    if (!baselines.base) return {};
+    const std::vector<EntityState>& base = baselines.base->entities;
     std::vector<Survivor> survivors(base.size() - removed.size());
-    Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
+    Finder in_base2(baselines.base2), in_base3(baselines.base2 ? baselines.base3 : nullptr);
     std::size_t next_removed = 0, next = 0;
     for (std::size_t i = 0; i < base.size(); i++) {
         if (next_removed < removed.size() && removed[next_removed] == i) {
@@ -28,18 +28,18 @@ std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::si
     return survivors;
 }
 
-Spacing spacing_of(std::uint32_t frame, const Bases& bases) {
+Spacing spacing_of(std::uint32_t frame, const Bases& baselines) {
     Spacing t;
-    if (bases.base) t.dt1 = std::int64_t{frame} - bases.base->frame;
-    if (bases.base2) t.dt2 = std::int64_t{bases.base->frame} - bases.base2->frame;
-    if (bases.base2 && bases.base3) t.dt3 = std::int64_t{bases.base2->frame} - bases.base3->frame;
+    if (baselines.base) t.dt1 = std::int64_t{frame} - baselines.base->frame;
+    if (baselines.base2) t.dt2 = std::int64_t{baselines.base->frame} - baselines.base2->frame;
+    if (baselines.base2 && baselines.base3) t.dt3 = std::int64_t{baselines.base2->frame} - baselines.base3->frame;
     return t;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Bases& bases) {
+Succession succession_of(const QuantizedFrame& frame, const Bases& baselines) {
     Succession to;
     static const std::vector<EntityState> nobody;
-    const std::vector<EntityState>&base = bases.base ? bases.base->entities : nobody,
+    const std::vector<EntityState>&base = baselines.base ? baselines.base->entities : nobody,
           &now = frame.entities;
     to.kept.resize(std::min(base.size(), now.size()));
     std::size_t i = 0, k = 0, kept = 0;
@@ -56,18 +56,18 @@ Succession succession_of(const QuantizedFrame& frame, const Bases& bases) {
     while (i < base.size()) to.removed.push_back(i++);
     while (k < now.size()) to.spawned.push_back(&now[k++]);
     to.kept.resize(kept);
-    to.survivors = survivors_of(bases, to.removed);
+    to.survivors = survivors_of(baselines, to.removed);
     return to;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Bases& bases,
+Succession succession_of(const QuantizedFrame& frame, const Bases& baselines,
                          std::span<const QuietRun> quiet) {
     Succession to;
-    Finder in_base2(bases.base2), in_base3(bases.base2 ? bases.base3 : nullptr);
+    Finder in_base2(baselines.base2), in_base3(baselines.base2 ? baselines.base3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {
         for (; at < end; at++) {
-            Survivor s{.base = &bases.base->entities[at],
+            Survivor s{.base = &baselines.base->entities[at],
                        .quiet_before = std::exchange(left_out, 0)};
             if (!s.base->at_rest) s.base2 = in_base2.find(s.base->id);
             if (s.base2) s.base3 = in_base3.find(s.base->id);

@@ -19,13 +19,13 @@ TEST(BaseFrames, every_set_of_bases_comes_back) {
         for (const std::uint32_t b : {0u, 1u, 2u, 7u, 254u})
             for (const std::uint32_t c : {0u, 1u, 2u, 7u, 254u}) {
                 const std::uint32_t frame = 0xffffff00;
-                BaseFrames bases;
-                if (a != 0) bases.base = frame - a;
-                if (a != 0 && b != 0) bases.base2 = bases.base - b;
-                if (bases.base2 != 0 && c != 0) bases.base3 = bases.base2 - c;
-                const auto back = decode_base_frames(frame, encode_base_frames(frame, bases));
+                BaseFrames baselines;
+                if (a != 0) baselines.base = frame - a;
+                if (a != 0 && b != 0) baselines.base2 = baselines.base - b;
+                if (baselines.base2 != 0 && c != 0) baselines.base3 = baselines.base2 - c;
+                const auto back = decode_base_frames(frame, encode_base_frames(frame, baselines));
                 ASSERT_TRUE(back.ok()) << back.error().message;
-                EXPECT_EQ(*back, bases);
+                EXPECT_EQ(*back, baselines);
                 sets++;
             }
     EXPECT_EQ(sets, 125);

@@ -25,10 +25,10 @@ const QuantizedFrame* at(const std::vector<QuantizedFrame>& frames, std::ptrdiff
 constexpr Codec codecs[] = {Codec::bits, Codec::range};
 constexpr std::size_t most_entities = 1u << 20;
 
-void expect_round_trip(const QuantizedFrame& frame, const Bases& bases, const QuantSpec& spec) {
+void expect_round_trip(const QuantizedFrame& frame, const Bases& baselines, const QuantSpec& spec) {
     for (const Codec codec : codecs) {
-        const auto bytes = encode_frame(frame, bases, spec, codec);
-        const auto back = decode_frame(frame.frame, bytes, bases, spec, most_entities, codec);
+        const auto bytes = encode_frame(frame, baselines, spec, codec);
+        const auto back = decode_frame(frame.frame, bytes, baselines, spec, most_entities, codec);
         ASSERT_TRUE(back.ok()) << back.error().message << " in frame " << frame.frame;
         ASSERT_EQ(*back, frame);
         ASSERT_EQ(frame_crc(*back), frame_crc(frame));
@@ -71,10 +71,10 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
             }
             begin = end + 1 + random() % 50;
         }
-        const Bases bases{&frames[2], &frames[1], round % 3 == 0 ? nullptr : &frames[0]};
+        const Bases baselines{&frames[2], &frames[1], round % 3 == 0 ? nullptr : &frames[0]};
         for (const Codec codec : codecs)
-            EXPECT_EQ(encode_frame(frames[3], bases, {}, codec, quiet),
-                      encode_frame(frames[3], bases, {}, codec));
+            EXPECT_EQ(encode_frame(frames[3], baselines, {}, codec, quiet),
+                      encode_frame(frames[3], baselines, {}, codec));
         std::vector<std::uint32_t> blocks;
         for (std::size_t end = crc_block; end <= bodies; end += crc_block)
             blocks.push_back(
@@ -125,13 +125,13 @@ TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
 
 TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
     const auto frames = run(21, 50, 8, {});
-    const Bases bases{at(frames, 6), at(frames, 5), at(frames, 4)};
+    const Bases baselines{at(frames, 6), at(frames, 5), at(frames, 4)};
     const std::uint32_t crc = frame_crc(frames[7]);
     for (const Codec codec : codecs) {
-        const auto good = encode_frame(frames[7], bases, {}, codec);
+        const auto good = encode_frame(frames[7], baselines, {}, codec);
         for (std::size_t size = 0; size < good.size(); size++) {
             const auto back =
-                decode_frame(8, std::span(good).first(size), bases, {}, most_entities, codec);
+                decode_frame(8, std::span(good).first(size), baselines, {}, most_entities, codec);
             EXPECT_TRUE(!back.ok() || frame_crc(*back) != crc) << "cut at " << size;
         }
         Random random(1);
@@ -142,7 +142,7 @@ TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
                 bad[random.below(static_cast<std::uint32_t>(bad.size()))] ^=
                     static_cast<std::byte>(1u << random.below(8));
             if (bad == good) continue;
-            const auto back = decode_frame(8, bad, bases, {}, most_entities, codec);
+            const auto back = decode_frame(8, bad, baselines, {}, most_entities, codec);
             if (back.ok()) {
                 the_same += *back == frames[7] ? 1 : 0;
             } else {
@@ -181,11 +181,11 @@ TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
 
 TEST(FrameCodec, a_quantisation_that_would_break_the_arithmetic_is_refused) {
     const auto frames = run(4, 20, 4, {.calm = 0});
-    const Bases bases{at(frames, 2), at(frames, 1), at(frames, 0)};
-    const auto bytes = encode_frame(frames[3], bases, {});
+    const Bases baselines{at(frames, 2), at(frames, 1), at(frames, 0)};
+    const auto bytes = encode_frame(frames[3], baselines, {});
     for (const QuantSpec bad : {QuantSpec{0, 511}, QuantSpec{-1, 511}, QuantSpec{512, 0},
                                 QuantSpec{512, -1}, QuantSpec{512, 16384}, QuantSpec{65537, 511}}) {
-        const auto back = decode_frame(4, bytes, bases, bad);
+        const auto back = decode_frame(4, bytes, baselines, bad);
         ASSERT_FALSE(back.ok());
         EXPECT_NE(back.error().message.find("quantisation"), std::string::npos)
             << back.error().message;

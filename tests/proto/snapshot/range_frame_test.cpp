@@ -32,9 +32,9 @@ std::vector<std::byte> told(WalkedLists lists, const QuantizedFrame* base) {
     return out.finish();
 }
 
-std::string refusal(const std::vector<std::byte>& bytes, const Bases& bases,
+std::string refusal(const std::vector<std::byte>& bytes, const Bases& baselines,
                     std::size_t limit = most) {
-    const auto back = decode_frame(2, bytes, bases, {}, limit, Codec::range);
+    const auto back = decode_frame(2, bytes, baselines, {}, limit, Codec::range);
     return back.ok() ? "" : back.error().message;
 }
 
@@ -47,9 +47,9 @@ TEST(RangeFrame, takes_less_than_three_quarters_of_codec_1_where_bodies_fly_and_
     for (std::uint32_t f = 1; f <= 40; f++) {
         frames.push_back(world.step(f, {}));
         if (f < 4) continue;
-        const Bases bases{&frames[f - 2], &frames[f - 3], &frames[f - 4]};
-        bits += encode_frame(frames.back(), bases, {}, Codec::bits).size();
-        range += encode_frame(frames.back(), bases, {}, Codec::range).size();
+        const Bases baselines{&frames[f - 2], &frames[f - 3], &frames[f - 4]};
+        bits += encode_frame(frames.back(), baselines, {}, Codec::bits).size();
+        range += encode_frame(frames.back(), baselines, {}, Codec::range).size();
     }
     RecordProperty("share", std::to_string(static_cast<double>(range) / static_cast<double>(bits)));
     EXPECT_LT(range, bits * 3 / 4);
@@ -88,16 +88,16 @@ TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
         refusal(wakes, {&three, nullptr, nullptr}),
         "a run of resting entities past the end (at byte " + std::to_string(wakes.size()) + ")");
 
-    const Bases bases{&three, nullptr, nullptr};
+    const Bases baselines{&three, nullptr, nullptr};
     const auto has = [](const std::string& message, const char* what) {
         EXPECT_EQ(message.rfind(what, 0), 0u) << what << ": " << message;
         EXPECT_NE(message.find(" (at byte "), std::string::npos) << message;
     };
-    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), bases),
+    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), baselines),
         "removed: more than there are");
-    has(refusal(told({.removed = {7}, .spawned = {}}, &ten), bases),
+    has(refusal(told({.removed = {7}, .spawned = {}}, &ten), baselines),
         "removed: a position past the end");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}}, &three), bases),
+    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}}, &three), baselines),
         "spawned: an id that the base has");
     has(refusal(told({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}}, nullptr), {}),
         "spawned: an id beyond 32 bits");
@@ -108,7 +108,7 @@ TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
         "a rotation that is none");
     has(refusal(encode_frame(resting(2, 3), {}, {}, Codec::range), {}, 2),
         "spawned: more entities than the limit");
-    has(refusal(encode_frame(resting(2, 3), bases, {}, Codec::range), bases, 2),
+    has(refusal(encode_frame(resting(2, 3), baselines, {}, Codec::range), baselines, 2),
         "more entities than the limit");
 
     MovingWorld world(3, 50, {});

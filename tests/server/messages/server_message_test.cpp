@@ -16,11 +16,11 @@ v1::ServerMessage parse(const std::string& bytes) {
 
 TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
     const EncodedSnapshot encoded{.frame = 300,
-                                  .bases = {299, 298, 297},
+                                  .baselines = {299, 298, 297},
                                   .packed = {std::byte{1}, std::byte{0}, std::byte{255}},
                                   .crc = 0xdeadbeef,
                                   .late_us = -123456,
-                                  .still = 3};
+                                  .unchanged_ticks = 3};
     const std::string shared = encode_shared_snapshot(encoded);
     for (const ClientUpdate own :
          {ClientUpdate{}, ClientUpdate{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
@@ -28,11 +28,11 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();
         EXPECT_EQ(snapshot.frame(), 300u);
-        EXPECT_EQ(snapshot.bases(), 1u) << "each one before the other";
+        EXPECT_EQ(snapshot.baselines(), 1u) << "each one before the other";
         EXPECT_EQ(snapshot.packed(), std::string("\x01\x00\xff", 3));
         EXPECT_EQ(snapshot.crc(), 0xdeadbeef);
         EXPECT_EQ(snapshot.late_us(), -123456);
-        EXPECT_EQ(snapshot.still(), 3u);
+        EXPECT_EQ(snapshot.unchanged_ticks(), 3u);
         EXPECT_EQ(snapshot.client_update().input_sequence(), own.input_sequence);
         EXPECT_EQ(snapshot.client_update().echo_client_time_us(), own.echo_client_time_us);
         EXPECT_EQ(snapshot.client_update().snapshots_skipped(), own.snapshots_skipped);
@@ -42,7 +42,7 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
 
 TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seventeen_bytes) {
     const EncodedSnapshot encoded{
-        .frame = 1'000'000, .bases = {999'999, 999'998, 999'997}, .packed = {}, .crc = 0xdeadbeef};
+        .frame = 1'000'000, .baselines = {999'999, 999'998, 999'997}, .packed = {}, .crc = 0xdeadbeef};
     EncodedSnapshot with_body = encoded;
     with_body.packed.resize(1000, std::byte{7});
     const auto size = [](const EncodedSnapshot& snapshot) {

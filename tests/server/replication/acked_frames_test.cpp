@@ -25,10 +25,10 @@ TEST(AckedFrames, bases_are_the_newest_that_the_client_has_though_others_were_lo
     send(frames, 1, 10);
     frames.on_ack(8, 0b1101);  // 7, 5 and 4, but not 6
     EXPECT_EQ(frames.newest(), 8u);
-    const wire::BaseFrames bases = frames.bases_for(11);
-    EXPECT_EQ(bases.base, 8u);
-    EXPECT_EQ(bases.base2, 5u) << "at least half as far back as the base: 6 was lost";
-    EXPECT_EQ(bases.base3, 0u);
+    const wire::BaseFrames baselines = frames.bases_for(11);
+    EXPECT_EQ(baselines.base, 8u);
+    EXPECT_EQ(baselines.base2, 5u) << "at least half as far back as the base: 6 was lost";
+    EXPECT_EQ(baselines.base3, 0u);
 }
 
 TEST(AckedFrames, an_ack_of_what_was_never_sent_counts_for_nothing) {

@@ -60,8 +60,8 @@ struct Field {
 
 // Our bytes for the test: six numbers, then the packed cell.
 std::string put_cell(const EncodedCell& cell) {
-    const std::uint32_t head[] = {cell.id,          cell.number,      cell.bases.base,
-                                  cell.bases.base2, cell.bases.base3, cell.crc};
+    const std::uint32_t head[] = {cell.id,          cell.number,      cell.baselines.base,
+                                  cell.baselines.base2, cell.baselines.base3, cell.crc};
     std::string bytes(sizeof head + cell.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, cell.packed.data(), cell.packed.size());
@@ -84,7 +84,7 @@ struct Eyes {
         });
         std::size_t bytes = 0;
         for (const auto& part : view.wanted(feed, *cells, number, at(number))) {
-            const SharedBytes sent = feed.encoding(part.state, part.bases, wire::Codec::bits);
+            const SharedBytes sent = feed.encoding(part.state, part.baselines, wire::Codec::bits);
             if (!view.affords(sent->size(), part.fresh)) {
                 if (part.fresh) continue;
                 break;

@@ -33,7 +33,7 @@ FramePtr frame_at(std::uint32_t tick) {
 
 // Our bytes for the test: four numbers, then the packed frame.
 std::string serialize(const EncodedSnapshot& s) {
-    const std::uint32_t head[] = {s.frame, s.bases.base, s.bases.base2, s.bases.base3, s.crc};
+    const std::uint32_t head[] = {s.frame, s.baselines.base, s.baselines.base2, s.baselines.base3, s.crc};
     std::string bytes(sizeof head + s.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, s.packed.data(), s.packed.size());
@@ -53,7 +53,7 @@ struct Receiver {
             EXPECT_EQ(number, 0u) << "refers to a frame that was not sent";
             return nullptr;
         };
-        bases = {head[1], head[2], head[3]};
+        baselines = {head[1], head[2], head[3]};
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
         auto frame =
             wire::decode_frame(head[0], packed, {base(head[1]), base(head[2]), base(head[3])}, {});
@@ -63,7 +63,7 @@ struct Receiver {
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;
-    wire::BaseFrames bases;
+    wire::BaseFrames baselines;
 };
 
 TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
@@ -110,9 +110,9 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
         }
     }
     for (int c = 0; c < 3; ++c) {
-        EXPECT_EQ(receivers[c].bases.base, receivers[c].ring.rbegin()[1].frame)
+        EXPECT_EQ(receivers[c].baselines.base, receivers[c].ring.rbegin()[1].frame)
             << "the last one sent";
-        EXPECT_NE(receivers[c].bases.base3, 0u);
+        EXPECT_NE(receivers[c].baselines.base3, 0u);
     }
 }
 
@@ -166,7 +166,7 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
     receiver.take(*cache.encoding(frame_at(60), slow.bases_for(60)));
-    EXPECT_EQ(receiver.bases, wire::BaseFrames{});
+    EXPECT_EQ(receiver.baselines, wire::BaseFrames{});
 }
 
 TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
@@ -213,9 +213,9 @@ struct ChannelTeller {
     static Channel channel(std::uint32_t kind, std::int32_t value) {
         return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
-    SharedBytes encode(std::uint32_t tick, wire::BaseFrames bases, std::uint64_t kinds) {
+    SharedBytes encode(std::uint32_t tick, wire::BaseFrames baselines, std::uint64_t kinds) {
         told = {};
-        return cache.encoding(frames.at(tick), bases, kinds);
+        return cache.encoding(frames.at(tick), baselines, kinds);
     }
     void frame(std::uint32_t tick, Channels channels) {
         auto frame = std::make_shared<Frame>();
@@ -234,7 +234,7 @@ struct ChannelTeller {
 TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that_changed) {
     ChannelTeller teller;
     const auto channel = ChannelTeller::channel;
-    const Channel still = channel(0, 7);
+    const Channel unchanged_ticks = channel(0, 7);
     teller.frame(1, {still, channel(1, 1)});
     teller.frame(2, {still, channel(1, 2)});
     teller.frame(3, {still, channel(1, 2)});

@@ -74,7 +74,7 @@ struct TestClient {
             kinds.push_back(message.message_case());
             if (message.has_snapshot()) {
                 newest_shared = out->shared;
-                newest_bases = message.snapshot().bases();
+                newest_bases = message.snapshot().baselines();
             }
             state.take(message);
         }
@@ -249,7 +249,7 @@ TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
     // Four messages until the first is acknowledged, of which the welcome and the roster are two.
     EXPECT_FALSE(client.listen_until([&] { return client.state.snapshots > 2; }, false));
     EXPECT_EQ(client.state.snapshots, 2);
-    EXPECT_EQ(client.state.welcome.ack_ms(), 100u);
+    EXPECT_EQ(client.state.welcome.ack_interval_ms(), 100u);
     client.ack(client.state.newest_frame);
     EXPECT_TRUE(client.listen_until([&] { return client.state.skipped > 0; }));
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;

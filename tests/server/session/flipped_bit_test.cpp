@@ -42,7 +42,7 @@ Flipped flip_a_bit(client::ClientOptions options, std::size_t bit) {
         if (!message.ParseFromString(bytes) || !message.has_snapshot()) return;
         v1::Snapshot& snapshot = *message.mutable_snapshot();
         const bool absolute =
-            snapshot.cells_size() == 0 ? snapshot.bases() == 0 : snapshot.cells(0).bases() == 0;
+            snapshot.cells_size() == 0 ? snapshot.baselines() == 0 : snapshot.cells(0).baselines() == 0;
         seen.keyframes += absolute ? 1 : 0;
         std::string& packed = snapshot.cells_size() == 0
                                   ? *snapshot.mutable_packed()

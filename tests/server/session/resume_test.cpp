@@ -185,7 +185,7 @@ TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
         v1::ServerMessage message;
         ASSERT_TRUE(message.ParseFromString(bytes));
         snapshots += message.has_snapshot() ? 1 : 0;
-        absolute += message.has_snapshot() && message.snapshot().bases() == 0 ? 1 : 0;
+        absolute += message.has_snapshot() && message.snapshot().baselines() == 0 ? 1 : 0;
         roster_entities += message.entity_update().added_size();
     };
     player.conversation.send(falling_ball(0));

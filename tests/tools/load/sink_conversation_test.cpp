@@ -29,10 +29,10 @@ struct Talk {
         sink.receive(as_bytes(message.SerializeAsString()), now);
     }
     // Tick 0 was due at noon, and a tick is 10 ms.
-    void welcome(std::uint32_t ack_ms = 0) {
+    void welcome(std::uint32_t ack_interval_ms = 0) {
         v1::ServerMessage message;
         message.mutable_welcome()->set_client_id(7);
-        message.mutable_welcome()->set_ack_ms(ack_ms);
+        message.mutable_welcome()->set_ack_interval_ms(ack_interval_ms);
         message.mutable_welcome()->set_tick_hz(100);
         message.mutable_welcome()->set_epoch_us(client::to_us(noon));
         hear(message);

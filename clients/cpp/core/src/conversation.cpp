@@ -162,7 +162,7 @@ void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
         begin_anew();
     stats_.resumed += welcome.resumed() ? 1 : 0;
     resume_token_ = welcome.resume_token();
-    if (welcome.continues()) {
+    if (welcome.state_preserved()) {
         view_.go_on(welcome);
     } else {
         view_.begin(welcome);
@@ -173,7 +173,7 @@ void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     stats_.connected = true;
     stats_.client_id = welcome.client_id();
-    ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_ms(), ack_ms_max));
+    ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_interval_ms(), ack_ms_max));
     if (options_.datagrams && welcome.has_datagrams()) ticket_ = welcome.datagrams();
     inputs_.keep(ticket_.has_value() || !resume_token_.empty());
 }
@@ -272,9 +272,9 @@ void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
     if (decoded_at_ != Clock::time_point{})
-        ack.set_held_ms(static_cast<std::uint32_t>(
+        ack.set_ack_delay_ms(static_cast<std::uint32_t>(
             std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
-    if (ticket_) ack.set_before(view_.known_before());
+    if (ticket_) ack.set_ack_bits(view_.known_before());
     ack_due_ = datagram_ack_due_ = keyframe_wanted_ = false;
     last_ack_ = now;
 }

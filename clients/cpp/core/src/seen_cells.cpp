@@ -17,13 +17,13 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
                                                wire::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaseFrames> told = wire::decode_base_frames(part.number(), part.bases());
+    const Result<wire::BaseFrames> told = wire::decode_base_frames(part.number(), part.baselines());
     if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
     const auto known = cells_.find(part.cell());
-    if (known != cells_.end() && part.bases() != 0 && part.number() <= known->second.back().frame)
+    if (known != cells_.end() && part.baselines() != 0 && part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    wire::Bases bases;
-    const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    wire::Bases baselines;
+    const wire::QuantizedFrame** slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
     const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {
         if (known != cells_.end())
@@ -34,7 +34,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
                          name + ": its state " + std::to_string(numbers[k]) + " is not known"};
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(part.packed().data());
-    auto state = wire::decode_frame(part.number(), {bytes, part.packed().size()}, bases, spec,
+    auto state = wire::decode_frame(part.number(), {bytes, part.packed().size()}, baselines, spec,
                                     wire::default_entities_max, codec);
     if (!state.ok()) return Error{state.error().code, name + ": " + state.error().message};
     if (wire::frame_crc(*state) != part.crc())

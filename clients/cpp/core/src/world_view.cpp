@@ -116,11 +116,11 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
     const Result<wire::BaseFrames> told_bases =
-        wire::decode_base_frames(snapshot.frame(), snapshot.bases());
+        wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
     if (!told_bases.ok()) return told_bases.error();
     const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};
-    wire::Bases bases;
-    const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    wire::Bases baselines;
+    const wire::QuantizedFrame** slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
     const wire::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
@@ -134,7 +134,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    auto decoded = poses_of(snapshot, bases);
+    auto decoded = poses_of(snapshot, baselines);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
     Result<wire::Channels> channels = wire::decode_channels(
@@ -148,7 +148,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
 
 // Either a whole frame, or the cells that are in sight.
 Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
-                                                 const wire::Bases& bases) {
+                                                 const wire::Bases& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
         wire::QuantizedFrame seen = cells_->frame(snapshot.frame());
@@ -157,7 +157,7 @@ Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
         return seen;
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases,
+    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, baselines,
                                       spec_, wire::default_entities_max, codec_);
     if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, "the CRC does not match"};
@@ -178,10 +178,10 @@ WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
         return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
     };
     Times times{.due_us = due(snapshot.frame())};
-    const auto bases = wire::decode_base_frames(snapshot.frame(), snapshot.bases());
-    if (!bases.ok() || bases->base == 0 || snapshot.still() == 0) return times;
-    if (snapshot.still() <= snapshot.frame() - bases->base)
-        times.still_until_us = due(bases->base + snapshot.still());
+    const auto baselines = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
+    if (!baselines.ok() || baselines->base == 0 || snapshot.still() == 0) return times;
+    if (snapshot.still() <= snapshot.frame() - baselines->base)
+        times.still_until_us = due(baselines->base + snapshot.still());
     return times;
 }
 

@@ -32,7 +32,7 @@ void count_snapshot(RecordingSummary& summary, const RecordingReader::Record& re
     const v1::Snapshot& snapshot = record.message.snapshot();
     if (summary.first_tick == 0) summary.first_tick = snapshot.frame();
     summary.last_tick = snapshot.frame();
-    if (snapshot.bases() != 0) return;
+    if (snapshot.baselines() != 0) return;
     summary.keyframes++;
     summary.keyframe_bytes += record.bytes;
 }

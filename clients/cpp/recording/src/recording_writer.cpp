@@ -68,7 +68,7 @@ void RecordingWriter::count() {
     const v1::Snapshot& snapshot = message_.snapshot();
     if (counts_.snapshots++ == 0) counts_.first_tick = snapshot.frame();
     counts_.last_tick = snapshot.frame();
-    if (snapshot.bases() == 0) counts_.keyframes++;
+    if (snapshot.baselines() == 0) counts_.keyframes++;
 }
 
 Status RecordingWriter::finish() {

@@ -68,7 +68,7 @@ export class Recording {
         bytes: bytes.subarray(at + HEAD_BYTES, at + HEAD_BYTES + length),
         frame: snapshot?.frame ?? 0,
         dueUs,
-        keyframe: snapshot?.bases === 0,
+        keyframe: snapshot?.baselines === 0,
         standing: message.case === 'roster' || message.case === 'geometry',
       });
       at += HEAD_BYTES + length;

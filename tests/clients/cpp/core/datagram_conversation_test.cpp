@@ -22,7 +22,7 @@ struct DatagramConversationTest : testing::Test {
         v1::Welcome& welcome = *message.mutable_welcome();
         welcome.mutable_quant()->set_units_per_meter(512);
         welcome.mutable_quant()->set_rotation_component(511);
-        welcome.set_ack_ms(100);
+        welcome.set_ack_interval_ms(100);
         welcome.mutable_datagrams()->set_port(7);
         conversation.receive(message.SerializeAsString(), now);
         ASSERT_TRUE(conversation.datagram_ticket());

@@ -22,7 +22,7 @@ struct BaseFrames {
 inline constexpr std::uint32_t base_distance_max = 254;
 
 // 0: no base. The bases are within reach of the frame and of each other.
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& bases);
+std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& baselines);
 // corrupt_data: a base would be before frame 1, or the number has other bits.
 Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code);
 

@@ -36,15 +36,15 @@ public:
         : coder_(coder), models_(models), spec_(spec) {}
 
     // Who goes and comes. False: a decoder found a fault().
-    bool entities(WalkedLists& lists, const Bases& bases, std::size_t max_entities) {
+    bool entities(WalkedLists& lists, const Bases& baselines, std::size_t max_entities) {
         const bool any =
             coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
         if (!any) return true;
-        const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
+        const std::size_t in_base = baselines.base ? baselines.base->entities.size() : 0;
         if (!removed(lists.removed, in_base)) return false;
         const std::size_t survive = in_base - lists.removed.size();
         if (survive > max_entities) return fail("more entities than the limit");
-        return spawned(lists.spawned, bases, max_entities - survive);
+        return spawned(lists.spawned, baselines, max_entities - survive);
     }
 
     // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
@@ -152,10 +152,10 @@ private:
         return !ended();
     }
 
-    bool spawned(std::vector<EntityState>& states, const Bases& bases, std::size_t limit) {
+    bool spawned(std::vector<EntityState>& states, const Bases& baselines, std::size_t limit) {
         const std::uint64_t total = count(models_.spawned, states.size());
         if (total > limit) return fail("spawned: more entities than the limit");
-        Finder in_base(bases.base);
+        Finder in_base(baselines.base);
         EntityState before;
         for (std::uint64_t i = 0; i < total; i++) {
             if (!Coder::encoding) states.emplace_back();

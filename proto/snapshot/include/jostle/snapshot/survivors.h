@@ -54,7 +54,7 @@ private:
 };
 
 // `removed`: rising positions in the base.
-std::vector<Survivor> survivors_of(const Bases& bases, const std::vector<std::size_t>& removed);
+std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std::size_t>& removed);
 
 // What becomes of the base's entities in a frame.
 struct Succession {
@@ -63,9 +63,9 @@ struct Succession {
     std::vector<Survivor> survivors;
     std::size_t quiet_after = 0;  // left out after the last one
 };
-Succession succession_of(const QuantizedFrame& frame, const Bases& bases);
+Succession succession_of(const QuantizedFrame& frame, const Bases& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
-Succession succession_of(const QuantizedFrame& frame, const Bases& bases,
+Succession succession_of(const QuantizedFrame& frame, const Bases& baselines,
                          std::span<const QuietRun> quiet);
 
 // Survivors and newcomers as one list. Both rise.
@@ -73,7 +73,7 @@ std::vector<EntityState> merged(std::vector<EntityState> kept,
                                 const std::vector<EntityState>& spawned);
 
 // 1 where a frame is missing.
-Spacing spacing_of(std::uint32_t frame, const Bases& bases);
+Spacing spacing_of(std::uint32_t frame, const Bases& baselines);
 
 // Bits of a component of a rotation in two's complement.
 unsigned component_bits(const QuantSpec& spec);

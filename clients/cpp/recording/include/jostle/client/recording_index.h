@@ -28,7 +28,7 @@ inline std::optional<RecordingEntry> entry_of(const v1::ServerMessage& message,
     using Kind = RecordingEntry::Kind;
     if (message.has_entity_update() || message.has_geometry())
         return RecordingEntry{.offset = offset, .kind = Kind::standing};
-    if (message.has_snapshot() && message.snapshot().bases() == 0)
+    if (message.has_snapshot() && message.snapshot().baselines() == 0)
         return RecordingEntry{offset, message.snapshot().frame(), Kind::keyframe};
     return std::nullopt;
 }

@@ -89,7 +89,7 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_resume_timeout_seconds(from.resume_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     if (from.datagrams) {
-        v1::DatagramTicket& datagrams = *welcome.mutable_datagrams();
+        v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();
         datagrams.set_port(from.datagrams->port);
         datagrams.set_id(from.datagrams->ticket.id);
         datagrams.set_key(from.datagrams->ticket.key.data(), from.datagrams->ticket.key.size());

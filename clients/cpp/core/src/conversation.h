@@ -38,7 +38,7 @@ public:
     // The same for datagrams, which may get lost.
     std::optional<std::string> take_datagram(Clock::time_point now);
     // By which datagrams can be had, once the server has told it; nothing: they cannot.
-    const std::optional<v1::DatagramTicket>& datagram_ticket() const { return ticket_; }
+    const std::optional<v1::DatagramCredentials>& datagram_ticket() const { return ticket_; }
     // Whether they get through now; if not, whether they were tried for long enough to say so.
     void set_datagrams(bool alive, bool given_up);
     // There can be none: no ticket is left.
@@ -96,7 +96,7 @@ private:
     v1::ServerMessage message_;  // reused: parsing then allocates rarely
     InputOutbox inputs_;
     std::string resume_token_;  // empty: it has no place that it could come back to
-    std::optional<v1::DatagramTicket> ticket_;
+    std::optional<v1::DatagramCredentials> ticket_;
     bool datagram_ack_due_ = false, blocked_told_ = false;
     Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
     bool sight_due_ = false;

@@ -37,7 +37,7 @@ Error no_datagrams(const std::string& why) {
 
 }  // namespace
 
-Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramTicket& told,
+Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramCredentials& told,
                                                              const std::string& peer,
                                                              Clock::time_point now) {
     datagram::Ticket ticket{.id = told.id()};

@@ -25,7 +25,7 @@ public:
 
     // `peer`: where the stream is connected, as gRPC names it: "ipv4:192.0.2.7:50051". An error
     // says what the ticket or the address lacks.
-    static Result<std::unique_ptr<DatagramSocket>> open(const v1::DatagramTicket& ticket,
+    static Result<std::unique_ptr<DatagramSocket>> open(const v1::DatagramCredentials& ticket,
                                                         const std::string& peer,
                                                         Clock::time_point now);
     ~DatagramSocket();

@@ -186,12 +186,12 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
 bool Behaviour::take_wheel(std::vector<v1::Input>& out, const client::WorldView& world,
                            double seconds) {
     if (world.entities().contains(driven_) && seconds < change_at_) return true;
-    std::vector<std::uint32_t> drivable;
+    std::vector<std::uint32_t> controllable;
     for (const auto& [id, entity] : world.entities())
-        if (entity.drivable()) drivable.push_back(id);
+        if (entity.controllable()) controllable.push_back(id);
     driven_ = 0;
-    if (drivable.empty()) return false;
-    driven_ = drivable[static_cast<std::size_t>(random(0, static_cast<double>(drivable.size())))];
+    if (controllable.empty()) return false;
+    driven_ = controllable[static_cast<std::size_t>(random(0, static_cast<double>(controllable.size())))];
     change_at_ = line_.values.contains("change") ? seconds + value("change") : forever;
     laps_.begin();
     raced_at_ = -1;

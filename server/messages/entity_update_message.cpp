@@ -72,7 +72,7 @@ public:
         if (entity.color) to.set_color(*entity.color);
         to.set_name(entity.name);
         to.set_mass(entity.mass);
-        to.set_drivable(entity.drivable);
+        to.set_controllable(entity.controllable);
         to.set_jointed(entity.jointed);
         to.set_linear_damping(entity.linear_damping);
         to.set_angular_damping(entity.angular_damping);

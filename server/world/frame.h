@@ -26,7 +26,7 @@ struct EntityDescription {
     std::optional<std::uint32_t> color;
     std::string name;
     double mass = 0;        // kg
-    bool drivable = false;  // a module lets somebody drive it
+    bool controllable = false;  // a module lets somebody drive it
     bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;

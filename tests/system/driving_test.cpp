@@ -57,8 +57,8 @@ TEST(Driving, a_client_steers_the_hovercraft_and_nobody_else_does) {
     const std::uint32_t craft = driver->look([](const PlayState& s) {
         std::uint32_t found = 0;
         for (const auto& [id, entity] : s.entities) {
-            EXPECT_EQ(entity.drivable(), entity.name() == "craft");
-            if (entity.drivable()) found = id;
+            EXPECT_EQ(entity.controllable(), entity.name() == "craft");
+            if (entity.controllable()) found = id;
         }
         return found;
     });

@@ -7,7 +7,7 @@ const apart = (a, b) => Math.hypot(a[0] - b[0], a[2] - b[2]);
 async function enter(page, url, world, until) {
   await page.goto(`${url}/?quality=low&world=${world}`);
   await until(`${world} plays and is drawn`, () =>
-    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.drivable().length > 0 && window.jostle.drivable().every((id) => window.jostle.pose(id))),
+    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.controllable().length > 0 && window.jostle.controllable().every((id) => window.jostle.pose(id))),
   );
 }
 
@@ -21,7 +21,7 @@ async function takeWheel(page, name, until) {
 
 export async function playing({ page, url, until, expect, shoot }) {
   await enter(page, url, 'race_track', until);
-  expect((await page.evaluate(() => window.jostle.drivable().length)) === 6, 'six cars can be driven');
+  expect((await page.evaluate(() => window.jostle.controllable().length)) === 6, 'six cars can be driven');
   const car = await takeWheel(page, 'car', until);
   await page.keyboard.down(' ');
   await until('the hand brake stops the car', async () => /· [0-2] km\/h/.test(await page.locator('#driver').textContent()));

@@ -73,7 +73,7 @@ async function drag(page, until) {
 async function walk(page, url, until) {
   await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}&world=parkour`);
   await until('the viewer plays parkour and has its predictor', () =>
-    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.foreseen && window.jostle.drivable().length > 0),
+    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.foreseen && window.jostle.controllable().length > 0),
   );
   await until('the clock of inputs runs', () => page.evaluate(() => window.jostle.inputTick > 0));
   await page.keyboard.press('8');

@@ -73,7 +73,7 @@ const told: Events = {
   },
   entityList: (entities) => {
     view.setEntities(entities, connection.welcome?.clientId ?? 0);
-    drivable = recorded ? [] : [...entities.values()].filter((entity) => entity.drivable);
+    controllable = recorded ? [] : [...entities.values()].filter((entity) => entity.controllable);
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.forget();
   },
@@ -111,7 +111,7 @@ const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
-let drivable: Entity[] = [];
+let controllable: Entity[] = [];
 let entitiesChanged = false;
 let framedWorld: string | undefined; // whose whole the camera was turned to
 const tools = new Tools(
@@ -125,7 +125,7 @@ const tools = new Tools(
     if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
   },
   (entity) => {
-    if (!connection.entities.get(entity)?.drivable) return toasts.say('nobody can drive that');
+    if (!connection.entities.get(entity)?.controllable) return toasts.say('nobody can drive that');
     takeWheel(entity);
   },
   (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
@@ -310,7 +310,7 @@ function drawModules(shown: Shown): void {
     poseOf: (entity) => view.poseOf(entity),
     entityOf: (entity) => connection.entities.get(entity),
     decorate: (solids) => {
-      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, drivable, (entity) => view.poseOf(entity), performance.now());
+      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, controllable, (entity) => view.poseOf(entity), performance.now());
     },
   });
 }
@@ -328,9 +328,9 @@ function tellDriver(): void {
       driven: connection.entities.get(driving.entity),
       keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
       words: moduleView.drivenWords(driving.entity),
-      general: moduleView.words() || offerWords(drivable),
+      general: moduleView.words() || offerWords(controllable),
     },
-    drivable,
+    controllable,
   );
 }
 
@@ -425,7 +425,7 @@ Object.defineProperty(window, 'jostle', {
     solid: (kind: UnitKind, number: number) => [...moduleView.solids.matrixOf(kind, number).elements],
     /** How high each water that is drawn stands over a place, in m. */
     waters: (x: number, z: number) => moduleView.water.drawn.map((look) => heightAt(look, x, z)),
-    drivable: () => drivable.map(({ id }) => id),
+    controllable: () => controllable.map(({ id }) => id),
     /** Whom this page drives; 0: nobody. */
     get driven() {
       return driving.entity;

@@ -34,7 +34,7 @@ public:
             v1::Entity& entity = *entity_update.add_added();
             entity.set_id(k + 1);
             entity.set_name(scene_.bodies[k].name);
-            entity.set_drivable(module_of(k + 1) != nullptr);
+            entity.set_controllable(module_of(k + 1) != nullptr);
         }
         view_.apply(entity_update);
     }

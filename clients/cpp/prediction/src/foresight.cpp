@@ -54,7 +54,7 @@ LocalBody local_body(const ToldBody& told, bool own) {
         .mass = told.mass,
         .linear_damping = told.linear_damping,
         .angular_damping = told.angular_damping,
-        .gravity_scale = told.drivable && !own ? 0 : told.gravity_scale,
+        .gravity_scale = told.controllable && !own ? 0 : told.gravity_scale,
         .locks = told.locks};
 }
 
@@ -427,7 +427,7 @@ void Foresight::on_frame(const ToldFrame& told) {
     const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     const bool driven = own && is_driven(told);
     const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
-    if (!own || (own->drivable ? !driven : !is_free)) return forget_world();
+    if (!own || (own->controllable ? !driven : !is_free)) return forget_world();
     if (frame == newest_frame_) {
         if (driven) take_drive(told.drive);
         return;

@@ -27,7 +27,7 @@ struct ToldBody {
     physics::Transform pose;
     bool at_rest = false;
     std::optional<Velocity> velocity = {};  // nothing: that was not told
-    bool drivable = false;                  // a module of the server moves it
+    bool controllable = false;                  // a module of the server moves it
     bool jointed = false;                   // joints of the server hold it
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;

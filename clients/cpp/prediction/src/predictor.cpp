@@ -120,7 +120,7 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
                           .pose = pose,
                           .at_rest = state.at_rest,
                           .velocity = motions.of(state.id),
-                          .drivable = about.drivable(),
+                          .controllable = about.controllable(),
                           .jointed = about.jointed(),
                           .linear_damping = about.linear_damping(),
                           .angular_damping = about.angular_damping(),

@@ -110,7 +110,7 @@ void jostle_predictor_set_body(JostlePredictor* p, uint32_t entity, double linea
     about.angular_damping = angular_damping;
     about.gravity_scale = gravity_scale;
     about.locks = static_cast<physics::AxisLocks>(locks & 63);
-    about.drivable = (moved_by & 1) != 0;
+    about.controllable = (moved_by & 1) != 0;
     about.jointed = (moved_by & 2) != 0;
 }
 

@@ -5,7 +5,7 @@ import { EntitySchema } from '../gen/jostle/v1/play_pb';
 import { Solids } from '../solids';
 import { drawArrows, offerWords } from './driver';
 
-const car = (id: number, name: string) => create(EntitySchema, { id, name, drivable: true });
+const car = (id: number, name: string) => create(EntitySchema, { id, name, controllable: true });
 
 it('says what can be driven', () => {
   expect(offerWords([])).toBe('');

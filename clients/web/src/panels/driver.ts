@@ -36,14 +36,14 @@ export class DriverPanel {
   }
 
   /** Once a picture: touches the page only when something is to be said anew. */
-  update(news: DriverNews, drivable: readonly Entity[]): void {
+  update(news: DriverNews, controllable: readonly Entity[]): void {
     const { choosing, driven, keys, words, general } = news;
     this.panel.hidden = !choosing && !driven && general === '';
     if (this.panel.hidden) return;
     const told = driven
       ? `You drive ${thingName(driven, driven.id)}${words && ` · ${words}`}`
       : choosing
-        ? drivable.length > 0
+        ? controllable.length > 0
           ? 'Click what stands under an arrow, or choose:'
           : 'Nothing in this world can be driven'
         : general;
@@ -53,7 +53,7 @@ export class DriverPanel {
       this.line.textContent = told;
       this.keys.textContent = under;
     }
-    this.offer(driven || !choosing ? [] : drivable.slice(0, CHOICES_MAX), driven !== undefined);
+    this.offer(driven || !choosing ? [] : controllable.slice(0, CHOICES_MAX), driven !== undefined);
   }
 
   private offer(choices: readonly Entity[], drives: boolean): void {
@@ -78,9 +78,9 @@ export class DriverPanel {
 }
 
 /** An invitation. */
-export function offerWords(drivable: readonly Entity[]): string {
-  if (drivable.length === 0) return '';
-  return drivable.length === 1 ? `Press 8 to drive ${thingName(drivable[0], drivable[0]!.id)}` : `Press 8 to drive one of ${drivable.length}`;
+export function offerWords(controllable: readonly Entity[]): string {
+  if (controllable.length === 0) return '';
+  return controllable.length === 1 ? `Press 8 to drive ${thingName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length}`;
 }
 
 const place = new THREE.Vector3();
@@ -89,12 +89,12 @@ const size = new THREE.Vector3(0.28, 0.45, 0.28);
 /** An arrow over each; they bob. */
 export function drawArrows(
   solids: Solids,
-  drivable: readonly Entity[],
+  controllable: readonly Entity[],
   poseOf: (entity: number) => ArrayLike<number> | undefined,
   nowMs: number,
 ): void {
   const bob = 0.15 * Math.sin(nowMs / 250);
-  for (const { id } of drivable) {
+  for (const { id } of controllable) {
     const pose = poseOf(id);
     if (pose) solids.add('cone', place.set(pose[0]!, pose[1]! + ARROW_HEIGHT + bob, pose[2]!), DOWNWARDS, size, ARROW);
   }

@@ -61,7 +61,7 @@ describe('foreseen', () => {
 
   it('follows what is driven until it is let go, whatever else is pushed', async () => {
     const { foreseen, frame, tick } = await room();
-    foreseen.came({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), drivable: true });
+    foreseen.came({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), controllable: true });
     frame(0, true);
     foreseen.input(1, tick() + 3, { kind: { case: 'possess', value: { entity: CRATE } } });
     expect(foreseen.followed).toBe(CRATE);

@@ -143,8 +143,8 @@ export class Predictor {
   addBody(entity: Entity): void {
     this.entities.set(entity.id, entity);
     this.calls.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
-    const { id, linearDamping, angularDamping, gravityScale = 1, locks, drivable, jointed } = entity;
-    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), (drivable ? 1 : 0) + (jointed ? 2 : 0));
+    const { id, linearDamping, angularDamping, gravityScale = 1, locks, controllable, jointed } = entity;
+    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), (controllable ? 1 : 0) + (jointed ? 2 : 0));
   }
 
   removeBody(entity: number): void {

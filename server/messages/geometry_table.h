@@ -23,7 +23,7 @@ inline constexpr std::size_t part_bytes_max = 256 * 1024;
 
 struct LargeGeometry {
     std::uint64_t id = 0;
-    std::vector<SharedBytes> messages;  // one GeometryPart each
+    std::vector<SharedBytes> messages;  // one GeometryChunk each
 };
 
 class GeometryTable {

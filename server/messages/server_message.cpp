@@ -99,7 +99,7 @@ std::string encode_welcome(const Welcome& from) {
 
 std::string encode_geometry_part(const GeometryPiece& piece) {
     v1::ServerMessage message;
-    v1::GeometryPart& part = *message.mutable_geometry();
+    v1::GeometryChunk& part = *message.mutable_geometry();
     part.set_id(piece.id);
     part.set_part(piece.part);
     part.set_parts(piece.parts);

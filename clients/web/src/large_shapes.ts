@@ -1,7 +1,7 @@
 // Shapes that the server tells once, in parts, and names by their id afterwards. All bodies that have one share one object.
 
 import { fromBinary } from '@bufbuild/protobuf';
-import type { Entity, GeometryPart } from './gen/jostle/v1/play_pb';
+import type { Entity, GeometryChunk } from './gen/jostle/v1/play_pb';
 import { ShapeSchema, type Shape } from './gen/jostle/v1/scene_pb';
 
 const MOST_BYTES = 256 * 2 ** 20; // of one shape
@@ -16,7 +16,7 @@ export class LargeShapes {
   }
 
   /** False: the part does not follow the one before, or the whole is no shape. */
-  add({ id, part, parts, data }: GeometryPart): boolean {
+  add({ id, part, parts, data }: GeometryChunk): boolean {
     if (part === 0) this.unfinished = { id, bytes: 0, pieces: [] };
     const whole = this.unfinished;
     this.unfinished = undefined; // until this part turns out to be good

@@ -34,7 +34,7 @@ void WorldView::go_on(const v1::Welcome& welcome) {
     unfinished_ = {};
 }
 
-Status WorldView::apply(const v1::GeometryPart& part) {
+Status WorldView::apply(const v1::GeometryChunk& part) {
     const auto failed = [&](const std::string& why) {
         unfinished_ = {};
         return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};

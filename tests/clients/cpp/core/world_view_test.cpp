@@ -132,7 +132,7 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
     v1::Shape mesh;
     for (int i = 0; i < 300; i++) mesh.mutable_mesh()->add_vertices()->set_x(i);
     const std::string bytes = mesh.SerializeAsString();
-    v1::GeometryPart part;
+    v1::GeometryChunk part;
     part.set_id(77);
     part.set_parts(2);
     part.set_data(bytes.substr(0, 100));
@@ -151,7 +151,7 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
 }
 
 TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
-    v1::GeometryPart part;
+    v1::GeometryChunk part;
     part.set_id(77);
     part.set_part(1);
     part.set_parts(2);

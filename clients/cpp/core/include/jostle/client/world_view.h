@@ -34,7 +34,7 @@ public:
     // A stream that goes on where another one broke: all that is known still counts.
     void go_on(const v1::Welcome& welcome);
     // A piece of a large shape. An error: it does not follow the piece before.
-    Status apply(const v1::GeometryPart& part);
+    Status apply(const v1::GeometryChunk& part);
     // Who came and who went.
     void apply(const v1::Roster& entity_update);
     // Decodes a snapshot and compares its CRC. An error leaves the last good frame in place; the

@@ -101,8 +101,8 @@ std::string encode_geometry_part(const GeometryPiece& piece) {
     v1::ServerMessage message;
     v1::GeometryChunk& part = *message.mutable_geometry();
     part.set_id(piece.id);
-    part.set_part(piece.part);
-    part.set_parts(piece.parts);
+    part.set_chunk(piece.part);
+    part.set_chunk_count(piece.parts);
     part.set_data(piece.data.data(), piece.data.size());
     return message.SerializeAsString();
 }

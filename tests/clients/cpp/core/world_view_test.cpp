@@ -134,13 +134,13 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
     const std::string bytes = mesh.SerializeAsString();
     v1::GeometryChunk part;
     part.set_id(77);
-    part.set_parts(2);
+    part.set_chunk_count(2);
     part.set_data(bytes.substr(0, 100));
     EXPECT_TRUE(view.apply(part).ok());
     v1::Shape named;
     named.set_geometry(77);
     EXPECT_EQ(view.outline_of(named), nullptr) << "half of it is not it";
-    part.set_part(1);
+    part.set_chunk(1);
     part.set_data(bytes.substr(100));
     EXPECT_TRUE(view.apply(part).ok());
     ASSERT_NE(view.outline_of(named), nullptr);
@@ -153,13 +153,13 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
 TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
     v1::GeometryChunk part;
     part.set_id(77);
-    part.set_part(1);
-    part.set_parts(2);
+    part.set_chunk(1);
+    part.set_chunk_count(2);
     const Status told = view.apply(part);
     ASSERT_FALSE(told.ok());
     EXPECT_EQ(told.error().message, "geometry 77: part 1 of 2 does not follow the one before");
-    part.set_part(0);
-    part.set_parts(1);
+    part.set_chunk(0);
+    part.set_chunk_count(1);
     part.set_data("\xff no shape");
     EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
 }

@@ -97,7 +97,7 @@ std::string encode_welcome(const Welcome& from) {
     return message.SerializeAsString();
 }
 
-std::string encode_geometry_part(const GeometryPiece& piece) {
+std::string encode_geometry_part(const GeometryChunk& piece) {
     v1::ServerMessage message;
     v1::GeometryChunk& part = *message.mutable_geometry();
     part.set_id(piece.id);

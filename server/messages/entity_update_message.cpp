@@ -107,7 +107,7 @@ private:
     }
     void count(std::size_t bytes) {
         bytes_ += bytes;
-        if (bytes_ >= part_bytes_max) flush();
+        if (bytes_ >= chunk_bytes_max) flush();
     }
     void flush() {
         if (bytes_ == 0) return;

@@ -22,15 +22,15 @@ std::uint64_t hash_of(const std::string& bytes) {
     return hash;
 }
 
-std::vector<SharedBytes> parts_of(std::uint64_t id, const std::string& bytes) {
-    const std::size_t parts = (bytes.size() + part_bytes_max - 1) / part_bytes_max;
+std::vector<SharedBytes> chunks_of(std::uint64_t id, const std::string& bytes) {
+    const std::size_t parts = (bytes.size() + chunk_bytes_max - 1) / chunk_bytes_max;
     std::vector<SharedBytes> messages;
-    for (std::size_t part = 0; part < parts; part++)
-        messages.push_back(std::make_shared<const std::string>(encode_geometry_part(
+    for (std::size_t chunk = 0; part < chunk_count; part++)
+        messages.push_back(std::make_shared<const std::string>(encode_geometry_chunk(
             {.id = id,
              .part = static_cast<std::uint32_t>(part),
              .parts = static_cast<std::uint32_t>(parts),
-             .data = std::string_view(bytes).substr(part * part_bytes_max, part_bytes_max)})));
+             .data = std::string_view(bytes).substr(part * chunk_bytes_max, chunk_bytes_max)})));
     return messages;
 }
 
@@ -53,7 +53,7 @@ std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(std::string byte
     std::uint64_t id = hash_of(bytes);
     for (auto known = by_id_.find(id); known != by_id_.end(); known = by_id_.find(++id))
         if (known->second.bytes == bytes) return known->second.geometry;
-    auto made = std::make_shared<const LargeGeometry>(LargeGeometry{id, parts_of(id, bytes)});
+    auto made = std::make_shared<const LargeGeometry>(LargeGeometry{id, chunks_of(id, bytes)});
     by_id_.emplace(id, Content{std::move(bytes), made});
     return made;
 }

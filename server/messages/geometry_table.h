@@ -19,7 +19,7 @@ namespace jostle::server {
 
 // Of one message: far below the 4 MiB that clients take by default, and little enough that what
 // waits behind it does not wait long.
-inline constexpr std::size_t part_bytes_max = 256 * 1024;
+inline constexpr std::size_t chunk_bytes_max = 256 * 1024;
 
 struct LargeGeometry {
     std::uint64_t id = 0;

@@ -97,12 +97,12 @@ std::string encode_welcome(const Welcome& from) {
     return message.SerializeAsString();
 }
 
-std::string encode_geometry_part(const GeometryChunk& piece) {
+std::string encode_geometry_chunk(const GeometryChunk& piece) {
     v1::ServerMessage message;
     v1::GeometryChunk& part = *message.mutable_geometry();
     part.set_id(piece.id);
-    part.set_chunk(piece.part);
-    part.set_chunk_count(piece.parts);
+    part.set_chunk(piece.chunk);
+    part.set_chunk_count(piece.chunk_count);
     part.set_data(piece.data.data(), piece.data.size());
     return message.SerializeAsString();
 }

@@ -48,10 +48,10 @@ std::string encode_welcome(const Welcome& welcome);
 // One piece of a large shape.
 struct GeometryChunk {
     std::uint64_t id = 0;
-    std::uint32_t part = 0, parts = 0;
+    std::uint32_t chunk = 0, chunk_count = 0;
     std::string_view data;
 };
-std::string encode_geometry_part(const GeometryChunk& piece);
+std::string encode_geometry_chunk(const GeometryChunk& piece);
 std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
 std::string encode_notice(NoticeKind kind, const std::string& message);
 

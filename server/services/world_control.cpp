@@ -88,7 +88,7 @@ Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWor
         if (!scene.ok()) return scene.error();
         return context_.worlds.create(request.name(), *scene, who.subject);
     }
-    const v1::Moment& moment = request.moment();
+    const v1::Checkpoint& moment = request.moment();
     if (moment.world().empty())
         return Error{ErrorCode::invalid_argument, "moment.world is missing: name the world"};
     const auto world = context_.worlds.find(moment.world());

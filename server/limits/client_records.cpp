@@ -21,7 +21,7 @@ void ClientRecord::count_sent(std::size_t bytes, Clock::time_point now) {
     const double seconds = seconds_between(began, now);
     if (seconds >= window_s) {
         const auto sent = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
-        last_rate_.store(sent / seconds, std::memory_order_relaxed);
+        last_rate_.store(sent / connected_seconds, std::memory_order_relaxed);
         window_bytes_.store(0, std::memory_order_relaxed);
         window_began_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
     }

@@ -63,7 +63,7 @@ void write(v1::ClientInfo& out, const ClientSight& sight) {
     out.set_world_name(sight.who.world_name);
     out.set_address(sight.who.address);
     out.set_spectator(sight.who.spectator);
-    out.set_seconds(sight.seconds);
+    out.set_connected_seconds(sight.connected_seconds);
     out.set_kbit_per_second(sight.kbit_per_second);
     out.set_snapshots_skipped(sight.skipped);
     out.set_round_trip_ms(sight.round_trip_ms);
@@ -130,7 +130,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
         (*world)->steps().take(steps, from_seconds(steps / (*world)->hz() + step_patience_s));
     if (!taken.ok()) return taken.error();
     response.set_tick((*world)->frame()->tick);
-    response.set_taken(static_cast<std::uint32_t>(*taken));
+    response.set_steps_taken(static_cast<std::uint32_t>(*taken));
     return {};
 }
 
@@ -170,7 +170,7 @@ Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
 
 Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldResponse& response) {
     *response.mutable_scene() = scenes::to_message(exported.scene);
-    for (std::string& sentence : exported.left_out) *response.add_left_out() = std::move(sentence);
+    for (std::string& sentence : exported.omitted) *response.add_omitted() = std::move(sentence);
     if (const std::size_t bytes = response.ByteSizeLong(); bytes > export_bytes_max)
         return Error{
             ErrorCode::resource_exhausted,
@@ -180,7 +180,7 @@ Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldRespon
 
 Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
     response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
-    response.set_seconds(context_.config.drain_seconds);
+    response.set_connected_seconds(context_.config.drain_seconds);
     if (!context_.drain_asked.exchange(true)) log_info("an operator asks the server to go down");
     return {};
 }

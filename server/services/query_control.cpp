@@ -333,7 +333,7 @@ Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request)
 void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
                                v1::DebugResponse& response) {
     response.set_tick(frame.tick);
-    response.set_cut((frame.cut & parts_of(request)) != 0);
+    response.set_truncated((frame.truncated & parts_of(request)) != 0);
     // The copy may hold more than this request asked for: others ask as well.
     if (request.contacts())
         for (const DebugContact& from : frame.contacts) {

@@ -25,7 +25,7 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_step_ms_mean(frame->tick_ms_mean);
     info.set_paused(world.paused().value_or(""));
     info.set_owner(world.owner());
-    info.set_kept_since(world.kept_since());
+    info.set_oldest_restorable_tick(world.oldest_restorable_tick());
 }
 
 Error no_such_world(const std::string& world) {
@@ -83,12 +83,12 @@ Status WorldControl::create(const v1::CreateWorldRequest& request,
 Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWorldRequest& request,
                                                              const Identity& who,
                                                              const std::string& address) {
-    if (!request.has_moment()) {
+    if (!request.has_checkpoint()) {
         const Result<scenes::SceneDescription> scene = scene_of(request);
         if (!scene.ok()) return scene.error();
         return context_.worlds.create(request.name(), *scene, who.subject);
     }
-    const v1::Checkpoint& moment = request.moment();
+    const v1::Checkpoint& moment = request.checkpoint();
     if (moment.world().empty())
         return Error{ErrorCode::invalid_argument, "moment.world is missing: name the world"};
     const auto world = context_.worlds.find(moment.world());

@@ -123,7 +123,7 @@ private:
     }
 
     void say(const std::string& what, std::size_t count, const std::string& why) {
-        if (count > 0) out_.left_out.push_back(std::to_string(count) + " " + what + ": " + why);
+        if (count > 0) out_.omitted.push_back(std::to_string(count) + " " + what + ": " + why);
     }
 
     HostedState& state_;

@@ -20,7 +20,7 @@ struct SceneIds {
 
 struct ExportedScene {
     scenes::SceneDescription scene;
-    std::vector<std::string> left_out;  // what a scene cannot say, each as a sentence
+    std::vector<std::string> omitted;  // what a scene cannot say, each as a sentence
 };
 
 // `origin`: the scene that the world was made of. Bodies that are gone and joints that broke are

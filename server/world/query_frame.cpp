@@ -15,7 +15,7 @@ void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyParts part) 
     if (list.size() < debug_items_max)
         list.push_back(std::move(item));
     else
-        frame.cut |= part;
+        frame.truncated |= part;
 }
 
 void add_contacts(QueryFrame& frame, const World& world) {

@@ -56,7 +56,7 @@ struct QueryFrame {
     std::vector<DebugIsland> islands;
     std::vector<physics::Aabb> bounds, cells;
     std::vector<DebugJoint> joints;
-    CopyParts cut = 0;  // of which kinds there was more than debug_items_max
+    CopyParts truncated = 0;  // of which kinds there was more than debug_items_max
 
     ShapePlace place_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
     // A null id when there is no such entity.

@@ -142,7 +142,7 @@ public:
     // The one after which this host began.
     std::uint32_t first_tick() const { return first_tick_; }
     // Any thread: the first tick that can be had again; 0: none can.
-    std::uint32_t kept_since() const { return keeper_ ? keeper_->oldest_tick() : 0; }
+    std::uint32_t oldest_restorable_tick() const { return keeper_ ? keeper_->oldest_tick() : 0; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
     // Of a step; 0: each island takes as many as it needs.

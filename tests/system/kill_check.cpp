@@ -258,11 +258,11 @@ private:
             return false;
         const v1::WorldInfo& world = worlds.worlds(0);
         // What nobody did anything in may be kept only a second later.
-        const std::uint32_t last = std::max(world.kept_since(), std::max(world.tick(), 90u) - 90);
+        const std::uint32_t last = std::max(world.oldest_restorable_tick(), std::max(world.tick(), 90u) - 90);
         v1::RewindWorldRequest request;
         request.set_world(world.id());
-        request.set_tick(world.kept_since() +
-                         static_cast<std::uint32_t>(random_()) % (last - world.kept_since() + 1));
+        request.set_tick(world.oldest_restorable_tick() +
+                         static_cast<std::uint32_t>(random_()) % (last - world.oldest_restorable_tick() + 1));
         grpc::Status status;
         std::atomic<bool> answered = false;
         std::jthread asker([&] {
@@ -276,7 +276,7 @@ private:
         play_until(25s, [&] { return answered.load(); });
         asker.join();
         if (!status.ok())
-            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(), world.kept_since(),
+            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(), world.oldest_restorable_tick(),
                          world.tick(), status.error_message().c_str());
         if (random_() % 2 == 0)
             play_until(20s, [&] { return all([](const Bot& b) { return b.is_connected(); }); });

@@ -79,8 +79,8 @@ Outcome create_world(Connection& server, const Wanted& wanted) {
     v1::CreateWorldRequest request;
     request.set_name(wanted.name);
     if (!wanted.from.empty()) {
-        request.mutable_moment()->set_world(wanted.from);
-        request.mutable_moment()->set_tick(wanted.tick);
+        request.mutable_checkpoint()->set_world(wanted.from);
+        request.mutable_checkpoint()->set_tick(wanted.tick);
     } else if (wanted.file.empty())
         request.set_scene_name(wanted.scene);
     else if (Status s = read_scene(wanted.file, *request.mutable_scene()); !s.ok())
@@ -173,7 +173,7 @@ Outcome drain(Connection& server, const Wanted& wanted) {
     if (!answer.ok()) return refused(answer.error());
     return said(answer, wanted,
                 "the server goes down: " + count_text(answer->clients(), "client") +
-                    " told, at most " + number_text(answer->seconds(), 0) + " s");
+                    " told, at most " + number_text(answer->timeout_seconds(), 0) + " s");
 }
 
 Outcome profile(Connection& server, const Wanted& wanted) {

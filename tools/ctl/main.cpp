@@ -100,7 +100,7 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         add(app, flags, "rewind", "Takes a world back to an earlier tick; its clients come along",
             ctl::rewind);
     add_world_argument(rewind, flags);
-    rewind->add_option("--to", w.tick, "The tick; worlds --json has kept_since, the first")
+    rewind->add_option("--to", w.tick, "The tick; worlds --json has oldest_restorable_tick, the first")
         ->required();
     CLI::App* const step = add(app, flags, "step", "Steps a paused world", ctl::step);
     add_world_argument(step, flags);

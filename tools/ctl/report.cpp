@@ -43,7 +43,7 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
                    shown(client.name()) + (client.spectator() ? " (watches)" : ""),
                    client.subject().empty() ? "-" : shown(client.subject()),
                    shown(client.world_name()), shown(client.address(), 60),
-                   duration_text(client.seconds()), number_text(client.kbit_per_second(), 1),
+                   duration_text(client.connected_seconds()), number_text(client.kbit_per_second(), 1),
                    std::to_string(client.snapshots_skipped()),
                    client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});
     return table.text();

@@ -171,8 +171,8 @@ int show_at(KeptWorld& world, const Flags& flags) {
     out << jostle::scenes::write_scene_json(exported->scene);
     out.close();
     if (!out) return fail(2, "cannot write " + flags.export_to);
-    for (const std::string& left_out : exported->left_out)
-        std::fprintf(stderr, "left out: %s\n", left_out.c_str());
+    for (const std::string& omitted : exported->omitted)
+        std::fprintf(stderr, "left out: %s\n", omitted.c_str());
     return 0;
 }
 

@@ -37,7 +37,7 @@ TEST(ClientRecordsTest, the_rate_is_that_of_the_last_second) {
     }
     // It is sent nothing any more: the rate falls to what it is.
     EXPECT_LT(records.look(now + 60s)[0].kbit_per_second, 2);
-    EXPECT_NEAR(records.look(now + 60s)[0].seconds, 70, 0.1);
+    EXPECT_NEAR(records.look(now + 60s)[0].connected_seconds, 70, 0.1);
 }
 
 TEST(ClientRecordsTest, those_who_are_there_are_listed_by_id) {

@@ -287,7 +287,7 @@ TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
         const auto yard = process.create("yard");
         Process::play(*yard, 40, std::make_shared<ResultQueue>());
         ASSERT_TRUE(process.archive->flush(5s));
-        EXPECT_EQ(yard->kept_since(), 1u);
+        EXPECT_EQ(yard->oldest_restorable_tick(), 1u);
         EXPECT_EQ(error_of(process.worlds->create_from("yard", *yard, 31)).code,
                   ErrorCode::already_exists);
         const auto what_if = process.worlds->create_from("what-if", *yard, 31, "ada").value();

@@ -113,7 +113,7 @@ TEST_F(AdminControlTest, a_world_is_paused_stepped_and_resumed) {
     ASSERT_TRUE(control.set_paused(pause, paused).ok());
     EXPECT_EQ(worlds.find("arena")->paused(), "by an operator");
     ASSERT_TRUE(control.step_world(step, stepped).ok());
-    EXPECT_EQ(stepped.taken(), 5u);
+    EXPECT_EQ(stepped.steps_taken(), 5u);
     EXPECT_GT(stepped.tick(), paused.tick());
     for (const std::uint32_t steps : {0u, 1001u}) {
         step.set_steps(steps);
@@ -176,7 +176,7 @@ TEST_F(AdminControlTest, drain_says_who_is_told_and_asks_once) {
     v1::DrainResponse response;
     ASSERT_TRUE(control.drain({}, response).ok());
     EXPECT_EQ(response.clients(), 1u);
-    EXPECT_EQ(response.seconds(), 5);
+    EXPECT_EQ(response.timeout_seconds(), 5);
     EXPECT_TRUE(context.drain_asked);
     EXPECT_TRUE(control.drain({}, response).ok());
 }

@@ -211,7 +211,7 @@ TEST_F(QueryControlTest, debug_shows_the_layers_that_were_asked_for_and_no_other
     EXPECT_NEAR(response.joints(0).anchor_b().x(), -8, 1e-6);
     EXPECT_EQ(response.joints(0).kind(), "distance");
     EXPECT_EQ(response.broad_phase_size() + response.islands_size() + response.contacts_size(), 0);
-    EXPECT_FALSE(response.cut());
+    EXPECT_FALSE(response.truncated());
     request.Clear();
     response.Clear();
     request.set_broad_phase(true);
@@ -248,7 +248,7 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     const Status status = queries.debug(request, response);
     ASSERT_TRUE(status.ok()) << status.error().message;
     EXPECT_EQ(response.bounds_size(), 20000);
-    EXPECT_TRUE(response.cut());
+    EXPECT_TRUE(response.truncated());
 }
 
 TEST_F(QueryControlTest, too_much_at_once_is_refused_with_the_limit) {

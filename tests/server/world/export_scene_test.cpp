@@ -57,7 +57,7 @@ TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again)
                                     is = built->world.summary();
         // What a module made it makes anew, as the export says.
         if (was.bodies > static_cast<int>(hosted.scene.bodies.size())) {
-            EXPECT_TRUE(std::ranges::any_of(exported.left_out, [](const std::string& what) {
+            EXPECT_TRUE(std::ranges::any_of(exported.omitted, [](const std::string& what) {
                 return what.find("made anew") != std::string::npos;
             })) << name;
             continue;
@@ -66,7 +66,7 @@ TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again)
         EXPECT_EQ(is.shapes, was.shapes) << name;
         EXPECT_EQ(is.joints, was.joints) << name;
         EXPECT_EQ(exported.scene.modules.size(), hosted.scene.modules.size()) << name;
-        EXPECT_TRUE(exported.left_out.empty()) << name << ": " << exported.left_out.front();
+        EXPECT_TRUE(exported.omitted.empty()) << name << ": " << exported.omitted.front();
         EXPECT_NEAR(is.kinetic_energy, was.kinetic_energy, 1e-9 * (1 + was.kinetic_energy)) << name;
         EXPECT_NEAR(is.potential_energy, was.potential_energy,
                     1e-9 * (1 + std::abs(was.potential_energy)))
@@ -105,9 +105,9 @@ TEST(ExportScene, what_clients_hold_is_let_go_and_it_says_so) {
     const EntityId ball = hosted.apply(spawn);
     hosted.apply(GrabCommand{ball, {5, 20, 0}});
     const ExportedScene exported = hosted.world.exported(hosted.scene);
-    ASSERT_EQ(exported.left_out.size(), 1u);
-    EXPECT_NE(exported.left_out[0].find("what clients hold"), std::string::npos)
-        << exported.left_out[0];
+    ASSERT_EQ(exported.omitted.size(), 1u);
+    EXPECT_NE(exported.omitted[0].find("what clients hold"), std::string::npos)
+        << exported.omitted[0];
     EXPECT_TRUE(scenes::build_scene(exported.scene).ok());
 }
 

@@ -137,7 +137,7 @@ TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
     ASSERT_EQ(run("world create what-if --from stack --at 1", at), 0) << err;
     EXPECT_TRUE(says("\"what-if\" runs with 11 bodies")) << out;
     ASSERT_EQ(run("--json worlds", at), 0);
-    EXPECT_EQ(json()["worlds"][0]["keptSince"], 1);
+    EXPECT_EQ(json()["worlds"][0]["oldestRestorableTick"], 1);
     const unsigned before = json()["worlds"][0]["tick"];
     ASSERT_EQ(run("rewind stack --to 1", at), 0) << err;
     EXPECT_TRUE(says("stack is as it was after tick 1; ticks go on from ")) << out;

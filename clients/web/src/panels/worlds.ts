@@ -12,7 +12,7 @@ interface WorldInfo {
   clients: number;
   hz: number;
   tick: number;
-  keptSince: number; // 0: it ends with its process
+  oldestRestorableTick: number; // 0: it ends with its process
 }
 interface Listing {
   worlds: WorldInfo[];
@@ -81,7 +81,7 @@ export class WorldsPanel {
     this.panel.replaceChildren(element('h2', 'Worlds'));
     for (const world of worlds) {
       this.panel.append(this.worldRow(world));
-      if (world.keptSince > 0) this.panel.append(this.pastRow(world, worlds));
+      if (world.oldestRestorableTick > 0) this.panel.append(this.pastRow(world, worlds));
     }
     this.panel.append(element('h2', 'New world from a scene'));
     for (const scene of scenes) {
@@ -127,9 +127,9 @@ export class WorldsPanel {
   private pastRow(world: WorldInfo, worlds: WorldInfo[]): HTMLElement {
     const row = element('div', '', 'past');
     // What nobody did anything in is kept a second later.
-    const newest = Math.max(world.keptSince, world.tick - Math.ceil(world.hz));
+    const newest = Math.max(world.oldestRestorableTick, world.tick - Math.ceil(world.hz));
     const slider = element('input');
-    Object.assign(slider, { type: 'range', min: String(world.keptSince), max: String(newest), value: String(newest) });
+    Object.assign(slider, { type: 'range', min: String(world.oldestRestorableTick), max: String(newest), value: String(newest) });
     slider.setAttribute('aria-label', `Tick of ${world.name}`);
     const words = element('output');
     const open = element('button', 'What if');

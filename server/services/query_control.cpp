@@ -86,7 +86,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
 physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFrame& frame) {
     physics::QueryFilter filter;
     if (message.has_categories()) filter.categories = message.categories();
-    filter.triggers = message.triggers();
+    filter.triggers = message.include_triggers();
     if (message.ignore() != 0) filter.ignore = frame.body_of(message.ignore());
     return filter;
 }

@@ -111,7 +111,7 @@ TEST_F(QueryControlTest, a_filter_ignores_an_entity_shows_triggers_and_chooses_c
     request.mutable_filter()->set_ignore(box);
     EXPECT_EQ(entities(cast(request).rays(0)), (Ids{ball, floor}));
     request.mutable_filter()->set_ignore(999);
-    request.mutable_filter()->set_triggers(true);
+    request.mutable_filter()->set_include_triggers(true);
     EXPECT_EQ(entities(cast(request).rays(0)), (Ids{gate, ball, box, floor}));
     v1::CastRaysRequest sideways;
     add_ray(sideways, {-20, 5, 0}, {20, 0, 0});

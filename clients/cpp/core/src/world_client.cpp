@@ -44,7 +44,7 @@ Point read(const v1::Vec3& v) {
 
 void write(v1::QueryFilter& to, const QueryOptions& from) {
     to.set_categories(from.categories);
-    to.set_triggers(from.triggers);
+    to.set_include_triggers(from.triggers);
     to.set_ignore(from.ignore);
 }
 

@@ -8,8 +8,8 @@ constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 betwee
 
 }  // namespace
 
-wire::BaseFrames BaselineTracker::bases_for(std::uint32_t frame) const {
-    wire::BaseFrames baselines;
+wire::BaselineFrames BaselineTracker::bases_for(std::uint32_t frame) const {
+    wire::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_base) return baselines;
     baselines.base = sent_.back();
     // The newest sent frame that is at least half of dt1 before `before`.

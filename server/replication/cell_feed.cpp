@@ -54,7 +54,7 @@ const wire::QuantizedFrame* CellFeed::find(const History& history, std::uint32_t
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames baselines, wire::Codec codec) {
+SharedBytes CellFeed::encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
     // made for one client.
@@ -67,14 +67,14 @@ SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames baseline
     return bytes;
 }
 
-SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaseFrames baselines,
+SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
                              wire::Codec codec) const {
     const wire::QuantizedFrame* base = baselines.base != 0 ? find(history, baselines.base) : nullptr;
     const wire::QuantizedFrame* base2 =
         base && baselines.base2 != 0 ? find(history, baselines.base2) : nullptr;
     const wire::QuantizedFrame* base3 =
         base2 && baselines.base3 != 0 ? find(history, baselines.base3) : nullptr;
-    const wire::BaseFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
+    const wire::BaselineFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
                                 base3 ? baselines.base3 : 0};
     return std::make_shared<const std::string>(serialize_(
         {.id = state.id,

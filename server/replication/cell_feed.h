@@ -30,7 +30,7 @@ struct CellState {
 struct EncodedCell {
     CellId id = everywhere;
     std::uint32_t number = 0;
-    wire::BaseFrames baselines;
+    wire::BaselineFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
 };
@@ -49,7 +49,7 @@ public:
     // `quantized` is asked only for a new frame.
     Cells cells(const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized);
     // Bases that are gone are left out. Never null.
-    SharedBytes encoding(const CellState& state, wire::BaseFrames baselines, wire::Codec codec);
+    SharedBytes encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec);
 
     // m from a point of the ground to a cell.
     double distance(CellId cell, double x_m, double z_m) const {
@@ -61,11 +61,11 @@ private:
     struct History {
         std::deque<CellState> states;  // oldest first
         // Of the newest state.
-        std::map<std::tuple<wire::BaseFrames, wire::Codec>, SharedBytes> encodings;
+        std::map<std::tuple<wire::BaselineFrames, wire::Codec>, SharedBytes> encodings;
     };
     void add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick);
     const wire::QuantizedFrame* find(const History& history, std::uint32_t number) const;
-    SharedBytes encode(const History& history, const CellState& state, wire::BaseFrames baselines,
+    SharedBytes encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
                        wire::Codec codec) const;
 
     const wire::QuantSpec spec_;

@@ -37,7 +37,7 @@ public:
 
     struct Wanted {
         CellState state;
-        wire::BaseFrames baselines;
+        wire::BaselineFrames baselines;
         bool fresh = false;        // the client does not know the cell
         bool new_members = false;  // somebody is in it who was not when it was sent last
     };

@@ -118,7 +118,7 @@ std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const 
     return runs;
 }
 
-SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames baselines,
+SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames baselines,
                                     std::uint64_t kinds, std::optional<wire::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
@@ -126,7 +126,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
     const Entry* base = baselines.base < frame->tick ? find(baselines.base) : nullptr;
     const Entry* base2 = base && baselines.base2 < baselines.base ? find(baselines.base2) : nullptr;
     const Entry* base3 = base2 && baselines.base3 < baselines.base2 ? find(baselines.base3) : nullptr;
-    const wire::BaseFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
+    const wire::BaselineFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
                                 base3 ? baselines.base3 : 0};
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
@@ -148,7 +148,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
     return entry.encodings[{used, kinds, poses}] = bytes;
 }
 
-const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& baselines,
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaselineFrames& baselines,
                                                     wire::Codec codec) {
     const auto [at, fresh] = entry.packed.try_emplace({baselines, codec});
     if (!fresh) return at->second;

@@ -28,7 +28,7 @@ using SharedBytes = std::shared_ptr<const std::string>;
 // What an encoding is made of; `serialize` turns it into the bytes that clients share.
 struct EncodedSnapshot {
     std::uint32_t frame = 0;
-    wire::BaseFrames baselines;
+    wire::BaselineFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     std::int64_t late_us = 0;
@@ -48,7 +48,7 @@ public:
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
     // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
     // null.
-    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames baselines, std::uint64_t kinds = 0,
+    SharedBytes encoding(const FramePtr& frame, wire::BaselineFrames baselines, std::uint64_t kinds = 0,
                          std::optional<wire::Codec> poses = wire::Codec::bits);
     // The frame's entities as integers.
     wire::QuantizedFrame quantized(const FramePtr& frame);
@@ -62,7 +62,7 @@ public:
 
 private:
     struct Asked {
-        wire::BaseFrames baselines;
+        wire::BaselineFrames baselines;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
         std::optional<wire::Codec> poses;
 
@@ -76,13 +76,13 @@ private:
         std::vector<std::uint32_t> block_crcs;
         std::vector<bool> block_rests;  // all of it lies at rest
         wire::Channels channels;
-        std::map<std::pair<wire::BaseFrames, wire::Codec>, std::vector<std::byte>> packed;
+        std::map<std::pair<wire::BaselineFrames, wire::Codec>, std::vector<std::byte>> packed;
         std::map<Asked, SharedBytes> encodings;
     };
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
     // channels with them.
-    const std::vector<std::byte>& packed(Entry& entry, const wire::BaseFrames& baselines,
+    const std::vector<std::byte>& packed(Entry& entry, const wire::BaselineFrames& baselines,
                                          wire::Codec codec);
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* before, Entry oldest) const;

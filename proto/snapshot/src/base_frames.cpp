@@ -10,7 +10,7 @@ constexpr std::uint32_t no_base = 255, as_before = 0;
 
 }  // namespace
 
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& baselines) {
+std::uint32_t encode_base_frames(std::uint32_t frame, const BaselineFrames& baselines) {
     if (baselines.base == 0) return 0;
     const std::uint32_t first = frame - baselines.base;
     const auto later = [](std::uint32_t from, std::uint32_t to, std::uint32_t usual) {
@@ -22,12 +22,12 @@ std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& baseline
     return first | second << 8 | later(baselines.base2, baselines.base3, baselines.base - baselines.base2) << 16;
 }
 
-Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code) {
+Result<BaselineFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code) {
     const auto refuse = [&](const char* why) {
         return Error{ErrorCode::corrupt_data,
                      "frame " + std::to_string(frame) + ": bases " + std::to_string(code) + why};
     };
-    BaseFrames baselines;
+    BaselineFrames baselines;
     if (code == 0) return baselines;
     std::uint32_t distance = code & 255, second = code >> 8 & 255, third = code >> 16;
     if (distance == as_before || distance == no_base || third > no_base)

@@ -6,20 +6,20 @@
 namespace jostle::wire {
 namespace {
 
-TEST(BaseFrames, steps_of_one_length_are_one_small_number) {
+TEST(BaselineFrames, steps_of_one_length_are_one_small_number) {
     EXPECT_EQ(encode_base_frames(100, {}), 0u);
     EXPECT_EQ(encode_base_frames(100, {99, 98, 97}), 1u);
     EXPECT_EQ(encode_base_frames(100, {97, 94, 91}), 3u);
     EXPECT_EQ(encode_base_frames(100, {98, 97, 96}), 2u | 1u << 8 | 0u << 16);
 }
 
-TEST(BaseFrames, every_set_of_bases_comes_back) {
+TEST(BaselineFrames, every_set_of_bases_comes_back) {
     int sets = 0;
     for (const std::uint32_t a : {0u, 1u, 2u, 7u, 254u})
         for (const std::uint32_t b : {0u, 1u, 2u, 7u, 254u})
             for (const std::uint32_t c : {0u, 1u, 2u, 7u, 254u}) {
                 const std::uint32_t frame = 0xffffff00;
-                BaseFrames baselines;
+                BaselineFrames baselines;
                 if (a != 0) baselines.base = frame - a;
                 if (a != 0 && b != 0) baselines.base2 = baselines.base - b;
                 if (baselines.base2 != 0 && c != 0) baselines.base3 = baselines.base2 - c;
@@ -31,7 +31,7 @@ TEST(BaseFrames, every_set_of_bases_comes_back) {
     EXPECT_EQ(sets, 125);
 }
 
-TEST(BaseFrames, what_no_encoder_writes_is_refused) {
+TEST(BaselineFrames, what_no_encoder_writes_is_refused) {
     const std::uint32_t none = 255;
     for (const std::uint32_t code :
          {none, 256u, 1u | none << 8 | 1u << 16, 1u | 1u << 24, 10u, 5u | 5u << 8, 0xffffffffu})

@@ -63,7 +63,7 @@ struct Receiver {
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;
-    wire::BaseFrames baselines;
+    wire::BaselineFrames baselines;
 };
 
 TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
@@ -166,19 +166,19 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
     receiver.take(*cache.encoding(frame_at(60), slow.bases_for(60)));
-    EXPECT_EQ(receiver.baselines, wire::BaseFrames{});
+    EXPECT_EQ(receiver.baselines, wire::BaselineFrames{});
 }
 
 TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
     BaselineTracker baselines;
-    EXPECT_EQ(baselines.bases_for(5), wire::BaseFrames{});
+    EXPECT_EQ(baselines.bases_for(5), wire::BaselineFrames{});
     baselines.on_sent(5);
     baselines.on_sent(6);
     baselines.on_sent(7);
-    EXPECT_EQ(baselines.bases_for(8), (wire::BaseFrames{7, 6, 5}));
-    EXPECT_EQ(baselines.bases_for(1000), wire::BaseFrames{}) << "too far apart to predict from";
+    EXPECT_EQ(baselines.bases_for(8), (wire::BaselineFrames{7, 6, 5}));
+    EXPECT_EQ(baselines.bases_for(1000), wire::BaselineFrames{}) << "too far apart to predict from";
     baselines.reset();
-    EXPECT_EQ(baselines.bases_for(8), wire::BaseFrames{});
+    EXPECT_EQ(baselines.bases_for(8), wire::BaselineFrames{});
 }
 
 TEST(SnapshotCache, bodies_at_rest_are_silent) {
@@ -213,7 +213,7 @@ struct ChannelTeller {
     static Channel channel(std::uint32_t kind, std::int32_t value) {
         return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
-    SharedBytes encode(std::uint32_t tick, wire::BaseFrames baselines, std::uint64_t kinds) {
+    SharedBytes encode(std::uint32_t tick, wire::BaselineFrames baselines, std::uint64_t kinds) {
         told = {};
         return cache.encoding(frames.at(tick), baselines, kinds);
     }

@@ -17,7 +17,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
                                                wire::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaseFrames> told = wire::decode_base_frames(part.number(), part.baselines());
+    const Result<wire::BaselineFrames> told = wire::decode_base_frames(part.number(), part.baselines());
     if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
     const auto known = cells_.find(part.cell());
     if (known != cells_.end() && part.baselines() != 0 && part.number() <= known->second.back().frame)

@@ -115,7 +115,7 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
-    const Result<wire::BaseFrames> told_bases =
+    const Result<wire::BaselineFrames> told_bases =
         wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
     if (!told_bases.ok()) return told_bases.error();
     const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};

@@ -13,17 +13,17 @@ namespace jostle::wire {
 
 // Frame numbers, 0: none. base2 only with base, base3 only with base2; they fall, each by 1 to
 // base_distance_max.
-struct BaseFrames {
+struct BaselineFrames {
     std::uint32_t base = 0, base2 = 0, base3 = 0;
 
-    auto operator<=>(const BaseFrames&) const = default;
+    auto operator<=>(const BaselineFrames&) const = default;
 };
 
 inline constexpr std::uint32_t base_distance_max = 254;
 
 // 0: no base. The bases are within reach of the frame and of each other.
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaseFrames& baselines);
+std::uint32_t encode_base_frames(std::uint32_t frame, const BaselineFrames& baselines);
 // corrupt_data: a base would be before frame 1, or the number has other bits.
-Result<BaseFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code);
+Result<BaselineFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code);
 
 }  // namespace jostle::wire

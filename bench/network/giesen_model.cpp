@@ -133,12 +133,12 @@ struct GiesenCoder::State {
 namespace {
 
 // Which component is left out, and whether the largest of the others comes near to it.
-std::size_t largest_context(const wire::EntityState& base, std::int32_t m) {
+std::size_t largest_context(const wire::EntityState& baseline, std::int32_t m) {
     std::size_t second = 0;
     for (std::size_t k = 1; k < 3; k++)
-        if (std::abs(base.rotation[k]) > std::abs(base.rotation[second])) second = k;
-    const bool near = std::abs(base.rotation[second]) >= (m + 1) / 2;
-    return base.largest + (near ? 4 * (second + 1) : 0);
+        if (std::abs(baseline.rotation[k]) > std::abs(baseline.rotation[second])) second = k;
+    const bool near = std::abs(baseline.rotation[second]) >= (m + 1) / 2;
+    return baseline.largest + (near ? 4 * (second + 1) : 0);
 }
 
 bool are_near(const wire::EntityState& a, const wire::EntityState& b) {
@@ -152,34 +152,34 @@ public:
     CubeCoder(IntervalEncoder& out, Models& models, std::int32_t m)
         : out_(out), models_(models), m_(m) {}
 
-    Motion code(const wire::EntityState& now, const wire::EntityState& base, const Motion& before,
+    Motion code(const wire::EntityState& now, const wire::EntityState& baseline, const Motion& before,
                 bool near_player) {
         Motion motion;
-        bool turned = now.largest != base.largest, moved = false;
+        bool turned = now.largest != baseline.largest, moved = false;
         for (std::size_t k = 0; k < 3; k++) {
-            motion.turn[k] = now.rotation[k] - base.rotation[k];
-            motion.step[k] = std::int64_t{now.position[k]} - base.position[k];
+            motion.turn[k] = now.rotation[k] - baseline.rotation[k];
+            motion.step[k] = std::int64_t{now.position[k]} - baseline.position[k];
             turned = turned || motion.turn[k] != 0;
             moved = moved || motion.step[k] != 0;
         }
         motion.changing = turned || moved;
         const std::size_t context = (before.changing ? 1 : 0) + (near_player ? 2 : 0);
         models_.turned[context].code(out_, turned);
-        if (turned) rotation(now, base, motion, before);
+        if (turned) rotation(now, baseline, motion, before);
         models_.moved[(turned ? 1 : 0) + 2 * context].code(out_, moved);
         if (moved)
             for (std::size_t k = 0; k < 3; k++)
                 models_.step[magnitude_class(before.step[k])].code(
                     out_, motion.step[k] - before.step[k], before.step[k] < 0);
-        models_.awake[(base.at_rest ? 0 : 1) + (motion.changing ? 2 : 0)].code(out_, !now.at_rest);
+        models_.awake[(baseline.at_rest ? 0 : 1) + (motion.changing ? 2 : 0)].code(out_, !now.at_rest);
         return motion;
     }
 
 private:
-    void rotation(const wire::EntityState& now, const wire::EntityState& base, const Motion& motion,
+    void rotation(const wire::EntityState& now, const wire::EntityState& baseline, const Motion& motion,
                   const Motion& before) {
-        models_.largest[largest_context(base, m_)].code(out_, now.largest);
-        if (now.largest != base.largest) return other_largest(now, base, before);
+        models_.largest[largest_context(baseline, m_)].code(out_, now.largest);
+        if (now.largest != baseline.largest) return other_largest(now, baseline, before);
         for (std::size_t k = 0; k < 3; k++)
             models_.turn[magnitude_class(before.turn[k])].code(out_, motion.turn[k],
                                                                before.turn[k] < 0);
@@ -187,21 +187,21 @@ private:
 
     // The base's quaternion, its largest component guessed and turned over where need be, in the
     // terms of the new largest.
-    void other_largest(const wire::EntityState& now, const wire::EntityState& base,
+    void other_largest(const wire::EntityState& now, const wire::EntityState& baseline,
                        const Motion& before) {
         std::array<std::int64_t, 4> old{}, turn{};
         for (std::size_t axis = 0, k = 0; axis < 4; axis++) {
-            if (axis == base.largest) continue;
+            if (axis == baseline.largest) continue;
             turn[axis] = before.turn[k];
-            old[axis] = base.rotation[k++];
+            old[axis] = baseline.rotation[k++];
         }
-        old[base.largest] = (m_ + 1) * 97 / 128;
-        const std::size_t of_old = base.largest - (base.largest > now.largest ? 1 : 0);
+        old[baseline.largest] = (m_ + 1) * 97 / 128;
+        const std::size_t of_old = baseline.largest - (baseline.largest > now.largest ? 1 : 0);
         const bool flipped = now.rotation[of_old] < 0;
         models_.flipped[old[now.largest] < 0 ? 1 : 0].code(out_, flipped);
         for (std::size_t axis = 0, k = 0; axis < 4; axis++) {
             if (axis == now.largest) continue;
-            const bool known = axis != base.largest;
+            const bool known = axis != baseline.largest;
             models_.turn[known ? magnitude_class(turn[axis]) : magnitudes].code(
                 out_, now.rotation[k++] - (flipped ? -old[axis] : old[axis]),
                 (known && turn[axis] < 0) != flipped);
@@ -216,15 +216,15 @@ private:
 }  // namespace
 
 GiesenCoder::Coded GiesenCoder::encode(const wire::QuantizedFrame& now,
-                                       const wire::QuantizedFrame& base,
+                                       const wire::QuantizedFrame& baseline,
                                        const StatePtr& base_state) const {
     auto state = base_state ? std::make_shared<State>(*base_state) : std::make_shared<State>();
     state->motions.resize(now.entities.size());
     IntervalEncoder out;
     CubeCoder cubes(out, state->models, m_);
     for (std::size_t i = 0; i < now.entities.size(); i++)
-        state->motions[i] = cubes.code(now.entities[i], base.entities[i], state->motions[i],
-                                       are_near(base.entities[i], base.entities[player_]));
+        state->motions[i] = cubes.code(now.entities[i], baseline.entities[i], state->motions[i],
+                                       are_near(baseline.entities[i], baseline.entities[player_]));
     return {.bytes = out.finish(), .state = std::move(state)};
 }
 

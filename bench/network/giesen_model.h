@@ -35,7 +35,7 @@ public:
         std::vector<std::byte> bytes;
         StatePtr state;
     };
-    Coded encode(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base,
+    Coded encode(const wire::QuantizedFrame& now, const wire::QuantizedFrame& baseline,
                  const StatePtr& base_state) const;
 
 private:

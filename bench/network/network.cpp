@@ -39,7 +39,7 @@ struct NetworkFlags {
 
 struct Row {
     std::string codec;
-    int base = 0, m = 0;
+    int baseline = 0, m = 0;
     double moving = 0, hz = 60;
     std::vector<double> bytes;
     double encode_us = 0, decode_us = 0;  // per frame; decode 0: there is no decoder
@@ -84,7 +84,7 @@ void run_giesen(Row& row, const Frames& frames, std::size_t age, const wire::Qua
 nlohmann::ordered_json to_json(const Row& row) {
     nlohmann::ordered_json json = {
         {"codec", row.codec},
-        {"base_ticks", row.base},
+        {"base_ticks", row.baseline},
         {"rotation_component", row.m},
         {"moving_per_frame", rounded(row.moving)},
         {"bytes_per_frame", rounded(mean(row.bytes))},
@@ -96,7 +96,7 @@ nlohmann::ordered_json to_json(const Row& row) {
 }
 
 void print_row(const Row& row) {
-    std::printf("%4d %5d  %-8s %7.1f %6.0f %7.1f %7.1f %8.1f", row.base, row.m, row.codec.c_str(),
+    std::printf("%4d %5d  %-8s %7.1f %6.0f %7.1f %7.1f %8.1f", row.baseline, row.m, row.codec.c_str(),
                 mean(row.bytes), percentile_99(row.bytes), mean(row.bytes) * 8 * row.hz / 1000,
                 row.moving, row.encode_us);
     if (row.decode_us > 0) std::printf(" %8.1f", row.decode_us);
@@ -120,10 +120,10 @@ bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire
         std::fprintf(stderr, "jostle-bench: %s\n", recorded.error().message.c_str());
         return false;
     }
-    for (const int base : flags.baselines)
+    for (const int baseline : flags.baselines)
         for (const char* codec : {"1", "2", "giesen"}) {
-            const auto age = static_cast<std::size_t>(base);
-            Row row{.codec = codec, .base = base, .m = spec.rotation_component};
+            const auto age = static_cast<std::size_t>(baseline);
+            Row row{.codec = codec, .baseline = baseline, .m = spec.rotation_component};
             row.hz = recorded->hz;
             row.moving = mean_moving(recorded->frames, age);
             if (row.codec == "giesen")

@@ -139,7 +139,7 @@ std::string encode_notice(NoticeKind kind, const std::string& text) {
 std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
     snapshot.set_frame(encoded.frame);
-    snapshot.set_baselines(wire::encode_base_frames(encoded.frame, encoded.baselines));
+    snapshot.set_baselines(wire::encode_baseline_frames(encoded.frame, encoded.baselines));
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
     snapshot.set_late_us(encoded.late_us);
@@ -172,7 +172,7 @@ std::string encode_cell_field(const EncodedCell& from) {
     v1::CellUpdate& cell = *fields.add_cells();
     cell.set_cell(from.id);
     cell.set_number(from.number);
-    cell.set_baselines(wire::encode_base_frames(from.number, from.baselines));
+    cell.set_baselines(wire::encode_baseline_frames(from.number, from.baselines));
     cell.set_packed(from.packed.data(), from.packed.size());
     cell.set_crc(from.crc);
     return fields.SerializeAsString();

@@ -11,16 +11,16 @@ constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 betwee
 wire::BaselineFrames BaselineTracker::bases_for(std::uint32_t frame) const {
     wire::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_base) return baselines;
-    baselines.base = sent_.back();
+    baselines.baseline = sent_.back();
     // The newest sent frame that is at least half of dt1 before `before`.
-    const std::uint32_t apart = (frame - baselines.base + 1) / 2;
+    const std::uint32_t apart = (frame - baselines.baseline + 1) / 2;
     const auto older = [&](std::uint32_t before) -> std::uint32_t {
         for (auto at = sent_.rbegin(); at != sent_.rend(); ++at)
             if (*at + apart <= before) return before - *at > oldest_base ? 0 : *at;
         return 0;
     };
-    baselines.base2 = older(baselines.base);
-    if (baselines.base2 != 0) baselines.base3 = older(baselines.base2);
+    baselines.baseline2 = older(baselines.baseline);
+    if (baselines.baseline2 != 0) baselines.baseline3 = older(baselines.baseline2);
     return baselines;
 }
 

@@ -69,18 +69,18 @@ SharedBytes CellFeed::encoding(const CellState& state, wire::BaselineFrames base
 
 SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
                              wire::Codec codec) const {
-    const wire::QuantizedFrame* base = baselines.base != 0 ? find(history, baselines.base) : nullptr;
-    const wire::QuantizedFrame* base2 =
-        base && baselines.base2 != 0 ? find(history, baselines.base2) : nullptr;
-    const wire::QuantizedFrame* base3 =
-        base2 && baselines.base3 != 0 ? find(history, baselines.base3) : nullptr;
-    const wire::BaselineFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
-                                base3 ? baselines.base3 : 0};
+    const wire::QuantizedFrame* baseline = baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
+    const wire::QuantizedFrame* baseline2 =
+        baseline && baselines.baseline2 != 0 ? find(history, baselines.baseline2) : nullptr;
+    const wire::QuantizedFrame* baseline3 =
+        baseline2 && baselines.baseline3 != 0 ? find(history, baselines.baseline3) : nullptr;
+    const wire::BaselineFrames used{baseline ? baselines.baseline : 0, baseline2 ? baselines.baseline2 : 0,
+                                baseline3 ? baselines.baseline3 : 0};
     return std::make_shared<const std::string>(serialize_(
         {.id = state.id,
          .number = state.number,
          .baselines = used,
-         .packed = wire::encode_frame(*state.content, {base, base2, base3}, spec_, codec),
+         .packed = wire::encode_frame(*state.content, {baseline, baseline2, baseline3}, spec_, codec),
          .crc = state.crc}));
 }
 

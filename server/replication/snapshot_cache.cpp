@@ -20,10 +20,10 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
 }
 
 // For so long all was as in the base, and changed at most in the frame's own tick.
-std::uint32_t unchanged_ticks(const Frame& frame, const Frame& base) {
-    if (frame.changed_at <= base.tick) return frame.tick - base.tick;
-    const bool held = frame.changed_at == frame.tick && frame.before_changed_at <= base.tick;
-    return held ? frame.tick - 1 - base.tick : 0;
+std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
+    if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
+    const bool held = frame.changed_at == frame.tick && frame.before_changed_at <= baseline.tick;
+    return held ? frame.tick - 1 - baseline.tick : 0;
 }
 
 wire::Channels channels_of(const Frame& frame) {
@@ -102,10 +102,10 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
 }
 
 // Blocks that both share, and in which all rests.
-std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& base) {
+std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& baseline) {
     std::vector<wire::QuietRun> runs;
-    if (entry.frame->entity_list != base.frame->entity_list) return runs;
-    const auto &blocks = entry.frame->entities.blocks(), &before = base.frame->entities.blocks();
+    if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
+    const auto &blocks = entry.frame->entities.blocks(), &before = baseline.frame->entities.blocks();
     if (blocks.size() != before.size()) return runs;
     for (std::size_t b = 0; b < blocks.size(); b++) {
         if (blocks[b] != before[b] || !entry.block_rests[b]) continue;
@@ -123,17 +123,17 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
     // Each base makes sense only with the one before it, in falling order.
-    const Entry* base = baselines.base < frame->tick ? find(baselines.base) : nullptr;
-    const Entry* base2 = base && baselines.base2 < baselines.base ? find(baselines.base2) : nullptr;
-    const Entry* base3 = base2 && baselines.base3 < baselines.base2 ? find(baselines.base3) : nullptr;
-    const wire::BaselineFrames used{base ? baselines.base : 0, base2 ? baselines.base2 : 0,
-                                base3 ? baselines.base3 : 0};
+    const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
+    const Entry* baseline2 = baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
+    const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2 ? find(baselines.baseline3) : nullptr;
+    const wire::BaselineFrames used{baseline ? baselines.baseline : 0, baseline2 ? baselines.baseline2 : 0,
+                                baseline3 ? baselines.baseline3 : 0};
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     wire::PackedChannels channels;
     if (kinds != 0)
         channels =
-            wire::encode_channels(entry.channels, base ? base->channels : wire::Channels{}, kinds);
+            wire::encode_channels(entry.channels, baseline ? baseline->channels : wire::Channels{}, kinds);
     // Where nothing of them changed it is what those get who asked for none.
     SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, poses}];
     if (!bytes)
@@ -143,7 +143,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
                         .packed = poses ? packed(entry, used, *poses) : std::vector<std::byte>(),
                         .crc = poses ? entry.crc : 0,
                         .late_us = frame->late_us,
-                        .unchanged_ticks = base ? unchanged_ticks(*frame, *base->frame) : 0,
+                        .unchanged_ticks = baseline ? unchanged_ticks(*frame, *baseline->frame) : 0,
                         .channels = std::move(channels)}));
     return entry.encodings[{used, kinds, poses}] = bytes;
 }
@@ -153,14 +153,14 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
     const auto [at, fresh] = entry.packed.try_emplace({baselines, codec});
     if (!fresh) return at->second;
     const auto poses = [&](std::uint32_t number) {
-        const Entry* base = number != 0 ? find(number) : nullptr;
-        return base ? &base->quantized : nullptr;
+        const Entry* baseline = number != 0 ? find(number) : nullptr;
+        return baseline ? &baseline->quantized : nullptr;
     };
-    const Entry* const base = find(baselines.base);
+    const Entry* const baseline = find(baselines.baseline);
     const std::vector<wire::QuietRun> quiet =
-        base ? quiet_runs(entry, *base) : std::vector<wire::QuietRun>();
+        baseline ? quiet_runs(entry, *baseline) : std::vector<wire::QuietRun>();
     at->second = wire::encode_frame(entry.quantized,
-                                    {poses(baselines.base), poses(baselines.base2), poses(baselines.base3)},
+                                    {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)},
                                     spec_, codec, quiet);
     made_++;
     return at->second;

@@ -22,7 +22,7 @@ bool DatagramLane::carries(std::uint32_t tick, Clock::time_point now) {
         unacked_since_.reset();
         path_->ask_anew();
     }
-    return now >= by_stream_until_ && path_->is_open(now) && frames_.bases_for(tick).base != 0;
+    return now >= by_stream_until_ && path_->is_open(now) && frames_.bases_for(tick).baseline != 0;
 }
 
 void DatagramLane::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {

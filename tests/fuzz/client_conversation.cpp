@@ -67,10 +67,10 @@ private:
 
     bool put_crc(v1::Snapshot& snapshot) const {
         wire::Bases baselines;
-        const auto told = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
+        const auto told = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
-        const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
-        const wire::QuantizedFrame** const slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
+        const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
+        const wire::QuantizedFrame** const slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());

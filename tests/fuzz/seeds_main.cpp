@@ -212,10 +212,10 @@ std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
     for (std::size_t i = 0; i < 8; i++) {
         const wire::GoldenFrame& g = golden.frames[i];
         const auto packed =
-            encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, golden.spec, codec);
+            encode_frame(g.frame, {find(g.baseline), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
         std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
         bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
-        const int baselines = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
+        const int baselines = (g.baseline != 0) + (g.baseline2 != 0) + (g.baseline3 != 0);
         const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range) << 7;
         out += record(static_cast<std::uint8_t>(kind), bytes);
         newest = g.frame.frame;

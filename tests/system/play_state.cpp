@@ -117,16 +117,16 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
     const auto base_of = [&](std::uint32_t frame) {
-        const wire::QuantizedFrame* base = frame == 0 ? nullptr : find(frame);
-        expect(frame == 0 || base != nullptr,
+        const wire::QuantizedFrame* baseline = frame == 0 ? nullptr : find(frame);
+        expect(frame == 0 || baseline != nullptr,
                name + " refers to frame " + std::to_string(frame) + ", which was never sent");
-        return base;
+        return baseline;
     };
-    const auto told_bases = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
+    const auto told_bases = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     expect(told_bases.ok(), name + " names bases that cannot be");
     if (!told_bases.ok()) return;
-    const wire::Bases baselines{base_of(told_bases->base), base_of(told_bases->base2),
-                            base_of(told_bases->base3)};
+    const wire::Bases baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
+                            base_of(told_bases->baseline3)};
     const auto frame =
         welcome.cells() ? seen_by_cells(snapshot, name)
                         : decoded(name, snapshot.frame(), snapshot.packed(), baselines, snapshot.crc());
@@ -172,12 +172,12 @@ std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot&
             expect(number == 0 || states.contains(number), cell + " refers to a state never sent");
             return number != 0 && states.contains(number) ? &states[number] : nullptr;
         };
-        const auto told = wire::decode_base_frames(part.number(), part.baselines());
+        const auto told = wire::decode_baseline_frames(part.number(), part.baselines());
         expect(told.ok(), cell + " names bases that cannot be");
         if (!told.ok()) return std::nullopt;
         auto state =
             decoded(cell, part.number(), part.packed(),
-                    {base_of(told->base), base_of(told->base2), base_of(told->base3)}, part.crc());
+                    {base_of(told->baseline), base_of(told->baseline2), base_of(told->baseline3)}, part.crc());
         if (!state) return std::nullopt;
         if (part.baselines() == 0) states.clear();
         states[part.number()] = *std::move(state);

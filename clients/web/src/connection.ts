@@ -381,12 +381,12 @@ export class Connection {
   private decode(s: Snapshot): void {
     try {
       const baselines = baseFrames(s.frame, s.baselines);
-      const [base, base2, base3] = baselines.map((number) => {
+      const [base, baseline2, baseline3] = baselines.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
-      const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, base2, base3 });
+      const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, baseline2, baseline3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(baselines[0]));
       if (s.unchangedTicks > 0) this.frames.hold(this.dueUs(baselines[0] + s.unchangedTicks, s.lateUs));

@@ -15,7 +15,7 @@ function readGolden(name: string) {
   expect(codec).toBe(name.startsWith('range_') ? 2 : 1);
   const spec = { unitsPerMeter: u32(), rotationComponent: u32() };
   const frames = Array.from({ length: u32() }, () => {
-    const [frame, base, base2, base3, crc, count, size] = [u32(), u32(), u32(), u32(), u32(), u32(), u32()];
+    const [frame, base, baseline2, baseline3, crc, count, size] = [u32(), u32(), u32(), u32(), u32(), u32(), u32()];
     const entities: EntityState[] = [];
     for (let i = 0; i < count!; i++, at += 24)
       entities.push({
@@ -26,7 +26,7 @@ function readGolden(name: string) {
         atRest: view.getUint8(at + 23) === 1,
       });
     const packed = new Uint8Array(bytes.subarray(at, (at += size!)));
-    return { frame: frame!, baselines: [base!, base2!, base3!], crc: crc!, entities, packed };
+    return { frame: frame!, baselines: [base!, baseline2!, baseline3!], crc: crc!, entities, packed };
   });
   expect(at).toBe(bytes.length);
   return { codec, spec, frames };
@@ -41,8 +41,8 @@ describe('golden frames', () => {
     const { codec, spec, frames } = readGolden(name);
     const decoded = new Map<number, QuantizedFrame>();
     for (const golden of frames) {
-      const [base, base2, base3] = golden.baselines.map((number) => decoded.get(number));
-      const frame = decodeFrame(golden.frame, golden.packed, { base, base2, base3 }, spec, 1000, codec);
+      const [base, baseline2, baseline3] = golden.baselines.map((number) => decoded.get(number));
+      const frame = decodeFrame(golden.frame, golden.packed, { base, baseline2, baseline3 }, spec, 1000, codec);
       expect(frame.entities).toEqual(golden.entities);
       expect(frameCrc(frame)).toBe(golden.crc);
       decoded.set(frame.frame, frame);

@@ -191,18 +191,18 @@ export function decodeFrame(
 ): QuantizedFrame {
   if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
   if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
-  const base2 = baselines.base ? baselines.base2 : undefined;
-  const base3 = base2 ? baselines.base3 : undefined;
+  const baseline2 = baselines.base ? baselines.baseline2 : undefined;
+  const baseline3 = baseline2 ? baselines.baseline3 : undefined;
   const t: Spacing = {
     dt1: baselines.base ? frame - baselines.base.frame : 1,
-    dt2: baselines.base && base2 ? baselines.base.frame - base2.frame : 1,
-    dt3: base2 && base3 ? base2.frame - base3.frame : 1,
+    dt2: baselines.base && baseline2 ? baselines.base.frame - baseline2.frame : 1,
+    dt3: baseline2 && baseline3 ? baseline2.frame - baseline3.frame : 1,
   };
   for (const dt of [t.dt1, t.dt2, t.dt3])
     if (dt < 1 || dt > MAX_SPACING)
       throw new DecodeError(`frame ${frame} is not 1 to 255 ticks after its baselines`);
   const reader = codec === 2 ? new RangeFrameReader(packed, spec) : new BitFrameReader(packed, spec);
-  const entities = reader.decode({ base: baselines.base, base2, base3 }, t, maxEntities);
+  const entities = reader.decode({ base: baselines.base, baseline2, baseline3 }, t, maxEntities);
   return { frame, entities };
 }
 

@@ -24,8 +24,8 @@ export interface QuantSpec {
 
 export interface Bases {
   readonly base?: QuantizedFrame | undefined;
-  readonly base2?: QuantizedFrame | undefined;
-  readonly base3?: QuantizedFrame | undefined;
+  readonly baseline2?: QuantizedFrame | undefined;
+  readonly baseline3?: QuantizedFrame | undefined;
 }
 
 export class DecodeError extends Error {}
@@ -86,8 +86,8 @@ export class Finder {
 
 /** Entities of the base that are still there; `removed` are positions in it. */
 export function survivorsOf(baselines: Bases, removed: Set<number>): Survivor[] {
-  const in2 = new Finder(baselines.base2);
-  const in3 = new Finder(baselines.base2 ? baselines.base3 : undefined);
+  const in2 = new Finder(baselines.baseline2);
+  const in3 = new Finder(baselines.baseline2 ? baselines.baseline3 : undefined);
   const out: Survivor[] = [];
   (baselines.base?.entities ?? []).forEach((b1, i) => {
     if (removed.has(i)) return;

@@ -100,12 +100,12 @@ export class SeenCells {
     const name = `cell ${part.cell} of tick ${part.number}`;
     if (part.baselines !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)
       throw new DecodeError(`${name} is not newer than the last one`);
-    const [base, base2, base3] = baseFrames(part.number, part.baselines).map((number) => {
+    const [base, baseline2, baseline3] = baseFrames(part.number, part.baselines).map((number) => {
       const state = known.find((k) => k.frame === number);
       if (number !== 0 && !state) throw new DecodeError(`${name}: its state ${number} is not known`);
       return state;
     });
-    const state = decodeFrame(part.number, part.packed, { base, base2, base3 }, spec, undefined, codec);
+    const state = decodeFrame(part.number, part.packed, { base, baseline2, baseline3 }, spec, undefined, codec);
     if (frameCrc(state) !== part.crc) throw new DecodeError(`${name}: the CRC does not match`);
     return state;
   }

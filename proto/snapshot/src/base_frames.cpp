@@ -10,19 +10,19 @@ constexpr std::uint32_t no_base = 255, as_before = 0;
 
 }  // namespace
 
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaselineFrames& baselines) {
-    if (baselines.base == 0) return 0;
-    const std::uint32_t first = frame - baselines.base;
+std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines) {
+    if (baselines.baseline == 0) return 0;
+    const std::uint32_t first = frame - baselines.baseline;
     const auto later = [](std::uint32_t from, std::uint32_t to, std::uint32_t usual) {
         if (to == 0) return no_base;
         return from - to == usual ? as_before : from - to;
     };
-    const std::uint32_t second = later(baselines.base, baselines.base2, first);
-    if (baselines.base2 == 0) return first | second << 8;
-    return first | second << 8 | later(baselines.base2, baselines.base3, baselines.base - baselines.base2) << 16;
+    const std::uint32_t second = later(baselines.baseline, baselines.baseline2, first);
+    if (baselines.baseline2 == 0) return first | second << 8;
+    return first | second << 8 | later(baselines.baseline2, baselines.baseline3, baselines.baseline - baselines.baseline2) << 16;
 }
 
-Result<BaselineFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code) {
+Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code) {
     const auto refuse = [&](const char* why) {
         return Error{ErrorCode::corrupt_data,
                      "frame " + std::to_string(frame) + ": bases " + std::to_string(code) + why};
@@ -33,18 +33,18 @@ Result<BaselineFrames> decode_base_frames(std::uint32_t frame, std::uint32_t cod
     if (distance == as_before || distance == no_base || third > no_base)
         return refuse(" are no distances of 1 to 254");
     if (distance >= frame) return refuse(" lie before the first frame");
-    baselines.base = frame - distance;
+    baselines.baseline = frame - distance;
     if (second == no_base) {
         if (third != 0) return refuse(" have a third without a second");
         return baselines;
     }
     distance = second == as_before ? distance : second;
-    if (distance >= baselines.base) return refuse(" lie before the first frame");
-    baselines.base2 = baselines.base - distance;
+    if (distance >= baselines.baseline) return refuse(" lie before the first frame");
+    baselines.baseline2 = baselines.baseline - distance;
     if (third == no_base) return baselines;
     distance = third == as_before ? distance : third;
-    if (distance >= baselines.base2) return refuse(" lie before the first frame");
-    baselines.base3 = baselines.base2 - distance;
+    if (distance >= baselines.baseline2) return refuse(" lie before the first frame");
+    baselines.baseline3 = baselines.baseline2 - distance;
     return baselines;
 }
 

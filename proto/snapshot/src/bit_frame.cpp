@@ -18,8 +18,8 @@ constexpr unsigned position_order = 12;  // absolute positions
 
 // Expected to stay as it is; all others are live.
 bool is_still(const Survivor& s) {
-    return s.base->at_rest || !s.base2 ||
-           (same_pose(*s.base, *s.base2) && (!s.base3 || same_pose(*s.base, *s.base3)));
+    return s.baseline->at_rest || !s.baseline2 ||
+           (same_pose(*s.baseline, *s.baseline2) && (!s.baseline3 || same_pose(*s.baseline, *s.baseline3)));
 }
 
 // Rice parameters from how restless the entity was.
@@ -33,7 +33,7 @@ Widths widths_of(const Survivor& s, const Prediction& p, const Spacing& t) {
     static constexpr std::uint8_t for_rotation[12] = {0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8};
     std::int64_t position = p.position_change, rotation = p.rotation_change;
     // No or little history: the change says nothing; expect some units per tick.
-    if (is_still(s) || !s.base3 || same_pose(*s.base, *s.base2)) {
+    if (is_still(s) || !s.baseline3 || same_pose(*s.baseline, *s.baseline2)) {
         position = std::max(position, 4 * t.dt1);
         rotation = std::max(rotation, 4 * t.dt1);
     }
@@ -53,7 +53,7 @@ void write_components(BitWriter& out, const EntityState& state, const QuantSpec&
 
 void write_pose(BitWriter& out, const EntityState& now, const Survivor& s, const Spacing& t,
                 const QuantSpec& spec) {
-    const Prediction p = predict(*s.base, s.base2, s.base3, t, spec);
+    const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec);
     const Widths widths = widths_of(s, p, t);
     for (std::size_t k = 0; k < 3; k++)
         out.rice(zig_zag(now.position[k] - p.position[k]), widths.position);
@@ -106,7 +106,7 @@ void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
         for (std::size_t i = from; i < survivors.size(); i++) {
             run += survivors[i].quiet_before;
             if (!is_still(survivors[i])) continue;
-            if (!same_pose(*now[i], *survivors[i].base)) return run;
+            if (!same_pose(*now[i], *survivors[i].baseline)) return run;
             run++;
         }
         return run + to.quiet_after;
@@ -125,10 +125,10 @@ void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
             changed = run == 0;
             if (!changed) run--;
         } else {
-            changed = !same_pose(*now[i], *s.base);
+            changed = !same_pose(*now[i], *s.baseline);
             out.bits(changed ? 1 : 0, 1);
         }
-        if (now[i]->at_rest != (changed ? false : s.base->at_rest)) toggles.push_back(position);
+        if (now[i]->at_rest != (changed ? false : s.baseline->at_rest)) toggles.push_back(position);
         if (!changed) continue;
         write_pose(out, *now[i], s, t, spec);
         if (still) {
@@ -149,7 +149,7 @@ public:
     Result<std::vector<EntityState>> decode(const Bases& baselines, const Spacing& t,
                                             std::size_t max_entities) {
         std::vector<std::size_t> removed;
-        const std::size_t in_base = baselines.base ? baselines.base->entities.size() : 0;
+        const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
         if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
         const std::vector<Survivor> survivors = survivors_of(baselines, removed);
         std::vector<EntityState> spawned;
@@ -205,7 +205,7 @@ private:
         if (ended()) return false;
         if (count > limit) return fail("spawned: more entities than the limit");
         std::uint64_t next_id = 1;
-        Finder in_base(baselines.base);
+        Finder in_base(baselines.baseline);
         for (std::uint64_t i = 0; i < count; i++) {
             const std::uint64_t id = next_id + in_.exp_golomb(gap_order);
             if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
@@ -226,7 +226,7 @@ private:
     }
 
     bool read_pose(EntityState& state, const Survivor& s, const Spacing& t) {
-        const Prediction p = predict(*s.base, s.base2, s.base3, t, spec_);
+        const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec_);
         const Widths widths = widths_of(s, p, t);
         for (std::size_t k = 0; k < 3; k++) {
             const std::int64_t v = p.position[k] + un_zig_zag(in_.rice(widths.position));
@@ -250,7 +250,7 @@ private:
         kept.reserve(survivors.size());
         std::uint64_t run = in_.exp_golomb(still_order);
         for (const Survivor& s : survivors) {
-            EntityState state = *s.base;
+            EntityState state = *s.baseline;
             const bool still = is_still(s);
             bool changed;
             if (still) {

@@ -33,16 +33,16 @@ private:
 };
 
 // Differences are of 32 bits and wrap around, so that every one of them can be told.
-std::int32_t difference(std::int32_t value, std::int32_t base) {
+std::int32_t difference(std::int32_t value, std::int32_t baseline) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) -
-                                     static_cast<std::uint32_t>(base));
+                                     static_cast<std::uint32_t>(baseline));
 }
-std::int32_t sum(std::int32_t base, std::int32_t difference) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(base) +
+std::int32_t sum(std::int32_t baseline, std::int32_t difference) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(baseline) +
                                      static_cast<std::uint32_t>(difference));
 }
-std::int32_t value_at(const std::vector<std::int32_t>* base, std::size_t k) {
-    return base && k < base->size() ? (*base)[k] : 0;
+std::int32_t value_at(const std::vector<std::int32_t>* baseline, std::size_t k) {
+    return baseline && k < baseline->size() ? (*baseline)[k] : 0;
 }
 
 // What a changed channel says, as the CRC sees it.
@@ -67,25 +67,25 @@ private:
 
 struct Changed {
     const Channel* now = nullptr;   // null: it ended
-    const Channel* base = nullptr;  // null: it is new
+    const Channel* baseline = nullptr;  // null: it is new
 
-    const Channel& either() const { return now ? *now : *base; }
+    const Channel& either() const { return now ? *now : *baseline; }
 };
 
 // Both lists are sorted, so one walk along both finds what differs.
-std::vector<Changed> changed_channels(const Channels& now, const Channels& base,
+std::vector<Changed> changed_channels(const Channels& now, const Channels& baseline,
                                       std::uint64_t kinds) {
     std::vector<Changed> changed;
     const auto wanted = [&](const Changed& c) { return (kinds >> c.either().kind & 1) != 0; };
-    auto b = base.begin();
+    auto b = baseline.begin();
     const auto ended_before = [&](const Key* key) {
-        for (; b != base.end() && (!key || key_of(*b) < *key); ++b)
+        for (; b != baseline.end() && (!key || key_of(*b) < *key); ++b)
             if (const Changed ended{nullptr, &*b}; wanted(ended)) changed.push_back(ended);
     };
     for (const Channel& channel : now) {
         const Key key = key_of(channel);
         ended_before(&key);
-        const bool known = b != base.end() && key_of(*b) == key;
+        const bool known = b != baseline.end() && key_of(*b) == key;
         const Changed change{&channel, known ? &*b : nullptr};
         const bool same = known && (b->values == channel.values || *b->values == *channel.values);
         if (!same && wanted(change)) changed.push_back(change);
@@ -96,15 +96,15 @@ std::vector<Changed> changed_channels(const Channels& now, const Channels& base,
 }
 
 void write_values(BitWriter& bits, const std::vector<std::int32_t>& values,
-                  const std::vector<std::int32_t>* base) {
+                  const std::vector<std::int32_t>* baseline) {
     Spread spread;
     std::size_t k = 0;
     while (k < values.size()) {
         const std::size_t first = k;
-        while (k < values.size() && values[k] == value_at(base, k)) k++;
+        while (k < values.size() && values[k] == value_at(baseline, k)) k++;
         bits.exp_golomb(k - first, run_order);
         if (k == values.size()) return;
-        const std::uint64_t size = zig_zag(difference(values[k], value_at(base, k))) - 1;
+        const std::uint64_t size = zig_zag(difference(values[k], value_at(baseline, k))) - 1;
         bits.exp_golomb(size, spread.order());
         spread.saw(size);
         k++;
@@ -148,9 +148,9 @@ std::string name_of(const Channel& channel) {
 }
 
 Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
-                                  const std::vector<std::int32_t>* base) {
+                                  const std::vector<std::int32_t>* baseline) {
     auto values = std::make_shared<std::vector<std::int32_t>>(count);
-    for (std::size_t k = 0; k < count; k++) (*values)[k] = value_at(base, k);
+    for (std::size_t k = 0; k < count; k++) (*values)[k] = value_at(baseline, k);
     Spread spread;
     std::uint64_t k = 0;
     while (k < count) {
@@ -168,21 +168,21 @@ Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
 }
 
 // One change, into `channel`: its values are null where it ended.
-Status read_change(BitReader& bits, Channel& channel, const Channel* base) {
+Status read_change(BitReader& bits, Channel& channel, const Channel* baseline) {
     const std::uint64_t change = bits.bits(change_bits);
     channel.values = nullptr;
     if (change == static_cast<std::uint64_t>(Change::ended))
-        return base ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
+        return baseline ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
     if (change > static_cast<std::uint64_t>(Change::ended))
         return bad_channels(name_of(channel) + " changes in a way that is not known");
     const bool told = change == static_cast<std::uint64_t>(Change::length);
-    if (!told && !base) return bad_channels(name_of(channel) + " changed, but was not there");
-    const std::uint64_t count = told ? bits.exp_golomb(length_order) : base->values->size();
+    if (!told && !baseline) return bad_channels(name_of(channel) + " changed, but was not there");
+    const std::uint64_t count = told ? bits.exp_golomb(length_order) : baseline->values->size();
     if (count > channel_values_max)
         return bad_channels(name_of(channel) + " has more than " +
                             std::to_string(channel_values_max) + " values");
     Result<ChannelValues> values =
-        read_values(bits, static_cast<std::size_t>(count), base ? base->values.get() : nullptr);
+        read_values(bits, static_cast<std::size_t>(count), baseline ? baseline->values.get() : nullptr);
     if (!values.ok()) return values.error();
     channel.values = *std::move(values);
     return {};
@@ -200,8 +200,8 @@ Status check_sizes(const Channels& channels) {
 
 }  // namespace
 
-PackedChannels encode_channels(const Channels& now, const Channels& base, std::uint64_t kinds) {
-    const std::vector<Changed> changed = changed_channels(now, base, kinds);
+PackedChannels encode_channels(const Channels& now, const Channels& baseline, std::uint64_t kinds) {
+    const std::vector<Changed> changed = changed_channels(now, baseline, kinds);
     if (changed.empty()) return {};
     BitWriter bits;
     Digest digest;
@@ -215,28 +215,28 @@ PackedChannels encode_channels(const Channels& now, const Channels& base, std::u
             continue;
         }
         const auto& values = *c.now->values;
-        const bool same_length = c.base && c.base->values->size() == values.size();
+        const bool same_length = c.baseline && c.baseline->values->size() == values.size();
         bits.bits(static_cast<std::uint64_t>(same_length ? Change::values : Change::length),
                   change_bits);
         if (!same_length) bits.exp_golomb(values.size(), length_order);
-        write_values(bits, values, c.base ? c.base->values.get() : nullptr);
+        write_values(bits, values, c.baseline ? c.baseline->values.get() : nullptr);
     }
     return {.bytes = bits.finish(), .crc = digest.crc()};
 }
 
-Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& base) {
-    if (bytes.empty()) return ReadChannels{base, 0};
+Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline) {
+    if (bytes.empty()) return ReadChannels{baseline, 0};
     BitReader bits(bytes);
     const std::uint64_t count = bits.exp_golomb(count_order) + 1;
     Channels channels;
     Digest digest;
     Place place;
-    auto b = base.begin();
+    auto b = baseline.begin();
     for (std::uint64_t i = 0; i < count; i++) {
         Channel channel;
         if (!place.read(bits, channel)) return bad_channels("a kind or an entity out of range");
-        for (; b != base.end() && key_of(*b) < key_of(channel); ++b) channels.push_back(*b);
-        const bool known = b != base.end() && key_of(*b) == key_of(channel);
+        for (; b != baseline.end() && key_of(*b) < key_of(channel); ++b) channels.push_back(*b);
+        const bool known = b != baseline.end() && key_of(*b) == key_of(channel);
         if (Status s = read_change(bits, channel, known ? &*b : nullptr); !s.ok()) return s.error();
         if (known) ++b;
         digest.add(channel, !channel.values);
@@ -244,15 +244,15 @@ Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Chann
         if (bits.past_end()) return bad_channels("the bytes end early");
         if (Status s = check_sizes(channels); i % 256 == 255 && !s.ok()) return s.error();
     }
-    channels.insert(channels.end(), b, base.end());
+    channels.insert(channels.end(), b, baseline.end());
     if (!bits.at_clean_end()) return bad_channels("there are bytes after the end");
     if (Status s = check_sizes(channels); !s.ok()) return s.error();
     return ReadChannels{std::move(channels), digest.crc()};
 }
 
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
-                                 const Channels& base) {
-    Result<ReadChannels> read = read_channels(bytes, base);
+                                 const Channels& baseline) {
+    Result<ReadChannels> read = read_channels(bytes, baseline);
     if (!read.ok()) return read.error();
     if (read->crc != crc) return bad_channels("the CRC does not match");
     return std::move(read->channels);

@@ -48,13 +48,13 @@ void face(Four& q, const Four& towards) {
         for (std::int64_t& c : q) c = -c;
 }
 
-void predict_position(Prediction& p, const EntityState& base, const EntityState* base2,
-                      const EntityState* base3, const Spacing& t) {
+void predict_position(Prediction& p, const EntityState& baseline, const EntityState* baseline2,
+                      const EntityState* baseline3, const Spacing& t) {
     for (std::size_t k = 0; k < 3; k++) {
-        const std::int64_t b1 = base.position[k];
-        const std::int64_t d = base2 ? b1 - base2->position[k] : 0;
+        const std::int64_t b1 = baseline.position[k];
+        const std::int64_t d = baseline2 ? b1 - baseline2->position[k] : 0;
         const std::int64_t before =
-            base3 ? scaled(std::int64_t{base2->position[k]} - base3->position[k], t.dt2, t.dt3) : d;
+            baseline3 ? scaled(std::int64_t{baseline2->position[k]} - baseline3->position[k], t.dt2, t.dt3) : d;
         p.position_step[k] = d;
         p.position_bend[k] = d - before;
         // Kept within int32, so that a residual never needs more than 33 bits.
@@ -64,16 +64,16 @@ void predict_position(Prediction& p, const EntityState& base, const EntityState*
     }
 }
 
-void predict_rotation(Prediction& p, const EntityState& base, const EntityState* base2,
-                      const EntityState* base3, const Spacing& t, std::int64_t m) {
+void predict_rotation(Prediction& p, const EntityState& baseline, const EntityState* baseline2,
+                      const EntityState* baseline3, const Spacing& t, std::int64_t m) {
     const std::int64_t n = 2 * m * m;
-    const Four q1 = unpack(base, n);
+    const Four q1 = unpack(baseline, n);
     p.rotation = q1;
     Four& change = p.rotation_bend;
     const bool turned =
-        base2 && !(same_rotation(base, *base2) && (!base3 || same_rotation(*base2, *base3)));
+        baseline2 && !(same_rotation(baseline, *baseline2) && (!baseline3 || same_rotation(*baseline2, *baseline3)));
     if (turned) {
-        Four q2 = unpack(*base2, n);
+        Four q2 = unpack(*baseline2, n);
         face(q2, q1);
         Four step{};
         std::int64_t step2 = 0;
@@ -81,8 +81,8 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
             step[k] = q1[k] - q2[k];
             step2 += step[k] * step[k];
         }
-        if (base3) {
-            Four q3 = unpack(*base3, n);
+        if (baseline3) {
+            Four q3 = unpack(*baseline3, n);
             face(q3, q2);
             for (std::size_t k = 0; k < 4; k++)
                 change[k] = step[k] - scaled(q2[k] - q3[k], t.dt2, t.dt3);
@@ -114,12 +114,12 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
 
 }  // namespace
 
-Prediction predict(const EntityState& base, const EntityState* base2, const EntityState* base3,
+Prediction predict(const EntityState& baseline, const EntityState* baseline2, const EntityState* baseline3,
                    const Spacing& spacing, const QuantSpec& spec) {
-    if (base.at_rest || !base2) base2 = base3 = nullptr;
+    if (baseline.at_rest || !baseline2) baseline2 = baseline3 = nullptr;
     Prediction p;
-    predict_position(p, base, base2, base3, spacing);
-    predict_rotation(p, base, base2, base3, spacing, spec.rotation_component);
+    predict_position(p, baseline, baseline2, baseline3, spacing);
+    predict_rotation(p, baseline, baseline2, baseline3, spacing, spec.rotation_component);
     return p;
 }
 

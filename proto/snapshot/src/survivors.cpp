@@ -9,51 +9,51 @@
 namespace jostle::wire {
 
 std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std::size_t>& removed) {
-    if (!baselines.base) return {};
-    const std::vector<EntityState>& base = baselines.base->entities;
-    std::vector<Survivor> survivors(base.size() - removed.size());
-    Finder in_base2(baselines.base2), in_base3(baselines.base2 ? baselines.base3 : nullptr);
+    if (!baselines.baseline) return {};
+    const std::vector<EntityState>& baseline = baselines.baseline->entities;
+    std::vector<Survivor> survivors(baseline.size() - removed.size());
+    Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t next_removed = 0, next = 0;
-    for (std::size_t i = 0; i < base.size(); i++) {
+    for (std::size_t i = 0; i < baseline.size(); i++) {
         if (next_removed < removed.size() && removed[next_removed] == i) {
             next_removed++;
             continue;
         }
         Survivor& s = survivors[next++];
-        s.base = &base[i];
-        if (s.base->at_rest) continue;
-        s.base2 = in_base2.find(s.base->id);
-        if (s.base2) s.base3 = in_base3.find(s.base->id);
+        s.baseline = &baseline[i];
+        if (s.baseline->at_rest) continue;
+        s.baseline2 = in_base2.find(s.baseline->id);
+        if (s.baseline2) s.baseline3 = in_base3.find(s.baseline->id);
     }
     return survivors;
 }
 
 Spacing spacing_of(std::uint32_t frame, const Bases& baselines) {
     Spacing t;
-    if (baselines.base) t.dt1 = std::int64_t{frame} - baselines.base->frame;
-    if (baselines.base2) t.dt2 = std::int64_t{baselines.base->frame} - baselines.base2->frame;
-    if (baselines.base2 && baselines.base3) t.dt3 = std::int64_t{baselines.base2->frame} - baselines.base3->frame;
+    if (baselines.baseline) t.dt1 = std::int64_t{frame} - baselines.baseline->frame;
+    if (baselines.baseline2) t.dt2 = std::int64_t{baselines.baseline->frame} - baselines.baseline2->frame;
+    if (baselines.baseline2 && baselines.baseline3) t.dt3 = std::int64_t{baselines.baseline2->frame} - baselines.baseline3->frame;
     return t;
 }
 
 Succession succession_of(const QuantizedFrame& frame, const Bases& baselines) {
     Succession to;
     static const std::vector<EntityState> nobody;
-    const std::vector<EntityState>&base = baselines.base ? baselines.base->entities : nobody,
+    const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
           &now = frame.entities;
-    to.kept.resize(std::min(base.size(), now.size()));
+    to.kept.resize(std::min(baseline.size(), now.size()));
     std::size_t i = 0, k = 0, kept = 0;
-    while (i < base.size() && k < now.size()) {
-        if (base[i].id == now[k].id) {
+    while (i < baseline.size() && k < now.size()) {
+        if (baseline[i].id == now[k].id) {
             to.kept[kept++] = &now[k++];
             i++;
-        } else if (base[i].id < now[k].id) {
+        } else if (baseline[i].id < now[k].id) {
             to.removed.push_back(i++);
         } else {
             to.spawned.push_back(&now[k++]);
         }
     }
-    while (i < base.size()) to.removed.push_back(i++);
+    while (i < baseline.size()) to.removed.push_back(i++);
     while (k < now.size()) to.spawned.push_back(&now[k++]);
     to.kept.resize(kept);
     to.survivors = survivors_of(baselines, to.removed);
@@ -63,14 +63,14 @@ Succession succession_of(const QuantizedFrame& frame, const Bases& baselines) {
 Succession succession_of(const QuantizedFrame& frame, const Bases& baselines,
                          std::span<const QuietRun> quiet) {
     Succession to;
-    Finder in_base2(baselines.base2), in_base3(baselines.base2 ? baselines.base3 : nullptr);
+    Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {
         for (; at < end; at++) {
-            Survivor s{.base = &baselines.base->entities[at],
+            Survivor s{.baseline = &baselines.baseline->entities[at],
                        .quiet_before = std::exchange(left_out, 0)};
-            if (!s.base->at_rest) s.base2 = in_base2.find(s.base->id);
-            if (s.base2) s.base3 = in_base3.find(s.base->id);
+            if (!s.baseline->at_rest) s.baseline2 = in_base2.find(s.baseline->id);
+            if (s.baseline2) s.baseline3 = in_base3.find(s.baseline->id);
             to.kept.push_back(&frame.entities[at]);
             to.survivors.push_back(s);
         }

@@ -7,10 +7,10 @@ namespace jostle::wire {
 namespace {
 
 TEST(BaselineFrames, steps_of_one_length_are_one_small_number) {
-    EXPECT_EQ(encode_base_frames(100, {}), 0u);
-    EXPECT_EQ(encode_base_frames(100, {99, 98, 97}), 1u);
-    EXPECT_EQ(encode_base_frames(100, {97, 94, 91}), 3u);
-    EXPECT_EQ(encode_base_frames(100, {98, 97, 96}), 2u | 1u << 8 | 0u << 16);
+    EXPECT_EQ(encode_baseline_frames(100, {}), 0u);
+    EXPECT_EQ(encode_baseline_frames(100, {99, 98, 97}), 1u);
+    EXPECT_EQ(encode_baseline_frames(100, {97, 94, 91}), 3u);
+    EXPECT_EQ(encode_baseline_frames(100, {98, 97, 96}), 2u | 1u << 8 | 0u << 16);
 }
 
 TEST(BaselineFrames, every_set_of_bases_comes_back) {
@@ -21,9 +21,9 @@ TEST(BaselineFrames, every_set_of_bases_comes_back) {
                 const std::uint32_t frame = 0xffffff00;
                 BaselineFrames baselines;
                 if (a != 0) baselines.base = frame - a;
-                if (a != 0 && b != 0) baselines.base2 = baselines.base - b;
-                if (baselines.base2 != 0 && c != 0) baselines.base3 = baselines.base2 - c;
-                const auto back = decode_base_frames(frame, encode_base_frames(frame, baselines));
+                if (a != 0 && b != 0) baselines.baseline2 = baselines.base - b;
+                if (baselines.baseline2 != 0 && c != 0) baselines.baseline3 = baselines.baseline2 - c;
+                const auto back = decode_baseline_frames(frame, encode_baseline_frames(frame, baselines));
                 ASSERT_TRUE(back.ok()) << back.error().message;
                 EXPECT_EQ(*back, baselines);
                 sets++;
@@ -35,11 +35,11 @@ TEST(BaselineFrames, what_no_encoder_writes_is_refused) {
     const std::uint32_t none = 255;
     for (const std::uint32_t code :
          {none, 256u, 1u | none << 8 | 1u << 16, 1u | 1u << 24, 10u, 5u | 5u << 8, 0xffffffffu})
-        EXPECT_FALSE(decode_base_frames(10, code).ok()) << code;
-    EXPECT_EQ(decode_base_frames(10, 10).error().message,
+        EXPECT_FALSE(decode_baseline_frames(10, code).ok()) << code;
+    EXPECT_EQ(decode_baseline_frames(10, 10).error().message,
               "frame 10: bases 10 lie before the first frame");
-    EXPECT_TRUE(decode_base_frames(10, 3).ok()) << "7, 4 and 1";
-    EXPECT_FALSE(decode_base_frames(9, 3).ok()) << "6, 3 and 0";
+    EXPECT_TRUE(decode_baseline_frames(10, 3).ok()) << "7, 4 and 1";
+    EXPECT_FALSE(decode_baseline_frames(9, 3).ok()) << "6, 3 and 0";
 }
 
 }  // namespace

@@ -45,11 +45,11 @@ TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_ba
         for (const auto& s : spacings)
             for (std::ptrdiff_t i = 0; i < std::ssize(frames); i++) {
                 const QuantizedFrame* base = at(frames, i - s[0]);
-                const QuantizedFrame* base2 = base ? at(frames, i - s[0] - s[1]) : nullptr;
-                const QuantizedFrame* base3 = base2 ? at(frames, i - s[0] - s[1] - s[2]) : nullptr;
+                const QuantizedFrame* baseline2 = base ? at(frames, i - s[0] - s[1]) : nullptr;
+                const QuantizedFrame* baseline3 = baseline2 ? at(frames, i - s[0] - s[1] - s[2]) : nullptr;
                 const auto& frame = frames[static_cast<std::size_t>(i)];
-                expect_round_trip(frame, {base, base2, base3}, spec);
-                expect_round_trip(frame, {base, base2, nullptr}, spec);
+                expect_round_trip(frame, {base, baseline2, baseline3}, spec);
+                expect_round_trip(frame, {base, baseline2, nullptr}, spec);
                 expect_round_trip(frame, {base, nullptr, nullptr}, spec);
             }
     }

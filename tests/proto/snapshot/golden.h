@@ -15,7 +15,7 @@ namespace jostle::wire {
 
 struct GoldenFrame {
     QuantizedFrame frame;
-    std::uint32_t base = 0, base2 = 0, base3 = 0;  // frame numbers, 0: none
+    std::uint32_t base = 0, baseline2 = 0, baseline3 = 0;  // frame numbers, 0: none
 };
 
 struct GoldenSequence {
@@ -61,8 +61,8 @@ inline std::vector<GoldenSequence> golden_sequences() {
             };
             // Every seventh is absolute; in between the number of bases varies.
             if (i % 7 != 0) golden.base = number(1);
-            if (golden.base != 0 && i % 5 != 0) golden.base2 = number(2);
-            if (golden.base2 != 0 && i % 6 != 0) golden.base3 = number(3);
+            if (golden.base != 0 && i % 5 != 0) golden.baseline2 = number(2);
+            if (golden.baseline2 != 0 && i % 6 != 0) golden.baseline3 = number(3);
             sequence.frames.push_back(std::move(golden));
         }
         sequences.push_back(std::move(sequence));
@@ -75,7 +75,7 @@ inline std::string golden_name(const GoldenSequence& sequence, Codec codec) {
 }
 
 // The whole file: "JGLD", u32 codec, u32 units_per_meter, u32 M, u32 frames; per frame u32
-// frame, base, base2, base3, crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8
+// frame, base, baseline2, baseline3, crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8
 // largest, i16 r r r, u8 at_rest, then the packed bytes.
 inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec codec) {
     std::vector<std::byte> out;
@@ -93,12 +93,12 @@ inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec 
         return nullptr;
     };
     for (const GoldenFrame& g : sequence.frames) {
-        const auto packed = encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)},
+        const auto packed = encode_frame(g.frame, {find(g.base), find(g.baseline2), find(g.baseline3)},
                                          sequence.spec, codec);
         put(g.frame.frame);
         put(g.base);
-        put(g.base2);
-        put(g.base3);
+        put(g.baseline2);
+        put(g.baseline3);
         put(frame_crc(g.frame));
         put(static_cast<std::uint32_t>(g.frame.entities.size()));
         put(static_cast<std::uint32_t>(packed.size()));

@@ -79,15 +79,15 @@ TEST(Golden, sequences_reach_the_corners_of_the_arithmetic) {
         };
         const std::int64_t m = sequence.spec.rotation_component;
         for (const GoldenFrame& g : sequence.frames) {
-            const QuantizedFrame base = frame_of(g.base), base2 = frame_of(g.base2),
-                                 base3 = frame_of(g.base3);
-            const Spacing t{g.base ? g.frame.frame - g.base : 1, g.base2 ? g.base - g.base2 : 1,
-                            g.base3 ? g.base2 - g.base3 : 1};
+            const QuantizedFrame base = frame_of(g.base), baseline2 = frame_of(g.baseline2),
+                                 baseline3 = frame_of(g.baseline3);
+            const Spacing t{g.base ? g.frame.frame - g.base : 1, g.baseline2 ? g.base - g.baseline2 : 1,
+                            g.baseline3 ? g.baseline2 - g.baseline3 : 1};
             for (const EntityState& now : g.frame.entities) {
                 const EntityState* b1 = find(base, now.id);
                 if (!b1 || same_pose(now, *b1)) continue;
-                const EntityState* b2 = find(base2, now.id);
-                const EntityState* b3 = b2 ? find(base3, now.id) : nullptr;
+                const EntityState* b2 = find(baseline2, now.id);
+                const EntityState* b3 = b2 ? find(baseline3, now.id) : nullptr;
                 from_rest += b1->at_rest ? 1 : 0;
                 no_base2 += b2 ? 0 : 1;
                 no_base3 += b2 && !b3 ? 1 : 0;

@@ -26,9 +26,9 @@ TEST(AckedFrames, bases_are_the_newest_that_the_client_has_though_others_were_lo
     frames.on_ack(8, 0b1101);  // 7, 5 and 4, but not 6
     EXPECT_EQ(frames.newest(), 8u);
     const wire::BaselineFrames baselines = frames.bases_for(11);
-    EXPECT_EQ(baselines.base, 8u);
-    EXPECT_EQ(baselines.base2, 5u) << "at least half as far back as the base: 6 was lost";
-    EXPECT_EQ(baselines.base3, 0u);
+    EXPECT_EQ(baselines.baseline, 8u);
+    EXPECT_EQ(baselines.baseline2, 5u) << "at least half as far back as the base: 6 was lost";
+    EXPECT_EQ(baselines.baseline3, 0u);
 }
 
 TEST(AckedFrames, an_ack_of_what_was_never_sent_counts_for_nothing) {

@@ -60,8 +60,8 @@ struct Field {
 
 // Our bytes for the test: six numbers, then the packed cell.
 std::string put_cell(const EncodedCell& cell) {
-    const std::uint32_t head[] = {cell.id,          cell.number,      cell.baselines.base,
-                                  cell.baselines.base2, cell.baselines.base3, cell.crc};
+    const std::uint32_t head[] = {cell.id,          cell.number,      cell.baselines.baseline,
+                                  cell.baselines.baseline2, cell.baselines.baseline3, cell.crc};
     std::string bytes(sizeof head + cell.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, cell.packed.data(), cell.packed.size());
@@ -102,14 +102,14 @@ struct Eyes {
         std::uint32_t head[6];
         std::memcpy(head, sent.data(), sizeof head);
         auto& states = known[head[0]];
-        const auto base = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        const auto baseline = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
             if (number == 0) return nullptr;
             EXPECT_TRUE(states.contains(number)) << "a base that was never sent";
             return states.contains(number) ? &states[number] : nullptr;
         };
         const auto packed = std::as_bytes(std::span(sent)).subspan(sizeof head);
         auto content =
-            wire::decode_frame(head[1], packed, {base(head[2]), base(head[3]), base(head[4])}, {});
+            wire::decode_frame(head[1], packed, {baseline(head[2]), baseline(head[3]), baseline(head[4])}, {});
         ASSERT_TRUE(content.ok()) << content.error().message;
         EXPECT_EQ(wire::frame_crc(*content), head[5]);
         states[head[1]] = *std::move(content);

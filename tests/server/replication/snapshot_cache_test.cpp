@@ -33,7 +33,7 @@ FramePtr frame_at(std::uint32_t tick) {
 
 // Our bytes for the test: four numbers, then the packed frame.
 std::string serialize(const EncodedSnapshot& s) {
-    const std::uint32_t head[] = {s.frame, s.baselines.base, s.baselines.base2, s.baselines.base3, s.crc};
+    const std::uint32_t head[] = {s.frame, s.baselines.baseline, s.baselines.baseline2, s.baselines.baseline3, s.crc};
     std::string bytes(sizeof head + s.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, s.packed.data(), s.packed.size());
@@ -46,7 +46,7 @@ struct Receiver {
         std::uint32_t head[5];
         ASSERT_GE(bytes.size(), sizeof head);
         std::memcpy(head, bytes.data(), sizeof head);
-        const auto base = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        const auto baseline = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
             for (const auto& frame : ring) {
                 if (frame.frame == number) return &frame;
             }
@@ -56,7 +56,7 @@ struct Receiver {
         baselines = {head[1], head[2], head[3]};
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
         auto frame =
-            wire::decode_frame(head[0], packed, {base(head[1]), base(head[2]), base(head[3])}, {});
+            wire::decode_frame(head[0], packed, {baseline(head[1]), baseline(head[2]), baseline(head[3])}, {});
         ASSERT_TRUE(frame.ok()) << frame.error().message;
         EXPECT_EQ(wire::frame_crc(*frame), head[4]);
         ring.push_back(std::move(*frame));
@@ -110,9 +110,9 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
         }
     }
     for (int c = 0; c < 3; ++c) {
-        EXPECT_EQ(receivers[c].baselines.base, receivers[c].ring.rbegin()[1].frame)
+        EXPECT_EQ(receivers[c].baselines.baseline, receivers[c].ring.rbegin()[1].frame)
             << "the last one sent";
-        EXPECT_NE(receivers[c].baselines.base3, 0u);
+        EXPECT_NE(receivers[c].baselines.baseline3, 0u);
     }
 }
 
@@ -224,8 +224,8 @@ struct ChannelTeller {
         frames[tick] = std::move(frame);
     }
     // The channels that a client has after it, that had `base` before.
-    wire::Channels decoded(const wire::Channels& base) const {
-        const auto channels = wire::decode_channels(told.bytes, told.crc, base);
+    wire::Channels decoded(const wire::Channels& baseline) const {
+        const auto channels = wire::decode_channels(told.bytes, told.crc, baseline);
         EXPECT_TRUE(channels.ok());
         return channels.ok() ? *channels : wire::Channels{};
     }

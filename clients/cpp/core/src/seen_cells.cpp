@@ -17,14 +17,14 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
                                                wire::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaselineFrames> told = wire::decode_base_frames(part.number(), part.baselines());
+    const Result<wire::BaselineFrames> told = wire::decode_baseline_frames(part.number(), part.baselines());
     if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
     const auto known = cells_.find(part.cell());
     if (known != cells_.end() && part.baselines() != 0 && part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     wire::Bases baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
-    const std::uint32_t numbers[] = {told->base, told->base2, told->base3};
+    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
+    const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {
         if (known != cells_.end())
             for (const wire::QuantizedFrame& state : known->second)

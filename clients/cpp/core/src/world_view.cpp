@@ -116,11 +116,11 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
     const Result<wire::BaselineFrames> told_bases =
-        wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
+        wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!told_bases.ok()) return told_bases.error();
-    const std::uint32_t numbers[] = {told_bases->base, told_bases->base2, told_bases->base3};
+    const std::uint32_t numbers[] = {told_bases->baseline, told_bases->baseline2, told_bases->baseline3};
     wire::Bases baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.base, &baselines.base2, &baselines.base3};
+    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
     const wire::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
@@ -178,10 +178,10 @@ WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
         return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
     };
     Times times{.due_us = due(snapshot.frame())};
-    const auto baselines = wire::decode_base_frames(snapshot.frame(), snapshot.baselines());
-    if (!baselines.ok() || baselines->base == 0 || snapshot.still() == 0) return times;
-    if (snapshot.still() <= snapshot.frame() - baselines->base)
-        times.still_until_us = due(baselines->base + snapshot.still());
+    const auto baselines = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+    if (!baselines.ok() || baselines->baseline == 0 || snapshot.still() == 0) return times;
+    if (snapshot.still() <= snapshot.frame() - baselines->baseline)
+        times.still_until_us = due(baselines->baseline + snapshot.still());
     return times;
 }
 

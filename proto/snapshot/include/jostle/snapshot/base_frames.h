@@ -11,10 +11,10 @@
 
 namespace jostle::wire {
 
-// Frame numbers, 0: none. base2 only with base, base3 only with base2; they fall, each by 1 to
+// Frame numbers, 0: none. baseline2 only with base, baseline3 only with baseline2; they fall, each by 1 to
 // base_distance_max.
 struct BaselineFrames {
-    std::uint32_t base = 0, base2 = 0, base3 = 0;
+    std::uint32_t baseline = 0, baseline2 = 0, baseline3 = 0;
 
     auto operator<=>(const BaselineFrames&) const = default;
 };
@@ -22,8 +22,8 @@ struct BaselineFrames {
 inline constexpr std::uint32_t base_distance_max = 254;
 
 // 0: no base. The bases are within reach of the frame and of each other.
-std::uint32_t encode_base_frames(std::uint32_t frame, const BaselineFrames& baselines);
+std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines);
 // corrupt_data: a base would be before frame 1, or the number has other bits.
-Result<BaselineFrames> decode_base_frames(std::uint32_t frame, std::uint32_t code);
+Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code);
 
 }  // namespace jostle::wire

@@ -10,12 +10,12 @@
 namespace jostle::wire {
 
 // The frames that a snapshot refers to. Without base it is absolute: it has all entities in full.
-// base2 and base3 sharpen the prediction; base2 needs base, base3 needs base2. Their frame numbers
-// fall, each by 1 to 255: frame > base > base2 > base3.
+// baseline2 and baseline3 sharpen the prediction; baseline2 needs base, baseline3 needs baseline2. Their frame numbers
+// fall, each by 1 to 255: frame > base > baseline2 > baseline3.
 struct Bases {
-    const QuantizedFrame* base = nullptr;
-    const QuantizedFrame* base2 = nullptr;
-    const QuantizedFrame* base3 = nullptr;
+    const QuantizedFrame* baseline = nullptr;
+    const QuantizedFrame* baseline2 = nullptr;
+    const QuantizedFrame* baseline3 = nullptr;
 };
 
 // Positions from `begin` to before `end`, in a frame and its base alike: the same entities, which

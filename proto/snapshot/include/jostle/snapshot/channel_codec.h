@@ -37,7 +37,7 @@ struct PackedChannels {
 };
 
 // `kinds`: bit k of it lets channels of kind k through, in `base` as in `now`.
-PackedChannels encode_channels(const Channels& now, const Channels& base, std::uint64_t kinds);
+PackedChannels encode_channels(const Channels& now, const Channels& baseline, std::uint64_t kinds);
 
 // The channels of a frame, from those of its base, and the CRC of what the bytes told. The bytes
 // are foreign: an error (corrupt_data) says what is wrong with them.
@@ -45,9 +45,9 @@ struct ReadChannels {
     Channels channels;
     std::uint32_t crc = 0;
 };
-Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& base);
+Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline);
 // The same, where the CRC must be that.
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
-                                 const Channels& base);
+                                 const Channels& baseline);
 
 }  // namespace jostle::wire

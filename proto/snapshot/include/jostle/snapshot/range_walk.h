@@ -40,7 +40,7 @@ public:
         const bool any =
             coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
         if (!any) return true;
-        const std::size_t in_base = baselines.base ? baselines.base->entities.size() : 0;
+        const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
         if (!removed(lists.removed, in_base)) return false;
         const std::size_t survive = in_base - lists.removed.size();
         if (survive > max_entities) return fail("more entities than the limit");
@@ -53,21 +53,21 @@ public:
                    std::size_t quiet_after = 0) {
         quiet_after_ = quiet_after;
         std::size_t resting = quiet_after;
-        for (const Survivor& s : survivors) resting += s.quiet_before + (s.base->at_rest ? 1 : 0);
+        for (const Survivor& s : survivors) resting += s.quiet_before + (s.baseline->at_rest ? 1 : 0);
         std::uint64_t run = 0;
         if (!resting_run(run, kept, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
             const Survivor& s = survivors[i];
             resting -= s.quiet_before;
             run -= s.quiet_before;
-            const bool rested = s.base->at_rest;
+            const bool rested = s.baseline->at_rest;
             if (rested) resting--;
             if (rested && run > 0) {
                 run--;
-                if constexpr (!Coder::encoding) states.push_back(*s.base);
+                if constexpr (!Coder::encoding) states.push_back(*s.baseline);
                 continue;
             }
-            EntityState state = Coder::encoding ? *kept[i] : *s.base;
+            EntityState state = Coder::encoding ? *kept[i] : *s.baseline;
             if (!(rested ? roused(state, s, t) : awake(state, s, t))) return false;
             if constexpr (!Coder::encoding) states.push_back(state);
             if (rested && !resting_run(run, kept, survivors, i + 1, resting)) return false;
@@ -82,8 +82,8 @@ private:
     enum Pace : std::size_t { motionless, moving, stopped };
 
     static Pace pace_of(const Survivor& s) {
-        if (!s.base2 || s.base2->at_rest || !same_pose(*s.base, *s.base2)) return moving;
-        return s.base3 && same_pose(*s.base, *s.base3) ? motionless : stopped;
+        if (!s.baseline2 || s.baseline2->at_rest || !same_pose(*s.baseline, *s.baseline2)) return moving;
+        return s.baseline3 && same_pose(*s.baseline, *s.baseline3) ? motionless : stopped;
     }
 
     bool fail(const char* what) {
@@ -155,7 +155,7 @@ private:
     bool spawned(std::vector<EntityState>& states, const Bases& baselines, std::size_t limit) {
         const std::uint64_t total = count(models_.spawned, states.size());
         if (total > limit) return fail("spawned: more entities than the limit");
-        Finder in_base(baselines.base);
+        Finder in_base(baselines.baseline);
         EntityState before;
         for (std::uint64_t i = 0; i < total; i++) {
             if (!Coder::encoding) states.emplace_back();
@@ -225,8 +225,8 @@ private:
             std::uint64_t so_far = 0;
             for (std::size_t i = from; i < survivors.size(); i++) {
                 so_far += survivors[i].quiet_before;
-                if (!survivors[i].base->at_rest) continue;
-                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].base)) {
+                if (!survivors[i].baseline->at_rest) continue;
+                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].baseline)) {
                     run = 0;
                     break;
                 }
@@ -248,7 +248,7 @@ private:
 
     bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
         const Pace pace = pace_of(s);
-        const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.base));
+        const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.baseline));
         state.at_rest = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
         return !changed || pose(state, s, t);
     }
@@ -269,7 +269,7 @@ private:
     }
 
     bool pose(EntityState& state, const Survivor& s, const Spacing& t) {
-        const Prediction p = predict(*s.base, s.base2, s.base3, t, spec_);
+        const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec_);
         std::int64_t off = 0;  // sum of the magnitudes so far
         for (std::size_t k = 0; k < 3; k++) {
             const std::int64_t bend = p.position_bend[k];

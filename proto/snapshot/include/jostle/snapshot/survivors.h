@@ -24,9 +24,9 @@ inline Error corrupt(std::string message) {
 // An entity of the base that is still there. Of one at rest the older bases say nothing that a
 // codec asks for: they are left out.
 struct Survivor {
-    const EntityState* base = nullptr;
-    const EntityState* base2 = nullptr;
-    const EntityState* base3 = nullptr;
+    const EntityState* baseline = nullptr;
+    const EntityState* baseline2 = nullptr;
+    const EntityState* baseline3 = nullptr;
     // So many left out just before it, for an encoder: they rest in the base, and stay as they are.
     std::size_t quiet_before = 0;
 };

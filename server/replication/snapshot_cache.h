@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
 #include "server/world/frame.h"

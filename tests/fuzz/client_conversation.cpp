@@ -5,7 +5,7 @@
 // guesses.
 #include "clients/cpp/core/src/conversation.h"
 
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 #include "tests/fuzz/mutate_message.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/target.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 
 namespace jostle::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clients/cpp/core/src/pose_blend.h"
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/survivors.h"
 
 namespace jostle::client {

@@ -6,7 +6,7 @@
 
 #include "clients/cpp/core/src/seen_cells.h"
 #include "jostle/client/clock_sync.h"
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/word_changes.h"
 
 namespace jostle::client {

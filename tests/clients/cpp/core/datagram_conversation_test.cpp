@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "clients/cpp/core/src/conversation.h"
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 
 namespace jostle::client {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::client {

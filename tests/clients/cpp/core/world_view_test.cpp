@@ -2,7 +2,7 @@
 //
 // What a client knows of the modules of its world, snapshot by snapshot.
 #include "jostle/client/world_view.h"
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/snapshot/base_frames.h"
+#include "jostle/snapshot/baseline_frames.h"
 
 #include <string>
 

@@ -4,19 +4,19 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 between two frames
+constexpr std::uint32_t oldest_baseline_age = 200;  // ticks; the codec takes 255 between two frames
 
 }  // namespace
 
 wire::BaselineFrames BaselineTracker::bases_for(std::uint32_t frame) const {
     wire::BaselineFrames baselines;
-    if (sent_.empty() || frame - sent_.back() > oldest_base) return baselines;
+    if (sent_.empty() || frame - sent_.back() > oldest_baseline_age) return baselines;
     baselines.baseline = sent_.back();
     // The newest sent frame that is at least half of dt1 before `before`.
     const std::uint32_t apart = (frame - baselines.baseline + 1) / 2;
     const auto older = [&](std::uint32_t before) -> std::uint32_t {
         for (auto at = sent_.rbegin(); at != sent_.rend(); ++at)
-            if (*at + apart <= before) return before - *at > oldest_base ? 0 : *at;
+            if (*at + apart <= before) return before - *at > oldest_baseline_age ? 0 : *at;
         return 0;
     };
     baselines.baseline2 = older(baselines.baseline);

@@ -5,7 +5,7 @@ import { DecodeError } from './frame_state';
 const NO_BASE = 255;
 
 /** The numbers of base, baseline2 and baseline3, 0: none, of Snapshot.bases. */
-export function baseFrames(frame: number, baselines: number): [number, number, number] {
+export function baselineFrames(frame: number, baselines: number): [number, number, number] {
   const found: [number, number, number] = [0, 0, 0];
   if (baselines === 0) return found;
   let distance = baselines & 255;

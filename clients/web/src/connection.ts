@@ -2,7 +2,7 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
-import { baseFrames } from './base_frames';
+import { baselineFrames } from './base_frames';
 import {
   DecodeError,
   NEWEST_CODEC,
@@ -380,7 +380,7 @@ export class Connection {
 
   private decode(s: Snapshot): void {
     try {
-      const baselines = baseFrames(s.frame, s.baselines);
+      const baselines = baselineFrames(s.frame, s.baselines);
       const [base, baseline2, baseline3] = baselines.map((number) => {
         const frame = this.frames.find(number);
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);

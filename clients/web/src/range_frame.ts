@@ -152,7 +152,7 @@ export class RangeFrameReader {
     }
     let { largest, rotation } = before;
     if (this.in.bit(M.TURNED)) ({ largest, rotation } = this.readComponents());
-    return { id, position, largest, rotation, atRest: this.in.bit(M.SPAWNED_RESTS) };
+    return { id, position, largest, rotation, atRest: this.in.bit(M.SPAWNED_AT_REST) };
   }
 
   private readComponents(): { largest: number; rotation: Three } {
@@ -201,7 +201,7 @@ export class RangeFrameReader {
   /** How many at rest stay as they are before the next that does not, of so many that are left. */
   private restingRun(left: number): number {
     if (left === 0) return 0;
-    if (this.in.bit(M.WAKES_NONE)) return left;
+    if (this.in.bit(M.NONE_WAKE)) return left;
     const run = this.count(M.RESTING_RUN);
     if (run >= left) this.fail('a run of resting entities past the end');
     this.checkEnd();

@@ -1,6 +1,6 @@
 // What a client that sees a part of its world knows of it: the last states of each cell, put together to one frame (WIRE.md, "Cells").
 
-import { baseFrames } from './base_frames';
+import { baselineFrames } from './base_frames';
 import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
 
 /** A cell as it comes. */
@@ -100,7 +100,7 @@ export class SeenCells {
     const name = `cell ${part.cell} of tick ${part.number}`;
     if (part.baselines !== 0 && known.length > 0 && part.number <= known[known.length - 1]!.frame)
       throw new DecodeError(`${name} is not newer than the last one`);
-    const [base, baseline2, baseline3] = baseFrames(part.number, part.baselines).map((number) => {
+    const [base, baseline2, baseline3] = baselineFrames(part.number, part.baselines).map((number) => {
       const state = known.find((k) => k.frame === number);
       if (number !== 0 && !state) throw new DecodeError(`${name}: its state ${number} is not known`);
       return state;

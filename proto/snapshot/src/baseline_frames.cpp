@@ -6,7 +6,7 @@
 namespace jostle::wire {
 namespace {
 
-constexpr std::uint32_t no_base = 255, as_before = 0;
+constexpr std::uint32_t no_baseline = 255, same_distance = 0;
 
 }  // namespace
 
@@ -14,8 +14,8 @@ std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& 
     if (baselines.baseline == 0) return 0;
     const std::uint32_t first = frame - baselines.baseline;
     const auto later = [](std::uint32_t from, std::uint32_t to, std::uint32_t usual) {
-        if (to == 0) return no_base;
-        return from - to == usual ? as_before : from - to;
+        if (to == 0) return no_baseline;
+        return from - to == usual ? same_distance : from - to;
     };
     const std::uint32_t second = later(baselines.baseline, baselines.baseline2, first);
     if (baselines.baseline2 == 0) return first | second << 8;
@@ -30,19 +30,19 @@ Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t
     BaselineFrames baselines;
     if (code == 0) return baselines;
     std::uint32_t distance = code & 255, second = code >> 8 & 255, third = code >> 16;
-    if (distance == as_before || distance == no_base || third > no_base)
+    if (distance == same_distance || distance == no_baseline || third > no_baseline)
         return refuse(" are no distances of 1 to 254");
     if (distance >= frame) return refuse(" lie before the first frame");
     baselines.baseline = frame - distance;
-    if (second == no_base) {
+    if (second == no_baseline) {
         if (third != 0) return refuse(" have a third without a second");
         return baselines;
     }
-    distance = second == as_before ? distance : second;
+    distance = second == same_distance ? distance : second;
     if (distance >= baselines.baseline) return refuse(" lie before the first frame");
     baselines.baseline2 = baselines.baseline - distance;
-    if (third == no_base) return baselines;
-    distance = third == as_before ? distance : third;
+    if (third == no_baseline) return baselines;
+    distance = third == same_distance ? distance : third;
     if (distance >= baselines.baseline2) return refuse(" lie before the first frame");
     baselines.baseline3 = baselines.baseline2 - distance;
     return baselines;

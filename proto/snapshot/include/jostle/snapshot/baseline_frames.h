@@ -12,14 +12,14 @@
 namespace jostle::wire {
 
 // Frame numbers, 0: none. baseline2 only with base, baseline3 only with baseline2; they fall, each by 1 to
-// base_distance_max.
+// baseline_distance_max.
 struct BaselineFrames {
     std::uint32_t baseline = 0, baseline2 = 0, baseline3 = 0;
 
     auto operator<=>(const BaselineFrames&) const = default;
 };
 
-inline constexpr std::uint32_t base_distance_max = 254;
+inline constexpr std::uint32_t baseline_distance_max = 254;
 
 // 0: no base. The bases are within reach of the frame and of each other.
 std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines);

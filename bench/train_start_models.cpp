@@ -15,7 +15,7 @@
 namespace jostle::bench {
 namespace {
 
-using wire::Bases;
+using wire::Baselines;
 using wire::BitModel;
 using wire::FrameModels;
 
@@ -41,7 +41,7 @@ struct Counter {
     Counts& counts;
 };
 
-void count(Counts& counts, const wire::QuantizedFrame& frame, const Bases& baselines) {
+void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& baselines) {
     FrameModels models;
     Counter counter{.models = models, .counts = counts};
     const wire::QuantSpec spec;

@@ -43,7 +43,7 @@ std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, 
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
-        const wire::Bases baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const auto began = bench::cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, {}, codec);
         const auto encoded = bench::cpu_seconds();

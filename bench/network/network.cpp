@@ -51,7 +51,7 @@ using Frames = std::vector<wire::QuantizedFrame>;
 bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
                wire::Codec codec) {
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
-        const wire::Bases baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const double began = cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, spec, codec);
         const double encoded = cpu_seconds();

@@ -66,7 +66,7 @@ private:
     }
 
     bool put_crc(v1::Snapshot& snapshot) const {
-        wire::Bases baselines;
+        wire::Baselines baselines;
         const auto told = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
         const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};

@@ -16,7 +16,7 @@ void run(Bytes input) {
         Reader head(record.bytes);
         // Mostly the next one, seldom so far ahead that it is refused.
         const std::uint32_t number = ring.newest() + 1 + head.number<std::uint8_t>();
-        const wire::Bases baselines = ring.baselines(record.kind);
+        const wire::Baselines baselines = ring.baselines(record.kind);
         const wire::Codec codec = codec_of(record.kind);
         const auto frame = wire::decode_frame(number, bytes_of(head.rest()), baselines, spec,
                                               wire::default_entities_max, codec);

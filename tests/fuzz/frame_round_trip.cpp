@@ -80,7 +80,7 @@ void run(Bytes input) {
         const auto choice = in.number<std::uint8_t>();
         entities = next(entities, in, spec);
         const wire::QuantizedFrame frame{.frame = number, .entities = entities};
-        const wire::Bases baselines = ring.baselines(choice);
+        const wire::Baselines baselines = ring.baselines(choice);
         const wire::Codec codec = codec_of(choice);
         const auto packed = wire::encode_frame(frame, baselines, spec, codec);
         const auto decoded =

@@ -19,8 +19,8 @@ public:
     }
     std::uint32_t newest() const { return frames_.empty() ? 0 : frames_.back().frame; }
     // Two bits each say how far back the next base lies; 0 ends the list.
-    wire::Bases baselines(std::uint8_t choice) const {
-        wire::Bases baselines;
+    wire::Baselines baselines(std::uint8_t choice) const {
+        wire::Baselines baselines;
         const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
         std::size_t back = 0;
         for (const auto slot : slots) {

@@ -125,7 +125,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     const auto told_bases = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     expect(told_bases.ok(), name + " names bases that cannot be");
     if (!told_bases.ok()) return;
-    const wire::Bases baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
+    const wire::Baselines baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
                             base_of(told_bases->baseline3)};
     const auto frame =
         welcome.cells() ? seen_by_cells(snapshot, name)
@@ -146,7 +146,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
 std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
                                                        std::uint32_t number,
                                                        const std::string& packed,
-                                                       const wire::Bases& baselines,
+                                                       const wire::Baselines& baselines,
                                                        std::uint32_t crc) {
     const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
                                static_cast<std::int32_t>(welcome.quant().rotation_component())};

@@ -56,7 +56,7 @@ private:
     void take_results(const v1::ClientUpdate& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;
     std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
-                                                const std::string& packed, const wire::Bases& baselines,
+                                                const std::string& packed, const wire::Baselines& baselines,
                                                 std::uint32_t crc);
     std::optional<wire::QuantizedFrame> seen_by_cells(const v1::Snapshot& snapshot,
                                                       const std::string& name);

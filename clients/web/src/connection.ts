@@ -9,7 +9,7 @@ import {
   decodeFrame,
   frameCrc,
   isSound,
-  type Bases,
+  type Baselines,
   type QuantSpec,
   type QuantizedFrame,
 } from './decode_frame';
@@ -411,7 +411,7 @@ export class Connection {
     }
   }
 
-  private wholeOf(s: Snapshot, baselines: Bases): QuantizedFrame {
+  private wholeOf(s: Snapshot, baselines: Baselines): QuantizedFrame {
     const frame = decodeFrame(s.frame, s.packed, baselines, this.spec, undefined, this.codec);
     if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
     return frame;

@@ -13,7 +13,7 @@ import {
   merge,
   samePose,
   survivorsOf,
-  type Bases,
+  type Baselines,
   type EntityState,
   type Four,
   type QuantSpec,
@@ -25,7 +25,7 @@ import {
 import { predict } from './predict';
 import { RangeFrameReader } from './range_frame';
 
-export { DecodeError, isSound, type Bases, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
+export { DecodeError, isSound, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
 
 /** The highest codec that decodeFrame() knows. */
 export const NEWEST_CODEC = 2;
@@ -51,7 +51,7 @@ class BitFrameReader {
     this.in = new BitReader(packed);
   }
 
-  decode(baselines: Bases, t: Spacing, maxEntities: number): EntityState[] {
+  decode(baselines: Baselines, t: Spacing, maxEntities: number): EntityState[] {
     const removed = new Set(this.readPositions(baselines.base?.entities.length ?? 0, 'removed'));
     const survivors = survivorsOf(baselines, removed);
     const spawned = this.readSpawned(baselines, maxEntities - survivors.length);
@@ -105,7 +105,7 @@ class BitFrameReader {
     return v;
   }
 
-  private readSpawned(baselines: Bases, limit: number): EntityState[] {
+  private readSpawned(baselines: Baselines, limit: number): EntityState[] {
     const count = this.in.expGolomb(0);
     this.checkEnd();
     if (count > limit) this.fail('spawned: more entities than the limit');
@@ -184,7 +184,7 @@ class BitFrameReader {
 export function decodeFrame(
   frame: number,
   packed: Uint8Array,
-  baselines: Bases,
+  baselines: Baselines,
   spec: QuantSpec,
   maxEntities = 1 << 20,
   codec = 1,

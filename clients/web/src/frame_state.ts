@@ -22,7 +22,7 @@ export interface QuantSpec {
   readonly rotationComponent: number; // M
 }
 
-export interface Bases {
+export interface Baselines {
   readonly base?: QuantizedFrame | undefined;
   readonly baseline2?: QuantizedFrame | undefined;
   readonly baseline3?: QuantizedFrame | undefined;
@@ -85,7 +85,7 @@ export class Finder {
 }
 
 /** Entities of the base that are still there; `removed` are positions in it. */
-export function survivorsOf(baselines: Bases, removed: Set<number>): Survivor[] {
+export function survivorsOf(baselines: Baselines, removed: Set<number>): Survivor[] {
   const in2 = new Finder(baselines.baseline2);
   const in3 = new Finder(baselines.baseline2 ? baselines.baseline3 : undefined);
   const out: Survivor[] = [];

@@ -11,7 +11,7 @@ import {
   merge,
   samePose,
   survivorsOf,
-  type Bases,
+  type Baselines,
   type EntityState,
   type QuantSpec,
   type Spacing,
@@ -57,7 +57,7 @@ export class RangeFrameReader {
     private readonly spec: QuantSpec,
   ) {}
 
-  decode(baselines: Bases, t: Spacing, maxEntities: number): EntityState[] {
+  decode(baselines: Baselines, t: Spacing, maxEntities: number): EntityState[] {
     this.in = new RangeDecoder(this.packed, M.freshModels(t.dt1));
     const inBase = baselines.base?.entities.length ?? 0;
     const changes = this.in.bit(M.CHANGES_ENTITIES);
@@ -126,7 +126,7 @@ export class RangeFrameReader {
     return positions;
   }
 
-  private readSpawned(baselines: Bases, limit: number): EntityState[] {
+  private readSpawned(baselines: Baselines, limit: number): EntityState[] {
     const total = this.count(M.SPAWNED);
     if (total > limit) this.fail('spawned: more entities than the limit');
     const known = new Finder(baselines.base);

@@ -146,7 +146,7 @@ public:
     BitFrameReader(std::span<const std::byte> packed, const QuantSpec& spec)
         : in_(packed), spec_(spec) {}
 
-    Result<std::vector<EntityState>> decode(const Bases& baselines, const Spacing& t,
+    Result<std::vector<EntityState>> decode(const Baselines& baselines, const Spacing& t,
                                             std::size_t max_entities) {
         std::vector<std::size_t> removed;
         const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
@@ -200,7 +200,7 @@ private:
                fail("a rotation that is none");
     }
 
-    bool read_spawned(std::vector<EntityState>& spawned, const Bases& baselines, std::size_t limit) {
+    bool read_spawned(std::vector<EntityState>& spawned, const Baselines& baselines, std::size_t limit) {
         const std::uint64_t count = in_.exp_golomb(0);
         if (ended()) return false;
         if (count > limit) return fail("spawned: more entities than the limit");
@@ -291,7 +291,7 @@ std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
 }
 
 Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,
-                                                  const Bases& baselines, const Spacing& t,
+                                                  const Baselines& baselines, const Spacing& t,
                                                   const QuantSpec& spec, std::size_t max_entities) {
     return BitFrameReader(packed, spec).decode(baselines, t, max_entities);
 }

@@ -24,7 +24,7 @@ bool usable(const QuantSpec& spec) {
 
 }  // namespace
 
-std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& baselines,
+std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec,
                                     std::span<const QuietRun> quiet) {
     const Succession to =
@@ -35,7 +35,7 @@ std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& ba
 }
 
 Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
-                                    const Bases& baselines, const QuantSpec& spec,
+                                    const Baselines& baselines, const QuantSpec& spec,
                                     std::size_t max_entities, Codec codec) {
     if (!usable(spec))
         return corrupt("the quantisation is out of range: " + std::to_string(spec.units_per_meter) +

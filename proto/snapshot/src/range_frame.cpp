@@ -5,7 +5,7 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& baselines,
+std::vector<std::byte> encode_range_frame(const Succession& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec) {
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;
@@ -18,7 +18,7 @@ std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& bas
 }
 
 Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> packed,
-                                                    const Bases& baselines, const Spacing& t,
+                                                    const Baselines& baselines, const Spacing& t,
                                                     const QuantSpec& spec,
                                                     std::size_t max_entities) {
     FrameModels models = start_models(t.dt1);

@@ -8,7 +8,7 @@
 
 namespace jostle::wire {
 
-std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std::size_t>& removed) {
+std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector<std::size_t>& removed) {
     if (!baselines.baseline) return {};
     const std::vector<EntityState>& baseline = baselines.baseline->entities;
     std::vector<Survivor> survivors(baseline.size() - removed.size());
@@ -28,7 +28,7 @@ std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std
     return survivors;
 }
 
-Spacing spacing_of(std::uint32_t frame, const Bases& baselines) {
+Spacing spacing_of(std::uint32_t frame, const Baselines& baselines) {
     Spacing t;
     if (baselines.baseline) t.dt1 = std::int64_t{frame} - baselines.baseline->frame;
     if (baselines.baseline2) t.dt2 = std::int64_t{baselines.baseline->frame} - baselines.baseline2->frame;
@@ -36,7 +36,7 @@ Spacing spacing_of(std::uint32_t frame, const Bases& baselines) {
     return t;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Bases& baselines) {
+Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines) {
     Succession to;
     static const std::vector<EntityState> nobody;
     const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
@@ -60,7 +60,7 @@ Succession succession_of(const QuantizedFrame& frame, const Bases& baselines) {
     return to;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Bases& baselines,
+Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const QuietRun> quiet) {
     Succession to;
     Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);

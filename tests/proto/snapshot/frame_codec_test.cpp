@@ -25,7 +25,7 @@ const QuantizedFrame* at(const std::vector<QuantizedFrame>& frames, std::ptrdiff
 constexpr Codec codecs[] = {Codec::bits, Codec::range};
 constexpr std::size_t most_entities = 1u << 20;
 
-void expect_round_trip(const QuantizedFrame& frame, const Bases& baselines, const QuantSpec& spec) {
+void expect_round_trip(const QuantizedFrame& frame, const Baselines& baselines, const QuantSpec& spec) {
     for (const Codec codec : codecs) {
         const auto bytes = encode_frame(frame, baselines, spec, codec);
         const auto back = decode_frame(frame.frame, bytes, baselines, spec, most_entities, codec);
@@ -71,7 +71,7 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
             }
             begin = end + 1 + random() % 50;
         }
-        const Bases baselines{&frames[2], &frames[1], round % 3 == 0 ? nullptr : &frames[0]};
+        const Baselines baselines{&frames[2], &frames[1], round % 3 == 0 ? nullptr : &frames[0]};
         for (const Codec codec : codecs)
             EXPECT_EQ(encode_frame(frames[3], baselines, {}, codec, quiet),
                       encode_frame(frames[3], baselines, {}, codec));
@@ -125,7 +125,7 @@ TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
 
 TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
     const auto frames = run(21, 50, 8, {});
-    const Bases baselines{at(frames, 6), at(frames, 5), at(frames, 4)};
+    const Baselines baselines{at(frames, 6), at(frames, 5), at(frames, 4)};
     const std::uint32_t crc = frame_crc(frames[7]);
     for (const Codec codec : codecs) {
         const auto good = encode_frame(frames[7], baselines, {}, codec);
@@ -181,7 +181,7 @@ TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
 
 TEST(FrameCodec, a_quantisation_that_would_break_the_arithmetic_is_refused) {
     const auto frames = run(4, 20, 4, {.calm = 0});
-    const Bases baselines{at(frames, 2), at(frames, 1), at(frames, 0)};
+    const Baselines baselines{at(frames, 2), at(frames, 1), at(frames, 0)};
     const auto bytes = encode_frame(frames[3], baselines, {});
     for (const QuantSpec bad : {QuantSpec{0, 511}, QuantSpec{-1, 511}, QuantSpec{512, 0},
                                 QuantSpec{512, -1}, QuantSpec{512, 16384}, QuantSpec{65537, 511}}) {

@@ -32,7 +32,7 @@ std::vector<std::byte> told(WalkedLists lists, const QuantizedFrame* base) {
     return out.finish();
 }
 
-std::string refusal(const std::vector<std::byte>& bytes, const Bases& baselines,
+std::string refusal(const std::vector<std::byte>& bytes, const Baselines& baselines,
                     std::size_t limit = most) {
     const auto back = decode_frame(2, bytes, baselines, {}, limit, Codec::range);
     return back.ok() ? "" : back.error().message;
@@ -47,7 +47,7 @@ TEST(RangeFrame, takes_less_than_three_quarters_of_codec_1_where_bodies_fly_and_
     for (std::uint32_t f = 1; f <= 40; f++) {
         frames.push_back(world.step(f, {}));
         if (f < 4) continue;
-        const Bases baselines{&frames[f - 2], &frames[f - 3], &frames[f - 4]};
+        const Baselines baselines{&frames[f - 2], &frames[f - 3], &frames[f - 4]};
         bits += encode_frame(frames.back(), baselines, {}, Codec::bits).size();
         range += encode_frame(frames.back(), baselines, {}, Codec::range).size();
     }
@@ -88,7 +88,7 @@ TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
         refusal(wakes, {&three, nullptr, nullptr}),
         "a run of resting entities past the end (at byte " + std::to_string(wakes.size()) + ")");
 
-    const Bases baselines{&three, nullptr, nullptr};
+    const Baselines baselines{&three, nullptr, nullptr};
     const auto has = [](const std::string& message, const char* what) {
         EXPECT_EQ(message.rfind(what, 0), 0u) << what << ": " << message;
         EXPECT_NE(message.find(" (at byte "), std::string::npos) << message;

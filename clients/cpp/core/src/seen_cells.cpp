@@ -22,7 +22,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
     const auto known = cells_.find(part.cell());
     if (known != cells_.end() && part.baselines() != 0 && part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    wire::Bases baselines;
+    wire::Baselines baselines;
     const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
     const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {

@@ -119,7 +119,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
         wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!told_bases.ok()) return told_bases.error();
     const std::uint32_t numbers[] = {told_bases->baseline, told_bases->baseline2, told_bases->baseline3};
-    wire::Bases baselines;
+    wire::Baselines baselines;
     const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
     const wire::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
@@ -148,7 +148,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
 
 // Either a whole frame, or the cells that are in sight.
 Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
-                                                 const wire::Bases& baselines) {
+                                                 const wire::Baselines& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
         wire::QuantizedFrame seen = cells_->frame(snapshot.frame());

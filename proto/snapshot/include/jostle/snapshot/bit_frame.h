@@ -12,7 +12,7 @@ std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
                                         const QuantSpec& spec);
 
 Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,
-                                                  const Bases& baselines, const Spacing& t,
+                                                  const Baselines& baselines, const Spacing& t,
                                                   const QuantSpec& spec, std::size_t max_entities);
 
 }  // namespace jostle::wire

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "jostle/snapshot/bases.h"
+#include "jostle/snapshot/baselines.h"
 
 namespace jostle::wire {
 
@@ -25,7 +25,7 @@ inline constexpr Codec newest_codec = Codec::range;
 
 // `quiet`: what need not be looked at, rising runs, given only where frame and base are of the same
 // entities. The bytes are the same with and without.
-std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& baselines,
+std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec = Codec::bits,
                                     std::span<const QuietRun> quiet = {});
 
@@ -35,7 +35,7 @@ inline constexpr std::size_t default_entities_max = 1u << 20;
 // Foreign bytes: every read is bounded. An error (corrupt_data) says what was wrong and where.
 // `max_entities` bounds the memory that bytes can make us take.
 Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
-                                    const Bases& baselines, const QuantSpec& spec,
+                                    const Baselines& baselines, const QuantSpec& spec,
                                     std::size_t max_entities = default_entities_max,
                                     Codec codec = Codec::bits);
 

@@ -8,11 +8,11 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_range_frame(const Succession& to, const Bases& baselines,
+std::vector<std::byte> encode_range_frame(const Succession& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec);
 
 Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> packed,
-                                                    const Bases& baselines, const Spacing& t,
+                                                    const Baselines& baselines, const Spacing& t,
                                                     const QuantSpec& spec,
                                                     std::size_t max_entities);
 

@@ -36,7 +36,7 @@ public:
         : coder_(coder), models_(models), spec_(spec) {}
 
     // Who goes and comes. False: a decoder found a fault().
-    bool entities(WalkedLists& lists, const Bases& baselines, std::size_t max_entities) {
+    bool entities(WalkedLists& lists, const Baselines& baselines, std::size_t max_entities) {
         const bool any =
             coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
         if (!any) return true;
@@ -152,7 +152,7 @@ private:
         return !ended();
     }
 
-    bool spawned(std::vector<EntityState>& states, const Bases& baselines, std::size_t limit) {
+    bool spawned(std::vector<EntityState>& states, const Baselines& baselines, std::size_t limit) {
         const std::uint64_t total = count(models_.spawned, states.size());
         if (total > limit) return fail("spawned: more entities than the limit");
         Finder in_base(baselines.baseline);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "jostle/snapshot/bases.h"
+#include "jostle/snapshot/baselines.h"
 #include "jostle/snapshot/predict.h"
 
 namespace jostle::wire {
@@ -54,7 +54,7 @@ private:
 };
 
 // `removed`: rising positions in the base.
-std::vector<Survivor> survivors_of(const Bases& baselines, const std::vector<std::size_t>& removed);
+std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector<std::size_t>& removed);
 
 // What becomes of the base's entities in a frame.
 struct Succession {
@@ -63,9 +63,9 @@ struct Succession {
     std::vector<Survivor> survivors;
     std::size_t quiet_after = 0;  // left out after the last one
 };
-Succession succession_of(const QuantizedFrame& frame, const Bases& baselines);
+Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
-Succession succession_of(const QuantizedFrame& frame, const Bases& baselines,
+Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const QuietRun> quiet);
 
 // Survivors and newcomers as one list. Both rise.
@@ -73,7 +73,7 @@ std::vector<EntityState> merged(std::vector<EntityState> kept,
                                 const std::vector<EntityState>& spawned);
 
 // 1 where a frame is missing.
-Spacing spacing_of(std::uint32_t frame, const Bases& baselines);
+Spacing spacing_of(std::uint32_t frame, const Baselines& baselines);
 
 // Bits of a component of a rotation in two's complement.
 unsigned component_bits(const QuantSpec& spec);

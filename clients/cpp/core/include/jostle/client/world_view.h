@@ -99,7 +99,7 @@ private:
 
     const KnownFrame* find(std::uint32_t frame) const;
     void leave_out_unknown();
-    Result<wire::QuantizedFrame> poses_of(const v1::Snapshot& snapshot, const wire::Bases& baselines);
+    Result<wire::QuantizedFrame> poses_of(const v1::Snapshot& snapshot, const wire::Baselines& baselines);
 
     wire::QuantSpec spec_;
     std::int64_t epoch_us_ = 0;

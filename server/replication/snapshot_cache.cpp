@@ -102,8 +102,8 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
 }
 
 // Blocks that both share, and in which all rests.
-std::vector<wire::QuietRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& baseline) {
-    std::vector<wire::QuietRun> runs;
+std::vector<wire::UnchangedRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& baseline) {
+    std::vector<wire::UnchangedRun> runs;
     if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
     const auto &blocks = entry.frame->entities.blocks(), &before = baseline.frame->entities.blocks();
     if (blocks.size() != before.size()) return runs;
@@ -157,8 +157,8 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
         return baseline ? &baseline->quantized : nullptr;
     };
     const Entry* const baseline = find(baselines.baseline);
-    const std::vector<wire::QuietRun> quiet =
-        baseline ? quiet_runs(entry, *baseline) : std::vector<wire::QuietRun>();
+    const std::vector<wire::UnchangedRun> quiet =
+        baseline ? quiet_runs(entry, *baseline) : std::vector<wire::UnchangedRun>();
     at->second = wire::encode_frame(entry.quantized,
                                     {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)},
                                     spec_, codec, quiet);

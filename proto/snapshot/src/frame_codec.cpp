@@ -26,7 +26,7 @@ bool usable(const QuantSpec& spec) {
 
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec,
-                                    std::span<const QuietRun> quiet) {
+                                    std::span<const UnchangedRun> quiet) {
     const Succession to =
         quiet.empty() ? succession_of(frame, baselines) : succession_of(frame, baselines, quiet);
     const Spacing t = spacing_of(frame.frame, baselines);

@@ -61,7 +61,7 @@ Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines
 }
 
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const QuietRun> quiet) {
+                         std::span<const UnchangedRun> quiet) {
     Succession to;
     Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
@@ -75,7 +75,7 @@ Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines
             to.survivors.push_back(s);
         }
     };
-    for (const QuietRun& run : quiet) {
+    for (const UnchangedRun& run : quiet) {
         look_until(run.begin);
         left_out += run.end - run.begin;
         at = run.end;

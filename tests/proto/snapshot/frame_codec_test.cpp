@@ -61,7 +61,7 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
     for (int round = 0; round < 200; round++) {
         const std::size_t bodies = 1 + random() % 600;
         auto frames = run(static_cast<std::uint32_t>(round), bodies, 4, {.vanish = 0, .appear = 0});
-        std::vector<QuietRun> quiet;
+        std::vector<UnchangedRun> quiet;
         for (std::size_t begin = random() % 200; begin < bodies;) {
             const std::size_t end = std::min(bodies, begin + 1 + random() % 200);
             quiet.push_back({begin, end});

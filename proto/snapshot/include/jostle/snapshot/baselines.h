@@ -20,7 +20,7 @@ struct Baselines {
 
 // Positions from `begin` to before `end`, in a frame and its base alike: the same entities, which
 // lie at rest in the base and are in the frame what they are there.
-struct QuietRun {
+struct UnchangedRun {
     std::size_t begin = 0, end = 0;
 };
 

@@ -66,7 +66,7 @@ struct Succession {
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const QuietRun> quiet);
+                         std::span<const UnchangedRun> quiet);
 
 // Survivors and newcomers as one list. Both rise.
 std::vector<EntityState> merged(std::vector<EntityState> kept,

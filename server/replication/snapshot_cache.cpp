@@ -102,7 +102,7 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
 }
 
 // Blocks that both share, and in which all rests.
-std::vector<wire::UnchangedRun> SnapshotCache::quiet_runs(const Entry& entry, const Entry& baseline) {
+std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry, const Entry& baseline) {
     std::vector<wire::UnchangedRun> runs;
     if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
     const auto &blocks = entry.frame->entities.blocks(), &before = baseline.frame->entities.blocks();
@@ -157,11 +157,11 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
         return baseline ? &baseline->quantized : nullptr;
     };
     const Entry* const baseline = find(baselines.baseline);
-    const std::vector<wire::UnchangedRun> quiet =
-        baseline ? quiet_runs(entry, *baseline) : std::vector<wire::UnchangedRun>();
+    const std::vector<wire::UnchangedRun> unchanged =
+        baseline ? unchanged_runs(entry, *baseline) : std::vector<wire::UnchangedRun>();
     at->second = wire::encode_frame(entry.quantized,
                                     {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)},
-                                    spec_, codec, quiet);
+                                    spec_, codec, unchanged);
     made_++;
     return at->second;
 }

@@ -87,7 +87,7 @@ private:
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* before, Entry oldest) const;
     Entry* find(std::uint32_t frame);
-    static std::vector<wire::UnchangedRun> quiet_runs(const Entry& entry, const Entry& baseline);
+    static std::vector<wire::UnchangedRun> unchanged_runs(const Entry& entry, const Entry& baseline);
 
     const wire::QuantSpec spec_;
     const Serialize serialize_;

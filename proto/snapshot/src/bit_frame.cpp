@@ -104,12 +104,12 @@ void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
     const auto run_of_still = [&](std::size_t from) {
         std::uint64_t run = 0;
         for (std::size_t i = from; i < survivors.size(); i++) {
-            run += survivors[i].quiet_before;
+            run += survivors[i].unchanged_before;
             if (!is_still(survivors[i])) continue;
             if (!same_pose(*now[i], *survivors[i].baseline)) return run;
             run++;
         }
-        return run + to.quiet_after;
+        return run + to.unchanged_after;
     };
     std::vector<std::size_t> toggles;
     std::uint64_t run = run_of_still(0);
@@ -117,8 +117,8 @@ void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
     std::size_t position = 0;
     for (std::size_t i = 0; i < survivors.size(); i++, position++) {
         const Survivor& s = survivors[i];
-        position += s.quiet_before;
-        run -= s.quiet_before;
+        position += s.unchanged_before;
+        run -= s.unchanged_before;
         const bool still = is_still(s);
         bool changed;
         if (still) {

@@ -13,7 +13,7 @@ std::vector<std::byte> encode_range_frame(const Succession& to, const Baselines&
     WalkedLists lists = lists_of(to);
     walk.entities(lists, baselines, to.kept.size() + to.spawned.size());
     std::vector<EntityState> none;
-    walk.survivors(to.kept, none, to.survivors, t, to.quiet_after);
+    walk.survivors(to.kept, none, to.survivors, t, to.unchanged_after);
     return out.finish();
 }
 

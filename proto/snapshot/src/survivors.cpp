@@ -61,27 +61,27 @@ Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines
 }
 
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const UnchangedRun> quiet) {
+                         std::span<const UnchangedRun> unchanged) {
     Succession to;
     Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {
         for (; at < end; at++) {
             Survivor s{.baseline = &baselines.baseline->entities[at],
-                       .quiet_before = std::exchange(left_out, 0)};
+                       .unchanged_before = std::exchange(left_out, 0)};
             if (!s.baseline->at_rest) s.baseline2 = in_base2.find(s.baseline->id);
             if (s.baseline2) s.baseline3 = in_base3.find(s.baseline->id);
             to.kept.push_back(&frame.entities[at]);
             to.survivors.push_back(s);
         }
     };
-    for (const UnchangedRun& run : quiet) {
+    for (const UnchangedRun& run : unchanged) {
         look_until(run.begin);
         left_out += run.end - run.begin;
         at = run.end;
     }
     look_until(frame.entities.size());
-    to.quiet_after = left_out;
+    to.unchanged_after = left_out;
     return to;
 }
 

@@ -61,10 +61,10 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
     for (int round = 0; round < 200; round++) {
         const std::size_t bodies = 1 + random() % 600;
         auto frames = run(static_cast<std::uint32_t>(round), bodies, 4, {.vanish = 0, .appear = 0});
-        std::vector<UnchangedRun> quiet;
+        std::vector<UnchangedRun> unchanged;
         for (std::size_t begin = random() % 200; begin < bodies;) {
             const std::size_t end = std::min(bodies, begin + 1 + random() % 200);
-            quiet.push_back({begin, end});
+            unchanged.push_back({begin, end});
             for (std::size_t k = begin; k < end; k++) {
                 frames[2].entities[k].at_rest = true;
                 frames[3].entities[k] = frames[2].entities[k];
@@ -73,7 +73,7 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
         }
         const Baselines baselines{&frames[2], &frames[1], round % 3 == 0 ? nullptr : &frames[0]};
         for (const Codec codec : codecs)
-            EXPECT_EQ(encode_frame(frames[3], baselines, {}, codec, quiet),
+            EXPECT_EQ(encode_frame(frames[3], baselines, {}, codec, unchanged),
                       encode_frame(frames[3], baselines, {}, codec));
         std::vector<std::uint32_t> blocks;
         for (std::size_t end = crc_block; end <= bodies; end += crc_block)

@@ -27,7 +27,7 @@ inline constexpr Codec newest_codec = Codec::range;
 // entities. The bytes are the same with and without.
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec = Codec::bits,
-                                    std::span<const UnchangedRun> quiet = {});
+                                    std::span<const UnchangedRun> unchanged = {});
 
 // What a client is willing to hold unless it says otherwise.
 inline constexpr std::size_t default_entities_max = 1u << 20;

@@ -50,16 +50,16 @@ public:
     // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
     bool survivors(const std::vector<const EntityState*>& kept, std::vector<EntityState>& states,
                    const std::vector<Survivor>& survivors, const Spacing& t,
-                   std::size_t quiet_after = 0) {
-        quiet_after_ = quiet_after;
-        std::size_t resting = quiet_after;
-        for (const Survivor& s : survivors) resting += s.quiet_before + (s.baseline->at_rest ? 1 : 0);
+                   std::size_t unchanged_after = 0) {
+        unchanged_after_ = unchanged_after;
+        std::size_t resting = unchanged_after;
+        for (const Survivor& s : survivors) resting += s.unchanged_before + (s.baseline->at_rest ? 1 : 0);
         std::uint64_t run = 0;
         if (!resting_run(run, kept, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
             const Survivor& s = survivors[i];
-            resting -= s.quiet_before;
-            run -= s.quiet_before;
+            resting -= s.unchanged_before;
+            run -= s.unchanged_before;
             const bool rested = s.baseline->at_rest;
             if (rested) resting--;
             if (rested && run > 0) {
@@ -221,10 +221,10 @@ private:
         run = left;
         if (left == 0) return true;
         if constexpr (Coder::encoding) {
-            run = quiet_after_;
+            run = unchanged_after_;
             std::uint64_t so_far = 0;
             for (std::size_t i = from; i < survivors.size(); i++) {
-                so_far += survivors[i].quiet_before;
+                so_far += survivors[i].unchanged_before;
                 if (!survivors[i].baseline->at_rest) continue;
                 if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].baseline)) {
                     run = 0;
@@ -339,7 +339,7 @@ private:
     FrameModels& models_;
     const QuantSpec spec_;
     std::string fault_;
-    std::size_t quiet_after_ = 0;  // Succession::quiet_after
+    std::size_t unchanged_after_ = 0;  // Succession::unchanged_after
 };
 
 }  // namespace jostle::wire

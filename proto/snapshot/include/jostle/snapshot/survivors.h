@@ -28,7 +28,7 @@ struct Survivor {
     const EntityState* baseline2 = nullptr;
     const EntityState* baseline3 = nullptr;
     // So many left out just before it, for an encoder: they rest in the base, and stay as they are.
-    std::size_t quiet_before = 0;
+    std::size_t unchanged_before = 0;
 };
 
 // Walks a frame's entities along rising ids.
@@ -61,12 +61,12 @@ struct Succession {
     std::vector<std::size_t> removed;               // positions in the base
     std::vector<const EntityState*> spawned, kept;  // kept: as many as survivors
     std::vector<Survivor> survivors;
-    std::size_t quiet_after = 0;  // left out after the last one
+    std::size_t unchanged_after = 0;  // left out after the last one
 };
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
 Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const UnchangedRun> quiet);
+                         std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.
 std::vector<EntityState> merged(std::vector<EntityState> kept,

@@ -96,7 +96,7 @@ void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawne
     }
 }
 
-void write_survivors(BitWriter& out, const Succession& to, const Spacing& t,
+void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
                      const QuantSpec& spec) {
     const std::vector<Survivor>& survivors = to.survivors;
     const std::vector<const EntityState*>& now = to.kept;
@@ -281,7 +281,7 @@ private:
 
 }  // namespace
 
-std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
+std::vector<std::byte> encode_bit_frame(const EntityDiff& to, const Spacing& t,
                                         const QuantSpec& spec) {
     BitWriter out;
     write_removed(out, to.removed);

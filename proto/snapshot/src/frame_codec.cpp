@@ -27,7 +27,7 @@ bool usable(const QuantSpec& spec) {
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec,
                                     std::span<const UnchangedRun> unchanged) {
-    const Succession to =
+    const EntityDiff to =
         unchanged.empty() ? succession_of(frame, baselines) : succession_of(frame, baselines, unchanged);
     const Spacing t = spacing_of(frame.frame, baselines);
     return codec == Codec::range ? encode_range_frame(to, baselines, t, spec)

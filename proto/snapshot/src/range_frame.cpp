@@ -5,7 +5,7 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_range_frame(const Succession& to, const Baselines& baselines,
+std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec) {
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;

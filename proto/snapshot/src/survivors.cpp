@@ -36,8 +36,8 @@ Spacing spacing_of(std::uint32_t frame, const Baselines& baselines) {
     return t;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines) {
-    Succession to;
+EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines) {
+    EntityDiff to;
     static const std::vector<EntityState> nobody;
     const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
           &now = frame.entities;
@@ -60,9 +60,9 @@ Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines
     return to;
 }
 
-Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
+EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged) {
-    Succession to;
+    EntityDiff to;
     Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {

@@ -8,7 +8,7 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_bit_frame(const Succession& to, const Spacing& t,
+std::vector<std::byte> encode_bit_frame(const EntityDiff& to, const Spacing& t,
                                         const QuantSpec& spec);
 
 Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> packed,

@@ -8,7 +8,7 @@
 
 namespace jostle::wire {
 
-std::vector<std::byte> encode_range_frame(const Succession& to, const Baselines& baselines,
+std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec);
 
 Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> packed,

@@ -22,7 +22,7 @@ struct WalkedLists {
     std::vector<EntityState> spawned;
 };
 
-inline WalkedLists lists_of(const Succession& to) {
+inline WalkedLists lists_of(const EntityDiff& to) {
     WalkedLists lists{.removed = to.removed, .spawned = {}};
     lists.spawned.reserve(to.spawned.size());
     for (const EntityState* state : to.spawned) lists.spawned.push_back(*state);

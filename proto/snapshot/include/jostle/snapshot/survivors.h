@@ -57,15 +57,15 @@ private:
 std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector<std::size_t>& removed);
 
 // What becomes of the base's entities in a frame.
-struct Succession {
+struct EntityDiff {
     std::vector<std::size_t> removed;               // positions in the base
     std::vector<const EntityState*> spawned, kept;  // kept: as many as survivors
     std::vector<Survivor> survivors;
     std::size_t unchanged_after = 0;  // left out after the last one
 };
-Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines);
+EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
-Succession succession_of(const QuantizedFrame& frame, const Baselines& baselines,
+EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.

@@ -45,7 +45,7 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& b
     FrameModels models;
     Counter counter{.models = models, .counts = counts};
     const wire::QuantSpec spec;
-    const wire::EntityDiff to = wire::succession_of(frame, baselines);
+    const wire::EntityDiff to = wire::entity_diff(frame, baselines);
     wire::WalkedLists lists = wire::lists_of(to);
     wire::RangeWalk walk(counter, models, spec);
     walk.entities(lists, baselines, frame.entities.size());

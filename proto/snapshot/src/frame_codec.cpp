@@ -28,7 +28,7 @@ std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines
                                     const QuantSpec& spec, Codec codec,
                                     std::span<const UnchangedRun> unchanged) {
     const EntityDiff to =
-        unchanged.empty() ? succession_of(frame, baselines) : succession_of(frame, baselines, unchanged);
+        unchanged.empty() ? entity_diff(frame, baselines) : entity_diff(frame, baselines, unchanged);
     const Spacing t = spacing_of(frame.frame, baselines);
     return codec == Codec::range ? encode_range_frame(to, baselines, t, spec)
                                  : encode_bit_frame(to, t, spec);

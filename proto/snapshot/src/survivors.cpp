@@ -36,7 +36,7 @@ Spacing spacing_of(std::uint32_t frame, const Baselines& baselines) {
     return t;
 }
 
-EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines) {
+EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) {
     EntityDiff to;
     static const std::vector<EntityState> nobody;
     const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
@@ -60,7 +60,7 @@ EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines
     return to;
 }
 
-EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines,
+EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged) {
     EntityDiff to;
     Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);

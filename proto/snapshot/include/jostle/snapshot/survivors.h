@@ -63,9 +63,9 @@ struct EntityDiff {
     std::vector<Survivor> survivors;
     std::size_t unchanged_after = 0;  // left out after the last one
 };
-EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines);
+EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
-EntityDiff succession_of(const QuantizedFrame& frame, const Baselines& baselines,
+EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.

@@ -1,5 +1,5 @@
 // The state of frames as whole numbers, and what both codecs' decoders share. The twin of proto/snapshot/include/jostle/snapshot/entity_state.h and
-// survivors.h.
+// entity_diff.h.
 
 export interface EntityState {
   readonly id: number;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "jostle/snapshot/bit_stream.h"
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 namespace jostle::wire {
 namespace {

@@ -4,7 +4,7 @@
 #include "jostle/snapshot/bit_frame.h"
 #include "jostle/snapshot/crc32.h"
 #include "jostle/snapshot/range_frame.h"
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 namespace jostle::wire {
 namespace {

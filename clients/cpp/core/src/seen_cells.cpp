@@ -8,7 +8,7 @@
 
 #include "clients/cpp/core/src/pose_blend.h"
 #include "jostle/snapshot/baseline_frames.h"
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 namespace jostle::client {
 

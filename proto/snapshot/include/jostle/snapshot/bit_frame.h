@@ -4,7 +4,7 @@
 // by frame_codec.h alone, which has checked the quantisation and the spacing.
 #pragma once
 
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 namespace jostle::wire {
 

@@ -12,7 +12,7 @@
 
 #include "jostle/snapshot/bit_stream.h"
 #include "jostle/snapshot/frame_models.h"
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 namespace jostle::wire {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/snapshot/survivors.h"
+#include "jostle/snapshot/entity_diff.h"
 
 #include <algorithm>
 #include <utility>

@@ -99,7 +99,7 @@ void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawne
 void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
                      const QuantSpec& spec) {
     const std::vector<Survivor>& survivors = to.survivors;
-    const std::vector<const EntityState*>& now = to.kept;
+    const std::vector<const EntityState*>& now = to.surviving;
     // Still entities from `from` on before the first one that changes its pose.
     const auto run_of_still = [&](std::size_t from) {
         std::uint64_t run = 0;
@@ -156,10 +156,10 @@ public:
         if (survivors.size() > max_entities ||
             !read_spawned(spawned, baselines, max_entities - survivors.size()))
             return corrupt(error_.empty() ? "more entities than the limit" : error_);
-        std::vector<EntityState> kept;
-        if (!read_survivors(kept, survivors, t)) return corrupt(error_);
+        std::vector<EntityState> surviving;
+        if (!read_survivors(surviving, survivors, t)) return corrupt(error_);
         if (!in_.at_clean_end()) return corrupt(at("bits are left over or missing"));
-        return merged(kept, spawned);
+        return merged(surviving, spawned);
     }
 
 private:
@@ -245,9 +245,9 @@ private:
         return true;
     }
 
-    bool read_survivors(std::vector<EntityState>& kept, const std::vector<Survivor>& survivors,
+    bool read_survivors(std::vector<EntityState>& surviving, const std::vector<Survivor>& survivors,
                         const Spacing& t) {
-        kept.reserve(survivors.size());
+        surviving.reserve(survivors.size());
         std::uint64_t run = in_.exp_golomb(still_order);
         for (const Survivor& s : survivors) {
             EntityState state = *s.baseline;
@@ -265,12 +265,12 @@ private:
                 if (still) run = in_.exp_golomb(still_order);
             }
             if (ended()) return false;
-            kept.push_back(state);
+            surviving.push_back(state);
         }
         if (run != 0) return fail("a run of still entities past the end");
         std::vector<std::size_t> toggles;
-        if (!read_positions(toggles, kept.size(), "rest toggles")) return false;
-        for (const std::size_t i : toggles) kept[i].at_rest = !kept[i].at_rest;
+        if (!read_positions(toggles, surviving.size(), "rest toggles")) return false;
+        for (const std::size_t i : toggles) surviving[i].at_rest = !surviving[i].at_rest;
         return true;
     }
 

@@ -41,11 +41,11 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) 
     static const std::vector<EntityState> nobody;
     const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
           &now = frame.entities;
-    to.kept.resize(std::min(baseline.size(), now.size()));
-    std::size_t i = 0, k = 0, kept = 0;
+    to.surviving.resize(std::min(baseline.size(), now.size()));
+    std::size_t i = 0, k = 0, surviving = 0;
     while (i < baseline.size() && k < now.size()) {
         if (baseline[i].id == now[k].id) {
-            to.kept[kept++] = &now[k++];
+            to.surviving[surviving++] = &now[k++];
             i++;
         } else if (baseline[i].id < now[k].id) {
             to.removed.push_back(i++);
@@ -55,7 +55,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) 
     }
     while (i < baseline.size()) to.removed.push_back(i++);
     while (k < now.size()) to.spawned.push_back(&now[k++]);
-    to.kept.resize(kept);
+    to.surviving.resize(surviving);
     to.survivors = survivors_of(baselines, to.removed);
     return to;
 }
@@ -71,7 +71,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                        .unchanged_before = std::exchange(left_out, 0)};
             if (!s.baseline->at_rest) s.baseline2 = in_base2.find(s.baseline->id);
             if (s.baseline2) s.baseline3 = in_base3.find(s.baseline->id);
-            to.kept.push_back(&frame.entities[at]);
+            to.surviving.push_back(&frame.entities[at]);
             to.survivors.push_back(s);
         }
     };
@@ -85,11 +85,11 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
     return to;
 }
 
-std::vector<EntityState> merged(std::vector<EntityState> kept,
+std::vector<EntityState> merged(std::vector<EntityState> surviving,
                                 const std::vector<EntityState>& spawned) {
-    if (spawned.empty()) return kept;
-    std::vector<EntityState> all(kept.size() + spawned.size());
-    std::merge(kept.begin(), kept.end(), spawned.begin(), spawned.end(), all.begin(),
+    if (spawned.empty()) return surviving;
+    std::vector<EntityState> all(surviving.size() + spawned.size());
+    std::merge(surviving.begin(), surviving.end(), spawned.begin(), spawned.end(), all.begin(),
                [](const EntityState& a, const EntityState& b) { return a.id < b.id; });
     return all;
 }

@@ -11,9 +11,9 @@ std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines&
     RangeEncoder out;
     RangeWalk walk(out, models, spec);
     WalkedLists lists = lists_of(to);
-    walk.entities(lists, baselines, to.kept.size() + to.spawned.size());
+    walk.entities(lists, baselines, to.surviving.size() + to.spawned.size());
     std::vector<EntityState> none;
-    walk.survivors(to.kept, none, to.survivors, t, to.unchanged_after);
+    walk.survivors(to.surviving, none, to.survivors, t, to.unchanged_after);
     return out.finish();
 }
 
@@ -31,12 +31,12 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     if (!walk.entities(lists, baselines, max_entities)) return at(walk.fault());
     const std::vector<Survivor> survivors = survivors_of(baselines, lists.removed);
     if (survivors.size() > max_entities) return at("more entities than the limit");
-    std::vector<EntityState> kept;
-    kept.reserve(survivors.size());
-    if (!walk.survivors({}, kept, survivors, t)) return at(walk.fault());
+    std::vector<EntityState> surviving;
+    surviving.reserve(survivors.size());
+    if (!walk.survivors({}, surviving, survivors, t)) return at(walk.fault());
     if (in.past_end()) return at("the data ends early");
     if (!in.at_clean_end()) return at("bytes are left over");
-    return merged(std::move(kept), lists.spawned);
+    return merged(std::move(surviving), lists.spawned);
 }
 
 }  // namespace jostle::wire

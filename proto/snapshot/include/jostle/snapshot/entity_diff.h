@@ -59,7 +59,7 @@ std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector
 // What becomes of the base's entities in a frame.
 struct EntityDiff {
     std::vector<std::size_t> removed;               // positions in the base
-    std::vector<const EntityState*> spawned, kept;  // kept: as many as survivors
+    std::vector<const EntityState*> spawned, surviving;  // kept: as many as survivors
     std::vector<Survivor> survivors;
     std::size_t unchanged_after = 0;  // left out after the last one
 };
@@ -69,7 +69,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.
-std::vector<EntityState> merged(std::vector<EntityState> kept,
+std::vector<EntityState> merged(std::vector<EntityState> surviving,
                                 const std::vector<EntityState>& spawned);
 
 // 1 where a frame is missing.

@@ -48,14 +48,14 @@ public:
     }
 
     // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
-    bool survivors(const std::vector<const EntityState*>& kept, std::vector<EntityState>& states,
+    bool survivors(const std::vector<const EntityState*>& surviving, std::vector<EntityState>& states,
                    const std::vector<Survivor>& survivors, const Spacing& t,
                    std::size_t unchanged_after = 0) {
         unchanged_after_ = unchanged_after;
         std::size_t resting = unchanged_after;
         for (const Survivor& s : survivors) resting += s.unchanged_before + (s.baseline->at_rest ? 1 : 0);
         std::uint64_t run = 0;
-        if (!resting_run(run, kept, survivors, 0, resting)) return false;
+        if (!resting_run(run, surviving, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
             const Survivor& s = survivors[i];
             resting -= s.unchanged_before;
@@ -67,10 +67,10 @@ public:
                 if constexpr (!Coder::encoding) states.push_back(*s.baseline);
                 continue;
             }
-            EntityState state = Coder::encoding ? *kept[i] : *s.baseline;
+            EntityState state = Coder::encoding ? *surviving[i] : *s.baseline;
             if (!(rested ? roused(state, s, t) : awake(state, s, t))) return false;
             if constexpr (!Coder::encoding) states.push_back(state);
-            if (rested && !resting_run(run, kept, survivors, i + 1, resting)) return false;
+            if (rested && !resting_run(run, surviving, survivors, i + 1, resting)) return false;
         }
         return true;
     }
@@ -216,7 +216,7 @@ private:
 
     // How many of those at rest, from survivor `from` on, stay as they are before the next that
     // does not; `left` are there.
-    bool resting_run(std::uint64_t& run, const std::vector<const EntityState*>& kept,
+    bool resting_run(std::uint64_t& run, const std::vector<const EntityState*>& surviving,
                      const std::vector<Survivor>& survivors, std::size_t from, std::size_t left) {
         run = left;
         if (left == 0) return true;
@@ -226,7 +226,7 @@ private:
             for (std::size_t i = from; i < survivors.size(); i++) {
                 so_far += survivors[i].unchanged_before;
                 if (!survivors[i].baseline->at_rest) continue;
-                if (!kept[i]->at_rest || !same_pose(*kept[i], *survivors[i].baseline)) {
+                if (!surviving[i]->at_rest || !same_pose(*surviving[i], *survivors[i].baseline)) {
                     run = 0;
                     break;
                 }

@@ -205,7 +205,7 @@ private:
         if (ended()) return false;
         if (count > limit) return fail("spawned: more entities than the limit");
         std::uint64_t next_id = 1;
-        Finder in_base(baselines.baseline);
+        EntityFinder in_base(baselines.baseline);
         for (std::uint64_t i = 0; i < count; i++) {
             const std::uint64_t id = next_id + in_.exp_golomb(gap_order);
             if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");

@@ -12,7 +12,7 @@ std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector
     if (!baselines.baseline) return {};
     const std::vector<EntityState>& baseline = baselines.baseline->entities;
     std::vector<Survivor> survivors(baseline.size() - removed.size());
-    Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
+    EntityFinder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t next_removed = 0, next = 0;
     for (std::size_t i = 0; i < baseline.size(); i++) {
         if (next_removed < removed.size() && removed[next_removed] == i) {
@@ -63,7 +63,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) 
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged) {
     EntityDiff to;
-    Finder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
+    EntityFinder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {
         for (; at < end; at++) {

@@ -32,9 +32,9 @@ struct Survivor {
 };
 
 // Walks a frame's entities along rising ids.
-class Finder {
+class EntityFinder {
 public:
-    explicit Finder(const QuantizedFrame* frame) : frame_(frame) {}
+    explicit EntityFinder(const QuantizedFrame* frame) : frame_(frame) {}
 
     const EntityState* find(std::uint32_t id) {
         if (!frame_) return nullptr;

@@ -155,7 +155,7 @@ private:
     bool spawned(std::vector<EntityState>& states, const Baselines& baselines, std::size_t limit) {
         const std::uint64_t total = count(models_.spawned, states.size());
         if (total > limit) return fail("spawned: more entities than the limit");
-        Finder in_base(baselines.baseline);
+        EntityFinder in_base(baselines.baseline);
         EntityState before;
         for (std::uint64_t i = 0; i < total; i++) {
             if (!Coder::encoding) states.emplace_back();

@@ -151,7 +151,7 @@ public:
         std::vector<std::size_t> removed;
         const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
         if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
-        const std::vector<Survivor> survivors = survivors_of(baselines, removed);
+        const std::vector<Survivor> survivors = find_survivors(baselines, removed);
         std::vector<EntityState> spawned;
         if (survivors.size() > max_entities ||
             !read_spawned(spawned, baselines, max_entities - survivors.size()))
@@ -159,7 +159,7 @@ public:
         std::vector<EntityState> surviving;
         if (!read_survivors(surviving, survivors, t)) return corrupt(error_);
         if (!in_.at_clean_end()) return corrupt(at("bits are left over or missing"));
-        return merged(surviving, spawned);
+        return merge_entities(surviving, spawned);
     }
 
 private:

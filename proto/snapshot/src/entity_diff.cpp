@@ -8,7 +8,7 @@
 
 namespace jostle::wire {
 
-std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector<std::size_t>& removed) {
+std::vector<Survivor> find_survivors(const Baselines& baselines, const std::vector<std::size_t>& removed) {
     if (!baselines.baseline) return {};
     const std::vector<EntityState>& baseline = baselines.baseline->entities;
     std::vector<Survivor> survivors(baseline.size() - removed.size());
@@ -56,7 +56,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) 
     while (i < baseline.size()) to.removed.push_back(i++);
     while (k < now.size()) to.spawned.push_back(&now[k++]);
     to.surviving.resize(surviving);
-    to.survivors = survivors_of(baselines, to.removed);
+    to.survivors = find_survivors(baselines, to.removed);
     return to;
 }
 
@@ -85,7 +85,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
     return to;
 }
 
-std::vector<EntityState> merged(std::vector<EntityState> surviving,
+std::vector<EntityState> merge_entities(std::vector<EntityState> surviving,
                                 const std::vector<EntityState>& spawned) {
     if (spawned.empty()) return surviving;
     std::vector<EntityState> all(surviving.size() + spawned.size());

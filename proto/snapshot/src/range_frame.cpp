@@ -29,14 +29,14 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     };
     WalkedLists lists;
     if (!walk.entities(lists, baselines, max_entities)) return at(walk.fault());
-    const std::vector<Survivor> survivors = survivors_of(baselines, lists.removed);
+    const std::vector<Survivor> survivors = find_survivors(baselines, lists.removed);
     if (survivors.size() > max_entities) return at("more entities than the limit");
     std::vector<EntityState> surviving;
     surviving.reserve(survivors.size());
     if (!walk.survivors({}, surviving, survivors, t)) return at(walk.fault());
     if (in.past_end()) return at("the data ends early");
     if (!in.at_clean_end()) return at("bytes are left over");
-    return merged(std::move(surviving), lists.spawned);
+    return merge_entities(std::move(surviving), lists.spawned);
 }
 
 }  // namespace jostle::wire

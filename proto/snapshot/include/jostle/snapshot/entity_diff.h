@@ -54,7 +54,7 @@ private:
 };
 
 // `removed`: rising positions in the base.
-std::vector<Survivor> survivors_of(const Baselines& baselines, const std::vector<std::size_t>& removed);
+std::vector<Survivor> find_survivors(const Baselines& baselines, const std::vector<std::size_t>& removed);
 
 // What becomes of the base's entities in a frame.
 struct EntityDiff {
@@ -69,7 +69,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                          std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.
-std::vector<EntityState> merged(std::vector<EntityState> surviving,
+std::vector<EntityState> merge_entities(std::vector<EntityState> surviving,
                                 const std::vector<EntityState>& spawned);
 
 // 1 where a frame is missing.

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "bench/recorded_scene.h"
-#include "jostle/snapshot/range_walk.h"
+#include "jostle/snapshot/range_frame_serializer.h"
 
 namespace jostle::bench {
 namespace {
@@ -47,7 +47,7 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& b
     const wire::QuantSpec spec;
     const wire::EntityDiff to = wire::entity_diff(frame, baselines);
     wire::WalkedLists lists = wire::lists_of(to);
-    wire::RangeWalk walk(counter, models, spec);
+    wire::RangeFrameSerializer walk(counter, models, spec);
     walk.entities(lists, baselines, frame.entities.size());
     std::vector<wire::EntityState> none;
     walk.survivors(to.kept, none, to.survivors, wire::spacing_of(frame.frame, baselines));

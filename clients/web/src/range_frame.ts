@@ -1,4 +1,4 @@
-// Frames of codec 2: the twin of proto/snapshot/include/jostle/snapshot/range_walk.h, decoding only; written from proto/WIRE.md.
+// Frames of codec 2: the twin of proto/snapshot/include/jostle/snapshot/range_frame_serializer.h, decoding only; written from proto/WIRE.md.
 
 import { bitWidth } from './bit_reader';
 import * as M from './frame_models';

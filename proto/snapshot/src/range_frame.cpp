@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/snapshot/range_frame.h"
 
-#include "jostle/snapshot/range_walk.h"
+#include "jostle/snapshot/range_frame_serializer.h"
 
 namespace jostle::wire {
 
@@ -9,7 +9,7 @@ std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines&
                                           const Spacing& t, const QuantSpec& spec) {
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;
-    RangeWalk walk(out, models, spec);
+    RangeFrameSerializer walk(out, models, spec);
     WalkedLists lists = lists_of(to);
     walk.entities(lists, baselines, to.surviving.size() + to.spawned.size());
     std::vector<EntityState> none;
@@ -23,7 +23,7 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
                                                     std::size_t max_entities) {
     FrameModels models = start_models(t.dt1);
     RangeDecoder in(packed);
-    RangeWalk walk(in, models, spec);
+    RangeFrameSerializer walk(in, models, spec);
     const auto at = [&](const std::string& what) {
         return corrupt(what + " (at byte " + std::to_string(in.byte_position()) + ")");
     };

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/snapshot/frame_codec.h"
-#include "jostle/snapshot/range_walk.h"
+#include "jostle/snapshot/range_frame_serializer.h"
 #include "jostle/snapshot/start_models.h"
 #include "tests/proto/snapshot/motion.h"
 
@@ -27,7 +27,7 @@ QuantizedFrame resting(std::uint32_t frame, std::uint32_t count) {
 std::vector<std::byte> told(WalkedLists lists, const QuantizedFrame* base) {
     FrameModels models = start_models(1);
     RangeEncoder out;
-    RangeWalk walk(out, models, QuantSpec{});
+    RangeFrameSerializer walk(out, models, QuantSpec{});
     walk.entities(lists, {base, nullptr, nullptr}, most);
     return out.finish();
 }

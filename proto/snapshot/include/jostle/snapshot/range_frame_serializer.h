@@ -30,9 +30,9 @@ inline WalkedLists lists_of(const EntityDiff& to) {
 }
 
 template <class Coder>
-class RangeWalk {
+class RangeFrameSerializer {
 public:
-    RangeWalk(Coder& coder, FrameModels& models, const QuantSpec& spec)
+    RangeFrameSerializer(Coder& coder, FrameModels& models, const QuantSpec& spec)
         : coder_(coder), models_(models), spec_(spec) {}
 
     // Who goes and comes. False: a decoder found a fault().

@@ -10,7 +10,7 @@ std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines&
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;
     RangeFrameSerializer walk(out, models, spec);
-    WalkedLists lists = lists_of(to);
+    EntityChanges lists = lists_of(to);
     walk.entities(lists, baselines, to.surviving.size() + to.spawned.size());
     std::vector<EntityState> none;
     walk.survivors(to.surviving, none, to.survivors, t, to.unchanged_after);
@@ -27,7 +27,7 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     const auto at = [&](const std::string& what) {
         return corrupt(what + " (at byte " + std::to_string(in.byte_position()) + ")");
     };
-    WalkedLists lists;
+    EntityChanges lists;
     if (!walk.entities(lists, baselines, max_entities)) return at(walk.fault());
     const std::vector<Survivor> survivors = find_survivors(baselines, lists.removed);
     if (survivors.size() > max_entities) return at("more entities than the limit");

@@ -24,7 +24,7 @@ QuantizedFrame resting(std::uint32_t frame, std::uint32_t count) {
 }
 
 // The bytes of lists that an honest encoder never has: its walk goes on to the fault.
-std::vector<std::byte> told(WalkedLists lists, const QuantizedFrame* base) {
+std::vector<std::byte> told(EntityChanges lists, const QuantizedFrame* base) {
     FrameModels models = start_models(1);
     RangeEncoder out;
     RangeFrameSerializer walk(out, models, QuantSpec{});

@@ -17,13 +17,13 @@
 namespace jostle::wire {
 
 // Who goes and comes: what an encoder tells, and a decoder fills.
-struct WalkedLists {
+struct EntityChanges {
     std::vector<std::size_t> removed;  // positions in the base
     std::vector<EntityState> spawned;
 };
 
-inline WalkedLists lists_of(const EntityDiff& to) {
-    WalkedLists lists{.removed = to.removed, .spawned = {}};
+inline EntityChanges lists_of(const EntityDiff& to) {
+    EntityChanges lists{.removed = to.removed, .spawned = {}};
     lists.spawned.reserve(to.spawned.size());
     for (const EntityState* state : to.spawned) lists.spawned.push_back(*state);
     return lists;
@@ -36,7 +36,7 @@ public:
         : coder_(coder), models_(models), spec_(spec) {}
 
     // Who goes and comes. False: a decoder found a fault().
-    bool entities(WalkedLists& lists, const Baselines& baselines, std::size_t max_entities) {
+    bool entities(EntityChanges& lists, const Baselines& baselines, std::size_t max_entities) {
         const bool any =
             coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
         if (!any) return true;

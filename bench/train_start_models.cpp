@@ -46,7 +46,7 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& b
     Counter counter{.models = models, .counts = counts};
     const wire::QuantSpec spec;
     const wire::EntityDiff to = wire::entity_diff(frame, baselines);
-    wire::EntityChanges lists = wire::lists_of(to);
+    wire::EntityChanges lists = wire::entity_changes_of(to);
     wire::RangeFrameSerializer walk(counter, models, spec);
     walk.entities(lists, baselines, frame.entities.size());
     std::vector<wire::EntityState> none;

@@ -10,7 +10,7 @@ std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines&
     FrameModels models = start_models(t.dt1);
     RangeEncoder out;
     RangeFrameSerializer walk(out, models, spec);
-    EntityChanges lists = lists_of(to);
+    EntityChanges lists = entity_changes_of(to);
     walk.entities(lists, baselines, to.surviving.size() + to.spawned.size());
     std::vector<EntityState> none;
     walk.survivors(to.surviving, none, to.survivors, t, to.unchanged_after);

@@ -22,7 +22,7 @@ struct EntityChanges {
     std::vector<EntityState> spawned;
 };
 
-inline EntityChanges lists_of(const EntityDiff& to) {
+inline EntityChanges entity_changes_of(const EntityDiff& to) {
     EntityChanges lists{.removed = to.removed, .spawned = {}};
     lists.spawned.reserve(to.spawned.size());
     for (const EntityState* state : to.spawned) lists.spawned.push_back(*state);
@@ -68,7 +68,7 @@ public:
                 continue;
             }
             EntityState state = Coder::encoding ? *surviving[i] : *s.baseline;
-            if (!(rested ? roused(state, s, t) : awake(state, s, t))) return false;
+            if (!(rested ? pose_of_woken(state, s, t) : awake(state, s, t))) return false;
             if constexpr (!Coder::encoding) states.push_back(state);
             if (rested && !resting_run(run, surviving, survivors, i + 1, resting)) return false;
         }
@@ -160,7 +160,7 @@ private:
         for (std::uint64_t i = 0; i < total; i++) {
             if (!Coder::encoding) states.emplace_back();
             EntityState& state = states[static_cast<std::size_t>(i)];
-            if (!newcomer(state, before) || ended()) return false;
+            if (!spawned_entity(state, before) || ended()) return false;
             if (in_base.find(state.id)) return fail("spawned: an id that the base has");
             before = state;
         }
@@ -168,7 +168,7 @@ private:
     }
 
     // Told as the difference from the one spawned before it: neighbours were often made together.
-    bool newcomer(EntityState& state, const EntityState& before) {
+    bool spawned_entity(EntityState& state, const EntityState& before) {
         const std::uint64_t id =
             std::uint64_t{before.id} + 1 + count(models_.id_gap, state.id - before.id - 1);
         if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
@@ -241,7 +241,7 @@ private:
     }
 
     // At rest in base, and now it is not, or lies elsewhere.
-    bool roused(EntityState& state, const Survivor& s, const Spacing& t) {
+    bool pose_of_woken(EntityState& state, const Survivor& s, const Spacing& t) {
         state.at_rest = coder_.bit(models_.stays_at_rest, state.at_rest);
         return pose(state, s, t);
     }

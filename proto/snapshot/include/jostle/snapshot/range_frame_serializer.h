@@ -79,9 +79,9 @@ public:
 
 private:
     // How an entity that is awake in base moved before.
-    enum Pace : std::size_t { motionless, moving, stopped };
+    enum PriorMotion : std::size_t { motionless, moving, stopped };
 
-    static Pace pace_of(const Survivor& s) {
+    static PriorMotion pace_of(const Survivor& s) {
         if (!s.baseline2 || s.baseline2->at_rest || !same_pose(*s.baseline, *s.baseline2)) return moving;
         return s.baseline3 && same_pose(*s.baseline, *s.baseline3) ? motionless : stopped;
     }
@@ -247,7 +247,7 @@ private:
     }
 
     bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
-        const Pace pace = pace_of(s);
+        const PriorMotion pace = pace_of(s);
         const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.baseline));
         state.at_rest = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
         return !changed || pose(state, s, t);

@@ -124,7 +124,7 @@ int train(const std::string& folder) {
         folder + "/start_models.cpp", tables,
         "// SPDX-License-Identifier: MIT\n//\n// Written by bench/train_start_models.cpp; part of "
         "the format.\n#include \"wire/start_models.h\"\n\nnamespace jostle::wire {\n\nconst "
-        "std::string_view start_letters[2] = {\n",
+        "std::string_view start_model_letters[2] = {\n",
         "    \"%s\"\n", "    ,\n", "};\n\n}  // namespace jostle::wire\n");
     write(folder + "/start_models.ts", tables,
           "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, \"How "

@@ -79,7 +79,7 @@ export class BitReader {
   }
 }
 
-export function unZigZag(u: number): number {
+export function zigZagDecode(u: number): number {
   return u % 2 === 1 ? -(u + 1) / 2 : u / 2;
 }
 

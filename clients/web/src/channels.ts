@@ -1,6 +1,6 @@
 // What modules of the world tell: lists of whole numbers by kind and entity, frame by frame (proto/WIRE.md, "Channels").
 
-import { BitReader, bitWidth, unZigZag } from './bit_reader';
+import { BitReader, bitWidth, zigZagDecode } from './bit_reader';
 import { crc32 } from './crc32';
 import { DecodeError } from './decode_frame';
 
@@ -54,7 +54,7 @@ function readValues(bits: BitReader, count: number, base?: Int32Array): Int32Arr
     const size = bits.expGolomb(widths < 8 ? 0 : (widths >> 2) - 2);
     if (size >= 0xffffffff) throw new DecodeError('channels: a difference beyond 32 bits');
     widths += bitWidth(size) - (widths >> 2);
-    values[k] = values[k]! + unZigZag(size + 1); // wraps around
+    values[k] = values[k]! + zigZagDecode(size + 1); // wraps around
     k++;
     if (bits.pastEnd) throw new DecodeError('channels: the bytes end early');
   }

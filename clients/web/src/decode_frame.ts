@@ -1,7 +1,7 @@
 // The twin of proto/snapshot/include/jostle/snapshot in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
 // codec 2 in range_frame.ts.
 
-import { BitReader, bitWidth, unZigZag } from './bit_reader';
+import { BitReader, bitWidth, zigZagDecode } from './bit_reader';
 import { crc32 } from './crc32';
 import {
   DecodeError,
@@ -117,7 +117,7 @@ class BitFrameReader {
       if (id > 0xffffffff) this.fail('spawned: an id beyond 32 bits');
       const position: Three = [0, 0, 0];
       for (let k = 0; k < 3; k++)
-        position[k] = this.int32(unZigZag(this.in.expGolomb(POSITION_ORDER)), 'spawned: a position');
+        position[k] = this.int32(zigZagDecode(this.in.expGolomb(POSITION_ORDER)), 'spawned: a position');
       const { largest, rotation } = this.readComponents();
       const atRest = this.in.bits(1) === 1;
       this.checkEnd();
@@ -139,13 +139,13 @@ class BitFrameReader {
     const kr = KR[Math.min(bitWidth(rotationChange), 11)]!;
     const position: Three = [0, 0, 0];
     for (let k = 0; k < 3; k++)
-      position[k] = this.int32(p.position[k]! + unZigZag(this.in.rice(kp)), 'a position');
+      position[k] = this.int32(p.position[k]! + zigZagDecode(this.in.rice(kp)), 'a position');
     if (!(rotationChange === 0 && this.in.bits(1) === 1)) {
       if (this.in.takeEscape()) {
         const { largest, rotation } = this.readComponents();
         return { id: s.b1.id, position, largest, rotation, atRest: false };
       }
-      for (let k = 0; k < 3; k++) p.components[k]! += unZigZag(this.in.rice(kr));
+      for (let k = 0; k < 3; k++) p.components[k]! += zigZagDecode(this.in.rice(kr));
     }
     this.checkEnd();
     this.checkRotation(p.components);

@@ -37,10 +37,10 @@ export interface Prediction {
   position: Three;
   /** The last step, and how much it differed from the one before. */
   positionStep: Three;
-  positionBend: Three;
+  positionAcceleration: Three;
   rotation: Four;
   rotationStep: Four;
-  rotationBend: Four;
+  rotationAcceleration: Four;
   largest: number;
   /** The other three of `rotation`, as a state has them. */
   components: Three;
@@ -58,10 +58,10 @@ const change: Four = [0, 0, 0, 0];
 const prediction: Prediction = {
   position: [0, 0, 0],
   positionStep: [0, 0, 0],
-  positionBend: [0, 0, 0],
+  positionAcceleration: [0, 0, 0],
   rotation: q,
   rotationStep: step,
-  rotationBend: change,
+  rotationAcceleration: change,
   largest: 0,
   components: [0, 0, 0],
   positionChange: 0,
@@ -73,14 +73,14 @@ export function predict(s: Survivor, t: Spacing, m: number): Prediction {
   const { b1 } = s;
   const b2 = b1.atRest ? undefined : s.b2;
   const b3 = b2 ? s.b3 : undefined;
-  const { position, positionStep, positionBend, components } = prediction;
+  const { position, positionStep, positionAcceleration, components } = prediction;
   let positionChange = 0;
   for (let k = 0; k < 3; k++) {
     const d = b2 ? b1.position[k]! - b2.position[k]! : 0;
     const before = b2 && b3 ? scale(b2.position[k]! - b3.position[k]!, t.dt2, t.dt3) : d;
     position[k] = Math.min(INT32_MAX, Math.max(INT32_MIN, b1.position[k]! + scale(d, t.dt1, t.dt2)));
     positionStep[k] = d;
-    positionBend[k] = d - before;
+    positionAcceleration[k] = d - before;
     positionChange += Math.abs(d - before);
   }
 
@@ -103,11 +103,11 @@ export function predict(s: Survivor, t: Spacing, m: number): Prediction {
       for (let k = 0; k < 4; k++) change[k] = step[k]! - scale(q2[k]! - q3[k]!, t.dt2, t.dt3);
     }
     if (step2 <= Math.trunc(n / 2)) {
-      const bend =
+      const acceleration =
         t.dt1 === t.dt2 ? step2 : div(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
       const bends = bend * m >= Math.trunc(n / 4);
       for (let k = 0; k < 4; k++)
-        q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (bends ? div(q1[k]! * bend, n) : 0);
+        q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (bends ? div(q1[k]! * acceleration, n) : 0);
     } else {
       step.fill(0); // too large to predict from: as if it had not turned
     }

@@ -222,7 +222,7 @@ export class RangeFrameReader {
     let off = 0; // sum of the magnitudes so far
     for (let k = 0; k < 3; k++) {
       const d = p.positionStep[k]!;
-      const dd = p.positionBend[k]!;
+      const dd = p.positionAcceleration[k]!;
       const back = (d !== 0 ? d : dd) < 0;
       const wide = width(d, 3);
       const others = sizeClass(p.positionChange - Math.abs(dd));
@@ -257,14 +257,14 @@ export class RangeFrameReader {
       if (k === largest) continue;
       r[to] = sign * p.rotation[k]!;
       step[to] = sign * p.rotationStep[k]!;
-      bend[to] = sign * p.rotationBend[k]!;
-      change += Math.abs(bend[to++]!);
+      acceleration[to] = sign * p.rotationAcceleration[k]!;
+      change += Math.abs(acceleration[to++]!);
     }
     const rotation: Three = [0, 0, 0];
     let off = 0;
     for (let k = 0; k < 3; k++) {
       const d = step[k]!;
-      const dd = bend[k]!;
+      const dd = acceleration[k]!;
       const back = (d !== 0 ? d : dd) < 0;
       const wide = width(d, 3);
       const before = k === 0 ? (movedOff ? 1 : 0) : 2 + width(off, 2);

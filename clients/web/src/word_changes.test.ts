@@ -3,23 +3,23 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { DrivenSchema } from './gen/jostle/v1/play_pb';
-import { DrivenWords, withChanges } from './word_changes';
+import { DrivenWords, applyChanges } from './word_changes';
 
 const bytes = (...all: number[]) => Uint8Array.of(...all);
 
 it('makes a list of the one before and what changed', () => {
   const before = Uint32Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10);
-  const now = withChanges(before, 10, bytes(4, 1), bytes(0xfc, 0xfd, 0xfe, 0xff, 0, 0, 0, 0));
+  const now = applyChanges(before, 10, bytes(4, 1), bytes(0xfc, 0xfd, 0xfe, 0xff, 0, 0, 0, 0));
   expect([...now!]).toEqual([1, 2, 0xfffefdfc, 4, 5, 6, 7, 8, 0, 10]);
-  expect([...withChanges(before, 3, bytes(), bytes())!]).toEqual([1, 2, 3]);
+  expect([...applyChanges(before, 3, bytes(), bytes())!]).toEqual([1, 2, 3]);
 });
 
 it('refuses what does not belong together', () => {
   const before = Uint32Array.of(1, 2, 3);
-  expect(withChanges(before, 3, bytes(1), bytes())).toBeUndefined();
-  expect(withChanges(before, 3, bytes(1), bytes(1, 2, 3, 4, 5, 6, 7, 8))).toBeUndefined();
-  expect(withChanges(before, 3, bytes(8), bytes(1, 2, 3, 4))).toBeUndefined();
-  expect(withChanges(before, 1e6, bytes(), bytes())).toBeUndefined();
+  expect(applyChanges(before, 3, bytes(1), bytes())).toBeUndefined();
+  expect(applyChanges(before, 3, bytes(1), bytes(1, 2, 3, 4, 5, 6, 7, 8))).toBeUndefined();
+  expect(applyChanges(before, 3, bytes(8), bytes(1, 2, 3, 4))).toBeUndefined();
+  expect(applyChanges(before, 1e6, bytes(), bytes())).toBeUndefined();
 });
 
 it('knows what is driven once it was told whole', () => {

@@ -12,7 +12,7 @@ function bitCount(byte: number): number {
 }
 
 /** The list of `size` words; undefined: the bytes do not belong together. */
-export function withChanges(before: Uint32Array, size: number, changed: Uint8Array, values: Uint8Array): Uint32Array | undefined {
+export function applyChanges(before: Uint32Array, size: number, changed: Uint8Array, values: Uint8Array): Uint32Array | undefined {
   if (size > WORDS_MAX || values.length !== 4 * changed.reduce((sum, byte) => sum + bitCount(byte), 0)) return undefined;
   const words = new Uint32Array(size);
   words.set(before.subarray(0, size));
@@ -41,7 +41,7 @@ export class DrivenWords {
 
   apply({ entity, tick, module, words: size, whole, changed, values }: ControlledEntityState): void {
     const before = whole ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
-    const words = before && withChanges(before, size, changed, values);
+    const words = before && applyChanges(before, size, changed, values);
     this.newest = words && { entity, tick, module, words };
   }
 

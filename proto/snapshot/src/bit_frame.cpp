@@ -56,10 +56,10 @@ void write_pose(BitWriter& out, const EntityState& now, const Survivor& s, const
     const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec);
     const Widths widths = widths_of(s, p, t);
     for (std::size_t k = 0; k < 3; k++)
-        out.rice(zig_zag(now.position[k] - p.position[k]), widths.position);
+        out.rice(zig_zag_encode(now.position[k] - p.position[k]), widths.position);
 
     std::array<std::uint64_t, 3> residual{};
-    for (std::size_t k = 0; k < 3; k++) residual[k] = zig_zag(now.rotation[k] - p.components[k]);
+    for (std::size_t k = 0; k < 3; k++) residual[k] = zig_zag_encode(now.rotation[k] - p.components[k]);
     const bool same_largest = now.largest == p.largest;
     if (widths.rotation_may_be_exact) {
         const bool exact = same_largest && residual == std::array<std::uint64_t, 3>{};
@@ -89,7 +89,7 @@ void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawne
     std::uint32_t next_id = 1;
     for (const EntityState* state : spawned) {
         out.exp_golomb(state->id - next_id, gap_order);
-        for (const std::int32_t p : state->position) out.exp_golomb(zig_zag(p), position_order);
+        for (const std::int32_t p : state->position) out.exp_golomb(zig_zag_encode(p), position_order);
         write_components(out, *state, spec);
         out.bits(state->at_rest ? 1 : 0, 1);
         next_id = state->id + 1;
@@ -211,7 +211,7 @@ private:
             if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
             EntityState state{.id = static_cast<std::uint32_t>(id)};
             for (std::int32_t& p : state.position) {
-                const std::int64_t v = un_zig_zag(in_.exp_golomb(position_order));
+                const std::int64_t v = zig_zag_decode(in_.exp_golomb(position_order));
                 if (!is_position(v)) return fail("spawned: a position out of range");
                 p = static_cast<std::int32_t>(v);
             }
@@ -229,14 +229,14 @@ private:
         const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec_);
         const Widths widths = widths_of(s, p, t);
         for (std::size_t k = 0; k < 3; k++) {
-            const std::int64_t v = p.position[k] + un_zig_zag(in_.rice(widths.position));
+            const std::int64_t v = p.position[k] + zig_zag_decode(in_.rice(widths.position));
             if (!is_position(v)) return fail("a position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
         }
         std::array<std::int64_t, 3> r = p.components;
         if (!(widths.rotation_may_be_exact && in_.bits(1) != 0)) {
             if (in_.take_escape()) return read_components(state) && !ended();
-            for (std::int64_t& c : r) c += un_zig_zag(in_.rice(widths.rotation));
+            for (std::int64_t& c : r) c += zig_zag_decode(in_.rice(widths.rotation));
         }
         if (ended()) return false;
         if (!is_rotation(r, spec_)) return fail("a rotation that is none");

@@ -104,7 +104,7 @@ void write_values(BitWriter& bits, const std::vector<std::int32_t>& values,
         while (k < values.size() && values[k] == value_at(baseline, k)) k++;
         bits.exp_golomb(k - first, run_order);
         if (k == values.size()) return;
-        const std::uint64_t size = zig_zag(difference(values[k], value_at(baseline, k))) - 1;
+        const std::uint64_t size = zig_zag_encode(difference(values[k], value_at(baseline, k))) - 1;
         bits.exp_golomb(size, spread.order());
         spread.saw(size);
         k++;
@@ -161,7 +161,7 @@ Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
         if (size >= 0xffffffffu) return bad_channels("a difference beyond 32 bits");
         spread.saw(size);
         std::int32_t& value = (*values)[k++];
-        value = sum(value, static_cast<std::int32_t>(un_zig_zag(size + 1)));
+        value = sum(value, static_cast<std::int32_t>(zig_zag_decode(size + 1)));
         if (bits.past_end()) return bad_channels("the bytes end early");
     }
     return ChannelValues(std::move(values));
@@ -175,7 +175,7 @@ Status read_change(BitReader& bits, Channel& channel, const Channel* baseline) {
         return baseline ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
     if (change > static_cast<std::uint64_t>(Change::ended))
         return bad_channels(name_of(channel) + " changes in a way that is not known");
-    const bool told = change == static_cast<std::uint64_t>(Change::length);
+    const bool coded = change == static_cast<std::uint64_t>(Change::length);
     if (!told && !baseline) return bad_channels(name_of(channel) + " changed, but was not there");
     const std::uint64_t count = told ? bits.exp_golomb(length_order) : baseline->values->size();
     if (count > channel_values_max)

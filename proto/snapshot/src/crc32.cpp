@@ -29,7 +29,7 @@ constexpr Tables tables = make_tables();
 
 }  // namespace
 
-std::uint32_t crc32_go_on(std::uint32_t state, std::uint64_t eight_bytes) {
+std::uint32_t crc32_update(std::uint32_t state, std::uint64_t eight_bytes) {
     const auto low = state ^ static_cast<std::uint32_t>(eight_bytes);
     const auto high = static_cast<std::uint32_t>(eight_bytes >> 32);
     return tables[7][low & 0xff] ^ tables[6][low >> 8 & 0xff] ^ tables[5][low >> 16 & 0xff] ^
@@ -38,11 +38,11 @@ std::uint32_t crc32_go_on(std::uint32_t state, std::uint64_t eight_bytes) {
 }
 
 std::uint32_t crc32(std::span<const std::byte> bytes) {
-    std::uint32_t crc = crc32_begin;
+    std::uint32_t crc = crc32_initial;
     std::size_t at = 0;
     const auto byte = [&](std::size_t k) { return std::to_integer<std::uint64_t>(bytes[at + k]); };
     for (; at + 8 <= bytes.size(); at += 8)
-        crc = crc32_go_on(crc, byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24 |
+        crc = crc32_update(crc, byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24 |
                                    byte(4) << 32 | byte(5) << 40 | byte(6) << 48 | byte(7) << 56);
     for (; at < bytes.size(); at++) crc = tables[0][(crc ^ byte(0)) & 0xff] ^ (crc >> 8);
     return ~crc;

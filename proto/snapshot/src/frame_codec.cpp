@@ -62,9 +62,9 @@ std::uint32_t crc_over(std::uint32_t state, std::span<const EntityState> entitie
     const auto half = [](auto value) { return std::uint64_t{static_cast<std::uint16_t>(value)}; };
     const auto word = [](auto value) { return std::uint64_t{static_cast<std::uint32_t>(value)}; };
     for (const EntityState& e : entities) {
-        state = crc32_go_on(state, word(e.id) | word(e.position[0]) << 32);
-        state = crc32_go_on(state, word(e.position[1]) | word(e.position[2]) << 32);
-        state = crc32_go_on(state, std::uint64_t{e.largest} | half(e.rotation[0]) << 8 |
+        state = crc32_update(state, word(e.id) | word(e.position[0]) << 32);
+        state = crc32_update(state, word(e.position[1]) | word(e.position[2]) << 32);
+        state = crc32_update(state, std::uint64_t{e.largest} | half(e.rotation[0]) << 8 |
                                        half(e.rotation[1]) << 24 | half(e.rotation[2]) << 40 |
                                        std::uint64_t{e.at_rest ? 1u : 0u} << 56);
     }
@@ -74,7 +74,7 @@ std::uint32_t crc_over(std::uint32_t state, std::span<const EntityState> entitie
 }  // namespace
 
 std::uint32_t frame_crc(const QuantizedFrame& frame) {
-    return ~crc_over(crc32_begin, frame.entities);
+    return ~crc_over(crc32_initial, frame.entities);
 }
 
 std::uint32_t block_crc(std::span<const EntityState> block) {
@@ -83,7 +83,7 @@ std::uint32_t block_crc(std::span<const EntityState> block) {
 
 std::uint32_t frame_crc(const QuantizedFrame& frame, std::span<const std::uint32_t> blocks) {
     static const Crc32Zeros over_block(crc_block * 24);
-    std::uint32_t state = crc32_begin;
+    std::uint32_t state = crc32_initial;
     for (const std::uint32_t block : blocks) state = over_block(state) ^ block;
     return ~crc_over(state, std::span(frame.entities).subspan(blocks.size() * crc_block));
 }

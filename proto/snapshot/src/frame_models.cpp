@@ -28,7 +28,7 @@ BitModel model_of(char letter) {
 std::array<FrameModels, 2> read_letters() {
     std::array<FrameModels, 2> tables;
     for (std::size_t table = 0; table < 2; table++) {
-        const std::string_view letters = start_letters[table];
+        const std::string_view letters = start_model_letters[table];
         const std::span<BitModel> models = all_of(tables[table]);
         for (std::size_t i = 0; i < models.size() && i < letters.size(); i++)
             models[i] = model_of(letters[i]);

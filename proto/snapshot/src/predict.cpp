@@ -56,7 +56,7 @@ void predict_position(Prediction& p, const EntityState& baseline, const EntitySt
         const std::int64_t before =
             baseline3 ? scaled(std::int64_t{baseline2->position[k]} - baseline3->position[k], t.dt2, t.dt3) : d;
         p.position_step[k] = d;
-        p.position_bend[k] = d - before;
+        p.position_acceleration[k] = d - before;
         // Kept within int32, so that a residual never needs more than 33 bits.
         p.position[k] =
             std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll, 2147483647ll);
@@ -69,7 +69,7 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
     const std::int64_t n = 2 * m * m;
     const Four q1 = unpack(baseline, n);
     p.rotation = q1;
-    Four& change = p.rotation_bend;
+    Four& change = p.rotation_acceleration;
     const bool turned =
         baseline2 && !(same_rotation(baseline, *baseline2) && (!baseline3 || same_rotation(*baseline2, *baseline3)));
     if (turned) {
@@ -90,14 +90,14 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
         // More than 41 degrees a step: the difference of two quaternions says little; hold.
         if (step2 <= n / 2) {
             // The curvature term keeps the point on the unit sphere.
-            const std::int64_t bend =
+            const std::int64_t acceleration =
                 t.dt1 == t.dt2 ? step2
                                : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
             const bool bends = bend * m >= n / 4;
             p.rotation_step = step;
             for (std::size_t k = 0; k < 4; k++)
                 p.rotation[k] = q1[k] + scaled(step[k], t.dt1, t.dt2) -
-                                (bends ? divide_rounded(q1[k] * bend, n) : 0);
+                                (bends ? divide_rounded(q1[k] * acceleration, n) : 0);
         }
     }
     std::size_t largest = 0;

@@ -5,7 +5,7 @@
 
 namespace jostle::wire {
 
-const std::string_view start_letters[2] = {
+const std::string_view start_model_letters[2] = {
     "Rn%nb,9eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee.(%x1eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee"
     "e(plb%PvdpTeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeh(%xFlFeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee"
     "ez.>:,(zxnnhhbXfPPeeeeeeeeeeeeeeeeeeeeeeefprvrpnjfZXdFeeeeeeeeeeeeeeeeeeeeeeeeee"

@@ -39,7 +39,7 @@ WordChanges changes_between(std::span<const std::uint32_t> before,
     return changes;
 }
 
-Result<std::vector<std::uint32_t>> with_changes(std::span<const std::uint32_t> before,
+Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
                                                 std::size_t size, std::string_view changed,
                                                 std::string_view values) {
     const auto wrong = [](const std::string& why) {

@@ -37,11 +37,11 @@ TEST(BitStream, reading_past_the_end_gives_zeros_and_says_so) {
 }
 
 TEST(BitStream, zig_zag_puts_small_differences_first) {
-    EXPECT_EQ(zig_zag(0), 0u);
-    EXPECT_EQ(zig_zag(-1), 1u);
-    EXPECT_EQ(zig_zag(1), 2u);
+    EXPECT_EQ(zig_zag_encode(0), 0u);
+    EXPECT_EQ(zig_zag_encode(-1), 1u);
+    EXPECT_EQ(zig_zag_encode(1), 2u);
     for (const std::int64_t v : {-4294967295ll, -3ll, 7ll, 4294967295ll})
-        EXPECT_EQ(un_zig_zag(zig_zag(v)), v);
+        EXPECT_EQ(zig_zag_decode(zig_zag_encode(v)), v);
 }
 
 TEST(Crc32, agrees_with_the_check_value_of_the_standard) {

@@ -66,7 +66,7 @@ TEST(RangeFrame, a_grid_costs_a_newcomer_less_than_half_of_codec_1) {
 }
 
 TEST(RangeFrame, models_begin_as_the_letters_say) {
-    for (const std::string_view letters : start_letters)
+    for (const std::string_view letters : start_model_letters)
         EXPECT_EQ(letters.size(), frame_model_count);
     for (const std::int64_t age : {1, 2, 3, 200}) {
         FrameModels models = start_models(age);

@@ -17,7 +17,7 @@ TEST(WordChanges, tell_as_little_as_changed) {
     const WordChanges changes = changes_between(before, now);
     EXPECT_EQ(changes.changed, std::string("\x04\x01", 2)) << "words 2 and 8";
     EXPECT_EQ(changes.values, std::string("\xfc\xfd\xfe\xff\0\0\0\0", 8));
-    EXPECT_EQ(*with_changes(before, 10, changes.changed, changes.values), now);
+    EXPECT_EQ(*apply_changes(before, 10, changes.changed, changes.values), now);
     EXPECT_EQ(changes_between(now, now).changed, "");
 }
 
@@ -28,7 +28,7 @@ TEST(WordChanges, of_any_lists_make_the_second_of_the_first) {
         for (std::uint32_t& word : before) word = static_cast<std::uint32_t>(random() % 3);
         for (std::uint32_t& word : now) word = static_cast<std::uint32_t>(random() % 3);
         const WordChanges changes = changes_between(before, now);
-        const auto again = with_changes(before, now.size(), changes.changed, changes.values);
+        const auto again = apply_changes(before, now.size(), changes.changed, changes.values);
         ASSERT_TRUE(again.ok());
         EXPECT_EQ(*again, now);
     }
@@ -41,12 +41,12 @@ TEST(WordChanges, that_do_not_belong_together_are_refused) {
                                           {"", "1234"},
                                           {"\x08", "1234"},
                                           {std::string("\0\x01", 2), "1234"}}) {
-        const auto words = with_changes(before, 3, changed, values);
+        const auto words = apply_changes(before, 3, changed, values);
         ASSERT_FALSE(words.ok());
         EXPECT_EQ(words.error().code, ErrorCode::corrupt_data);
         EXPECT_NE(words.error().message.find("list of words"), std::string::npos);
     }
-    EXPECT_FALSE(with_changes(before, words_max + 1, "", "").ok()) << "memory for nothing";
+    EXPECT_FALSE(apply_changes(before, words_max + 1, "", "").ok()) << "memory for nothing";
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ Status WorldView::apply(const v1::ControlledEntityState& driven) {
                      "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
     if (driven.whole()) driven_ = {};
     Result<std::vector<std::uint32_t>> words =
-        wire::with_changes(driven_.words, driven.words(), driven.changed(), driven.values());
+        wire::apply_changes(driven_.words, driven.words(), driven.changed(), driven.values());
     driven_ = {};
     if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
     driven_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};

@@ -20,10 +20,10 @@ inline constexpr unsigned rice_escape = 15;
 inline constexpr unsigned rice_escape_bits = 33;
 
 // 0 -> 0, -1 -> 1, 1 -> 2, -2 -> 3, ...
-inline std::uint64_t zig_zag(std::int64_t v) {
+inline std::uint64_t zig_zag_encode(std::int64_t v) {
     return (static_cast<std::uint64_t>(v) << 1) ^ static_cast<std::uint64_t>(v >> 63);
 }
-inline std::int64_t un_zig_zag(std::uint64_t u) {
+inline std::int64_t zig_zag_decode(std::uint64_t u) {
     return static_cast<std::int64_t>(u >> 1) ^ -static_cast<std::int64_t>(u & 1);
 }
 // Bits needed to write x: 0 1 2 2 3 3 3 3 4 ...

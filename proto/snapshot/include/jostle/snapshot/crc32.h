@@ -14,9 +14,9 @@ std::uint32_t crc32(std::span<const std::byte> bytes);
 
 // The same in pieces: begin with all ones, go on with each piece, and invert the end. A piece that
 // begins with 0 adds to what came before it: state(a then b) = state(a then zeros) ^ state_of_0(b).
-inline constexpr std::uint32_t crc32_begin = 0xffffffffu;
+inline constexpr std::uint32_t crc32_initial = 0xffffffffu;
 // By eight bytes, the lowest first.
-std::uint32_t crc32_go_on(std::uint32_t state, std::uint64_t eight_bytes);
+std::uint32_t crc32_update(std::uint32_t state, std::uint64_t eight_bytes);
 // By so many bytes that are 0, in a few steps. Any thread.
 class Crc32Zeros {
 public:

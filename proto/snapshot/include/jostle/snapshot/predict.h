@@ -29,8 +29,8 @@ struct Prediction {
     std::array<std::int64_t, 3> components{};
     // The last step, and how much it differed from the one before, which tells how large the
     // difference from the true pose will be. A turn too large to predict from counts as no step.
-    std::array<std::int64_t, 3> position_step{}, position_bend{};
-    std::array<std::int64_t, 4> rotation_step{}, rotation_bend{};
+    std::array<std::int64_t, 3> position_step{}, position_acceleration{};
+    std::array<std::int64_t, 4> rotation_step{}, rotation_acceleration{};
     // Sums of the magnitudes of both bends; of a rotation without its largest component.
     std::int64_t position_change = 0, rotation_change = 0;
 };

@@ -81,7 +81,7 @@ private:
     // How an entity that is awake in base moved before.
     enum PriorMotion : std::size_t { motionless, moving, stopped };
 
-    static PriorMotion pace_of(const Survivor& s) {
+    static PriorMotion prior_motion_of(const Survivor& s) {
         if (!s.baseline2 || s.baseline2->at_rest || !same_pose(*s.baseline, *s.baseline2)) return moving;
         return s.baseline3 && same_pose(*s.baseline, *s.baseline3) ? motionless : stopped;
     }
@@ -102,9 +102,9 @@ private:
     // 0 and above: the width of value + 1 in unary, then its bits below the leading one. A decoder
     // may be given one as wide as 2^40.
     std::uint64_t count(CountModels& m, std::uint64_t value) {
-        const unsigned wanted = bit_width(value + 1) - 1;
+        const unsigned target_width = bit_width(value + 1) - 1;
         unsigned width = 0;
-        while (width < CountModels::widths && coder_.bit(m.wider[width], wanted > width)) width++;
+        while (width < CountModels::widths && coder_.bit(m.wider[width], target_width > width)) width++;
         const std::uint64_t leading = std::uint64_t{1} << width;
         return (leading | coder_.raw((value + 1) & (leading - 1), width)) - 1;
     }
@@ -113,22 +113,22 @@ private:
         if (!coder_.bit(m.nonzero, value != 0)) return 0;
         const bool negative = coder_.bit(m.negative, value < 0);
         const auto size = static_cast<std::uint64_t>(value < 0 ? -value : value);
-        std::uint64_t told = 1;
+        std::uint64_t coded = 1;
         if (coder_.bit(m.above_1, size > 1)) {
             if (!coder_.bit(m.above_3, size > 3))
-                told = 2 | (coder_.bit(m.odd, (size & 1) != 0) ? 1 : 0);
+                coded = 2 | (coder_.bit(m.odd, (size & 1) != 0) ? 1 : 0);
             else
-                told = large(tail, size);
+                coded = large(tail, size);
         }
-        return negative ? -static_cast<std::int64_t>(told) : static_cast<std::int64_t>(told);
+        return negative ? -static_cast<std::int64_t>(coded) : static_cast<std::int64_t>(coded);
     }
 
     std::uint64_t large(TailModels& tail, std::uint64_t size) {
         constexpr unsigned first = TailModels::first_width, last = TailModels::last_width;
-        const unsigned wanted = bit_width(size) - 1;
+        const unsigned target_width = bit_width(size) - 1;
         unsigned width = first;
-        while (width < last && coder_.bit(tail.wider[width - first], wanted > width)) width++;
-        if (width == last) width += static_cast<unsigned>(coder_.raw(wanted - last, 5));
+        while (width < last && coder_.bit(tail.wider[width - first], target_width > width)) width++;
+        if (width == last) width += static_cast<unsigned>(coder_.raw(target_width - last, 5));
         const bool second =
             coder_.bit(tail.second[std::min(width, last) - first], (size >> (width - 1) & 1) != 0);
         const std::uint64_t low = (std::uint64_t{1} << (width - 1)) - 1;
@@ -144,9 +144,9 @@ private:
         positions.resize(static_cast<std::size_t>(total));
         std::uint64_t next = 0;
         for (std::size_t& position : positions) {
-            const std::uint64_t told = next + count(models_.removed_gap, position - next);
-            if (told >= size) return fail("removed: a position past the end");
-            position = static_cast<std::size_t>(told);
+            const std::uint64_t coded = next + count(models_.removed_gap, position - next);
+            if (coded >= size) return fail("removed: a position past the end");
+            position = static_cast<std::size_t>(coded);
             next = told + 1;
         }
         return !ended();
@@ -247,9 +247,9 @@ private:
     }
 
     bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
-        const PriorMotion pace = pace_of(s);
-        const bool changed = coder_.bit(models_.changes[pace], !same_pose(state, *s.baseline));
-        state.at_rest = coder_.bit(models_.falls_asleep[pace][changed ? 1 : 0], state.at_rest);
+        const PriorMotion prior_motion = prior_motion_of(s);
+        const bool changed = coder_.bit(models_.changes[prior_motion], !same_pose(state, *s.baseline));
+        state.at_rest = coder_.bit(models_.falls_asleep[prior_motion][changed ? 1 : 0], state.at_rest);
         return !changed || pose(state, s, t);
     }
 
@@ -264,27 +264,27 @@ private:
     static std::size_t size_class(std::int64_t v) { return v == 0 ? 0 : v <= 3 ? 1 : 2; }
     static std::int64_t size_of(std::int64_t v) { return v < 0 ? -v : v; }
     // Numbers are told along the way that an entity moves, or else bends.
-    static bool backwards(std::int64_t step, std::int64_t bend) {
-        return step != 0 ? step < 0 : bend < 0;
+    static bool backwards(std::int64_t step, std::int64_t acceleration) {
+        return step != 0 ? step < 0 : acceleration < 0;
     }
 
     bool pose(EntityState& state, const Survivor& s, const Spacing& t) {
         const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec_);
         std::int64_t off = 0;  // sum of the magnitudes so far
         for (std::size_t k = 0; k < 3; k++) {
-            const std::int64_t bend = p.position_bend[k];
-            const bool back = backwards(p.position_step[k], bend);
+            const std::int64_t acceleration = p.position_acceleration[k];
+            const bool back = backwards(p.position_step[k], acceleration);
             const std::size_t step = width_of(p.position_step[k], 3);
             MagnitudeModels& m =
-                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -bend : bend)]
-                                [size_class(p.position_change - size_of(bend))]
+                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -bend : acceleration)]
+                                [size_class(p.position_change - size_of(acceleration))]
                                 [k == 0 ? 0 : 1 + width_of(off, 4) / 2];
             const std::int64_t error = state.position[k] - p.position[k];
-            const std::int64_t told = number(m, models_.position_tail[step], back ? -error : error);
-            const std::int64_t v = p.position[k] + (back ? -told : told);
+            const std::int64_t coded = number(m, models_.position_tail[step], back ? -error : error);
+            const std::int64_t v = p.position[k] + (back ? -told : coded);
             if (!is_position(v)) return fail("a position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
-            off += size_of(told);
+            off += size_of(coded);
         }
         return turn(state, p, off != 0) && !ended();
     }
@@ -292,28 +292,28 @@ private:
     bool turn(EntityState& state, const Prediction& p, bool moved_off) {
         largest(state, p);
         // As a rotation whose largest component is that one would have them.
-        std::array<std::int64_t, 3> r{}, step{}, bend{};
+        std::array<std::int64_t, 3> r{}, step{}, acceleration{};
         const std::int64_t sign = p.rotation[state.largest] < 0 ? -1 : 1;
         std::int64_t change = 0;
         for (std::size_t k = 0; k < 3; k++) {
             const std::size_t from = others[state.largest][k];
             r[k] = sign * p.rotation[from];
             step[k] = sign * p.rotation_step[from];
-            bend[k] = sign * p.rotation_bend[from];
-            change += size_of(bend[k]);
+            acceleration[k] = sign * p.rotation_acceleration[from];
+            change += size_of(acceleration[k]);
         }
         std::int64_t off = 0;
         for (std::size_t k = 0; k < 3; k++) {
-            const bool back = backwards(step[k], bend[k]);
+            const bool back = backwards(step[k], acceleration[k]);
             const std::size_t width = width_of(step[k], 3);
             MagnitudeModels& m =
-                models_.rotation[width][signed_class(back ? -bend[k] : bend[k])][size_class(
-                    change - size_of(bend[k]))][k == 0 ? moved_off : 2 + width_of(off, 2)];
+                models_.rotation[width][signed_class(back ? -acceleration[k] : acceleration[k])][size_class(
+                    change - size_of(acceleration[k]))][k == 0 ? moved_off : 2 + width_of(off, 2)];
             const std::int64_t error = state.rotation[k] - r[k];
-            const std::int64_t told =
+            const std::int64_t coded =
                 number(m, models_.rotation_tail[width], back ? -error : error);
-            r[k] += back ? -told : told;
-            off += size_of(told);
+            r[k] += back ? -told : coded;
+            off += size_of(coded);
         }
         return rotation(state, r);
     }
@@ -329,10 +329,10 @@ private:
             return;
         }
         const unsigned on = (state.largest - p.largest - 1u) & 3;  // 0, 1 or 2
-        unsigned told = 2;
+        unsigned coded = 2;
         if (!coder_.bit(models_.other_largest[0], on == 2))
-            told = coder_.bit(models_.other_largest[1], on == 1) ? 1 : 0;
-        state.largest = static_cast<std::uint8_t>((p.largest + 1 + told) & 3);
+            coded = coder_.bit(models_.other_largest[1], on == 1) ? 1 : 0;
+        state.largest = static_cast<std::uint8_t>((p.largest + 1 + coded) & 3);
     }
 
     Coder& coder_;

@@ -9,6 +9,6 @@
 
 namespace jostle::wire {
 
-extern const std::string_view start_letters[2];
+extern const std::string_view start_model_letters[2];
 
 }  // namespace jostle::wire

@@ -24,7 +24,7 @@ WordChanges changes_between(std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> now);
 // The list of `size` words. corrupt_data: it is too long, or the bytes, which are foreign, do not
 // belong together.
-Result<std::vector<std::uint32_t>> with_changes(std::span<const std::uint32_t> before,
+Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
                                                 std::size_t size, std::string_view changed,
                                                 std::string_view values);
 

@@ -224,8 +224,8 @@ PackedChannels encode_channels(const Channels& now, const Channels& baseline, st
     return {.bytes = bits.finish(), .crc = digest.crc()};
 }
 
-Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline) {
-    if (bytes.empty()) return ReadChannels{baseline, 0};
+Result<DecodedChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline) {
+    if (bytes.empty()) return DecodedChannels{baseline, 0};
     BitReader bits(bytes);
     const std::uint64_t count = bits.exp_golomb(count_order) + 1;
     Channels channels;
@@ -247,12 +247,12 @@ Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Chann
     channels.insert(channels.end(), b, baseline.end());
     if (!bits.at_clean_end()) return bad_channels("there are bytes after the end");
     if (Status s = check_sizes(channels); !s.ok()) return s.error();
-    return ReadChannels{std::move(channels), digest.crc()};
+    return DecodedChannels{std::move(channels), digest.crc()};
 }
 
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
                                  const Channels& baseline) {
-    Result<ReadChannels> read = read_channels(bytes, baseline);
+    Result<DecodedChannels> read = read_channels(bytes, baseline);
     if (!read.ok()) return read.error();
     if (read->crc != crc) return bad_channels("the CRC does not match");
     return std::move(read->channels);

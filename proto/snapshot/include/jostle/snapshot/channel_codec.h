@@ -41,11 +41,11 @@ PackedChannels encode_channels(const Channels& now, const Channels& baseline, st
 
 // The channels of a frame, from those of its base, and the CRC of what the bytes told. The bytes
 // are foreign: an error (corrupt_data) says what is wrong with them.
-struct ReadChannels {
+struct DecodedChannels {
     Channels channels;
     std::uint32_t crc = 0;
 };
-Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline);
+Result<DecodedChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline);
 // The same, where the CRC must be that.
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
                                  const Channels& baseline);

@@ -70,7 +70,7 @@ void count(Counts& counts, const std::vector<wire::QuantizedFrame>& frames, std:
                                    base = with_absences(frames[i - age]);
         count(comings, now, {&base, nullptr, nullptr});
     }
-    const std::size_t sections = offsetof(FrameModels, wakes_none) / sizeof(BitModel);
+    const std::size_t sections = offsetof(FrameModels, none_wake) / sizeof(BitModel);
     for (std::size_t i = 0; i < counts.size(); i++)
         for (std::size_t bit = 0; bit < 2; bit++)
             counts[i][bit] += (i < sections ? comings : stays)[i][bit];

@@ -13,11 +13,11 @@ namespace jostle::wire {
 namespace {
 
 constexpr unsigned gap_order = 4;        // between ids, positions in a list
-constexpr unsigned still_order = 5;      // runs of still entities
+constexpr unsigned unchanged_order = 5;      // runs of still entities
 constexpr unsigned position_order = 12;  // absolute positions
 
 // Expected to stay as it is; all others are live.
-bool is_still(const Survivor& s) {
+bool is_unchanged(const Survivor& s) {
     return s.baseline->at_rest || !s.baseline2 ||
            (same_pose(*s.baseline, *s.baseline2) && (!s.baseline3 || same_pose(*s.baseline, *s.baseline3)));
 }
@@ -33,7 +33,7 @@ Widths widths_of(const Survivor& s, const Prediction& p, const Spacing& t) {
     static constexpr std::uint8_t for_rotation[12] = {0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8};
     std::int64_t position = p.position_change, rotation = p.rotation_change;
     // No or little history: the change says nothing; expect some units per tick.
-    if (is_still(s) || !s.baseline3 || same_pose(*s.baseline, *s.baseline2)) {
+    if (is_unchanged(s) || !s.baseline3 || same_pose(*s.baseline, *s.baseline2)) {
         position = std::max(position, 4 * t.dt1);
         rotation = std::max(rotation, 4 * t.dt1);
     }
@@ -105,7 +105,7 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
         std::uint64_t run = 0;
         for (std::size_t i = from; i < survivors.size(); i++) {
             run += survivors[i].unchanged_before;
-            if (!is_still(survivors[i])) continue;
+            if (!is_unchanged(survivors[i])) continue;
             if (!same_pose(*now[i], *survivors[i].baseline)) return run;
             run++;
         }
@@ -113,13 +113,13 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
     };
     std::vector<std::size_t> toggles;
     std::uint64_t run = run_of_still(0);
-    out.exp_golomb(run, still_order);
+    out.exp_golomb(run, unchanged_order);
     std::size_t position = 0;
     for (std::size_t i = 0; i < survivors.size(); i++, position++) {
         const Survivor& s = survivors[i];
         position += s.unchanged_before;
         run -= s.unchanged_before;
-        const bool still = is_still(s);
+        const bool still = is_unchanged(s);
         bool changed;
         if (still) {
             changed = run == 0;
@@ -133,7 +133,7 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
         write_pose(out, *now[i], s, t, spec);
         if (still) {
             run = run_of_still(i + 1);
-            out.exp_golomb(run, still_order);
+            out.exp_golomb(run, unchanged_order);
         }
     }
     write_removed(out, toggles);  // the same code: positions in a list
@@ -248,10 +248,10 @@ private:
     bool read_survivors(std::vector<EntityState>& surviving, const std::vector<Survivor>& survivors,
                         const Spacing& t) {
         surviving.reserve(survivors.size());
-        std::uint64_t run = in_.exp_golomb(still_order);
+        std::uint64_t run = in_.exp_golomb(unchanged_order);
         for (const Survivor& s : survivors) {
             EntityState state = *s.baseline;
-            const bool still = is_still(s);
+            const bool still = is_unchanged(s);
             bool changed;
             if (still) {
                 changed = run == 0;
@@ -262,7 +262,7 @@ private:
             if (changed) {
                 if (!read_pose(state, s, t)) return false;
                 state.at_rest = false;
-                if (still) run = in_.exp_golomb(still_order);
+                if (still) run = in_.exp_golomb(unchanged_order);
             }
             if (ended()) return false;
             surviving.push_back(state);

@@ -31,9 +31,9 @@ struct CountModels {
 struct FrameModels {
     BitModel changes_entities;  // is anything removed or spawned
     CountModels removed, removed_gap, spawned, id_gap, position_step[3];
-    BitModel position_negative, turned, spawned_rests;
+    BitModel position_negative, turned, spawned_at_rest;
 
-    BitModel wakes_none;  // of those at rest in base, none changes any more
+    BitModel none_wake;  // of those at rest in base, none changes any more
     CountModels resting_run;
     BitModel stays_at_rest;
 

@@ -189,7 +189,7 @@ private:
             state.largest = before.largest;
             state.rotation = before.rotation;
         }
-        state.at_rest = coder_.bit(models_.spawned_rests, state.at_rest);
+        state.at_rest = coder_.bit(models_.spawned_at_rest, state.at_rest);
         return true;
     }
 
@@ -234,7 +234,7 @@ private:
             }
             run += so_far;
         }
-        const bool none = coder_.bit(models_.wakes_none, run == left);
+        const bool none = coder_.bit(models_.none_wake, run == left);
         run = none ? left : count(models_.resting_run, run);
         if (!none && run >= left) return fail("a run of resting entities past the end");
         return !ended();

@@ -37,7 +37,7 @@ void hear(Bytes input) {
             expect(encode(*question) == text_of(record.bytes), "a question has one form");
         if (const auto* answer = std::get_if<Answer>(&*content))
             expect(encode(*answer) == text_of(record.bytes), "an answer has one form");
-        const auto* part = std::get_if<Part>(&*content);
+        const auto* part = std::get_if<Fragment>(&*content);
         const auto whole = part ? reassembly.add(*part) : std::nullopt;
         if (whole)
             expect(whole->size() > (part->count - 1u) * part_bytes &&
@@ -63,7 +63,7 @@ void cut_and_join(Bytes input) {
         const auto content = decode_content(*at);
         expect(content.ok(), "what was encoded is decoded");
         if (const auto* whole = std::get_if<Message>(&*content)) joined = whole->bytes;
-        if (const auto* part = std::get_if<Part>(&*content)) joined = reassembly.add(*part);
+        if (const auto* part = std::get_if<Fragment>(&*content)) joined = reassembly.add(*part);
     }
     expect(joined == message, "what was cut is whole again");
 }

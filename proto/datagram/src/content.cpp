@@ -27,7 +27,7 @@ Error bad(const std::string& why) {
 
 Result<Content> decode_part(std::string_view bytes) {
     if (bytes.size() < 6) return bad("a part of " + std::to_string(bytes.size()) + " bytes");
-    const Part part{.message = number_at<std::uint32_t>(bytes, 0),
+    const Fragment part{.message = number_at<std::uint32_t>(bytes, 0),
                     .index = number_at<std::uint8_t>(bytes, 4),
                     .count = number_at<std::uint8_t>(bytes, 5),
                     .bytes = bytes.substr(6)};

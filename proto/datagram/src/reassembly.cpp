@@ -7,7 +7,7 @@
 namespace jostle::datagram {
 
 // What is older than a finished message is of no use: a snapshot would be skipped.
-Reassembly::Unfinished* Reassembly::find_or_begin(const Part& part) {
+Reassembly::Unfinished* Reassembly::find_or_begin(const Fragment& part) {
     if (done_ && part.message <= *done_) return nullptr;
     const auto at = std::ranges::lower_bound(unfinished_, part.message, {}, &Unfinished::number);
     if (at != unfinished_.end() && at->number == part.message)
@@ -23,7 +23,7 @@ Reassembly::Unfinished* Reassembly::find_or_begin(const Part& part) {
     return &unfinished_[static_cast<std::size_t>(place - 1)];
 }
 
-std::optional<std::string> Reassembly::add(const Part& part) {
+std::optional<std::string> Reassembly::add(const Fragment& part) {
     Unfinished* const message = find_or_begin(part);
     if (!message) return std::nullopt;
     std::string& place = message->parts[part.index];

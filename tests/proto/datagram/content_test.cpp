@@ -28,7 +28,7 @@ TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two)
     EXPECT_EQ(std::get<Message>(*decode_content(one[0])).bytes.size(), 1167u);
     const auto two = encode_one(std::string(message_bytes_max + 1, 'x'), 77);
     ASSERT_EQ(two.size(), 2u);
-    const auto last = std::get<Part>(*decode_content(two[1]));
+    const auto last = std::get<Fragment>(*decode_content(two[1]));
     EXPECT_EQ(last.message, 77u);
     EXPECT_EQ(last.index, 1);
     EXPECT_EQ(last.count, 2);

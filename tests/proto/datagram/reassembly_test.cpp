@@ -16,7 +16,7 @@ struct Cut {
         const std::string_view view = whole;
         contents = encode_message(std::span(&view, 1), number);
     }
-    Part part(std::size_t k) const { return std::get<Part>(*decode_content(contents[k])); }
+    Fragment part(std::size_t k) const { return std::get<Fragment>(*decode_content(contents[k])); }
 
     std::string whole;
     std::vector<std::string> contents;

@@ -92,7 +92,7 @@ std::optional<std::string> DatagramSocket::take(const std::string& bytes) {
         transmit(datagram::encode(datagram::Answer{question->word}));
     if (const auto* message = std::get_if<datagram::Message>(&*content))
         return std::string(message->bytes);
-    if (const auto* part = std::get_if<datagram::Part>(&*content)) return reassembly_.add(*part);
+    if (const auto* part = std::get_if<datagram::Fragment>(&*content)) return reassembly_.add(*part);
     return std::nullopt;
 }
 

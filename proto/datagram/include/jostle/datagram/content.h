@@ -26,7 +26,7 @@ inline constexpr std::size_t message_bytes_max = content_bytes_max - 1;  // in o
 struct Message {
     std::string_view bytes;
 };
-struct Part {
+struct Fragment {
     std::uint32_t message = 0;  // its number; rises
     std::uint8_t index = 0, count = 0;
     std::string_view bytes;
@@ -38,7 +38,7 @@ struct Question {
 struct Answer {
     std::uint64_t word = 0;
 };
-using Content = std::variant<Message, Part, Question, Answer>;
+using Content = std::variant<Message, Fragment, Question, Answer>;
 
 // Views into `content`. corrupt_data: it is none of these; the error says why.
 Result<Content> decode_content(std::string_view content);

@@ -20,7 +20,7 @@ public:
 
     // The whole message when this was its last missing part. Parts of messages that are older than
     // all that it holds, or that do not fit to their siblings, are dropped.
-    std::optional<std::string> add(const Part& part);
+    std::optional<std::string> add(const Fragment& part);
     std::size_t bytes_held() const;
 
 private:
@@ -30,7 +30,7 @@ private:
         std::vector<std::string> parts;  // empty: missing
         std::size_t missing = 0;
     };
-    Unfinished* find_or_begin(const Part& part);
+    Unfinished* find_or_begin(const Fragment& part);
 
     std::vector<Unfinished> unfinished_;  // the newest number last
     std::optional<std::uint32_t> done_;   // the newest that was finished

@@ -120,7 +120,7 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
 }
 
 void DatagramPath::ask(const DatagramAddress& where, std::uint64_t word, Clock::time_point now) {
-    const std::string packet = seal_->close(datagram::encode(datagram::Question{word}));
+    const std::string packet = seal_->close(datagram::encode(datagram::PathChallenge{word}));
     transmit(std::span(&packet, 1), where, now);
 }
 

@@ -33,7 +33,7 @@ void hear(Bytes input) {
             expect(!content.error().message.empty(), "a refusal says why");
             continue;
         }
-        if (const auto* question = std::get_if<Question>(&*content))
+        if (const auto* question = std::get_if<PathChallenge>(&*content))
             expect(encode(*question) == text_of(record.bytes), "a question has one form");
         if (const auto* answer = std::get_if<Answer>(&*content))
             expect(encode(*answer) == text_of(record.bytes), "an answer has one form");

@@ -55,13 +55,13 @@ Result<Content> decode_content(std::string_view content) {
         case Kind::answer:
             if (rest.size() != sizeof(std::uint64_t))
                 return bad("a word of " + std::to_string(rest.size()) + " bytes");
-            if (kind == Kind::question) return Content{Question{number_at<std::uint64_t>(rest, 0)}};
+            if (kind == Kind::question) return Content{PathChallenge{number_at<std::uint64_t>(rest, 0)}};
             return Content{Answer{number_at<std::uint64_t>(rest, 0)}};
     }
     return bad("kind " + std::to_string(number_at<std::uint8_t>(content, 0)) + " is not known");
 }
 
-std::string encode(const Question& question) {
+std::string encode(const PathChallenge& question) {
     return word_of(Kind::question, question.word);
 }
 std::string encode(const Answer& answer) {

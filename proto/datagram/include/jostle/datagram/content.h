@@ -32,18 +32,18 @@ struct Fragment {
     std::string_view bytes;
 };
 // Who answers has that address and the key.
-struct Question {
+struct PathChallenge {
     std::uint64_t word = 0;
 };
 struct Answer {
     std::uint64_t word = 0;
 };
-using Content = std::variant<Message, Fragment, Question, Answer>;
+using Content = std::variant<Message, Fragment, PathChallenge, Answer>;
 
 // Views into `content`. corrupt_data: it is none of these; the error says why.
 Result<Content> decode_content(std::string_view content);
 
-std::string encode(const Question& question);
+std::string encode(const PathChallenge& question);
 std::string encode(const Answer& answer);
 // A message, given in pieces, as the contents of one packet or several. Empty: it needs more than
 // parts_max.

@@ -103,7 +103,7 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
         return;
     }
     if (asked_ && asked_->where == from)
-        if (const auto* answer = std::get_if<datagram::Answer>(&content);
+        if (const auto* answer = std::get_if<datagram::PathResponse>(&content);
             answer && answer->word == asked_->word) {
             address_ = from;
             asked_.reset();

@@ -56,7 +56,7 @@ Result<Content> decode_content(std::string_view content) {
             if (rest.size() != sizeof(std::uint64_t))
                 return bad("a word of " + std::to_string(rest.size()) + " bytes");
             if (kind == Kind::question) return Content{PathChallenge{number_at<std::uint64_t>(rest, 0)}};
-            return Content{Answer{number_at<std::uint64_t>(rest, 0)}};
+            return Content{PathResponse{number_at<std::uint64_t>(rest, 0)}};
     }
     return bad("kind " + std::to_string(number_at<std::uint8_t>(content, 0)) + " is not known");
 }
@@ -64,7 +64,7 @@ Result<Content> decode_content(std::string_view content) {
 std::string encode(const PathChallenge& question) {
     return word_of(Kind::question, question.word);
 }
-std::string encode(const Answer& answer) {
+std::string encode(const PathResponse& answer) {
     return word_of(Kind::answer, answer.word);
 }
 

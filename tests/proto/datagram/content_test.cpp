@@ -15,10 +15,10 @@ std::vector<std::string> encode_one(std::string_view message, std::uint32_t numb
 }  // namespace
 
 TEST(Content, questions_and_answers_have_nine_bytes) {
-    const std::string question = encode(PathChallenge{0x1122334455667788}), answer = encode(Answer{9});
+    const std::string question = encode(PathChallenge{0x1122334455667788}), answer = encode(PathResponse{9});
     EXPECT_EQ(question.size(), 9u);
     EXPECT_EQ(std::get<PathChallenge>(*decode_content(question)).word, 0x1122334455667788u);
-    EXPECT_EQ(std::get<Answer>(*decode_content(answer)).word, 9u);
+    EXPECT_EQ(std::get<PathResponse>(*decode_content(answer)).word, 9u);
 }
 
 TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two) {

@@ -35,16 +35,16 @@ struct Fragment {
 struct PathChallenge {
     std::uint64_t word = 0;
 };
-struct Answer {
+struct PathResponse {
     std::uint64_t word = 0;
 };
-using Content = std::variant<Message, Fragment, PathChallenge, Answer>;
+using Content = std::variant<Message, Fragment, PathChallenge, PathResponse>;
 
 // Views into `content`. corrupt_data: it is none of these; the error says why.
 Result<Content> decode_content(std::string_view content);
 
 std::string encode(const PathChallenge& question);
-std::string encode(const Answer& answer);
+std::string encode(const PathResponse& answer);
 // A message, given in pieces, as the contents of one packet or several. Empty: it needs more than
 // parts_max.
 std::vector<std::string> encode_message(std::span<const std::string_view> pieces,

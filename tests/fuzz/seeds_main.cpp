@@ -565,7 +565,7 @@ void write_datagrams(const fs::path& folder) {
     seeds.add(client->close(contents(small, 1)[0]));
     seeds.add(record(0, contents(small, 1)[0]) +
               record(0, datagram::encode(datagram::PathChallenge{7})) +
-              record(0, datagram::encode(datagram::Answer{7})));
+              record(0, datagram::encode(datagram::PathResponse{7})));
     const auto parts = contents(large, 2), next = contents(large, 3);
     seeds.add(record(0, parts[2]) + record(0, next[0]) + record(0, parts[0]) + record(0, parts[1]) +
               record(0, next[1]));

@@ -89,7 +89,7 @@ std::optional<std::string> DatagramSocket::take(const std::string& bytes) {
     const auto content = datagram::decode_content(bytes);
     if (!content.ok()) return std::nullopt;  // of a newer server; not for us
     if (const auto* question = std::get_if<datagram::PathChallenge>(&*content))
-        transmit(datagram::encode(datagram::Answer{question->word}));
+        transmit(datagram::encode(datagram::PathResponse{question->word}));
     if (const auto* message = std::get_if<datagram::Message>(&*content))
         return std::string(message->bytes);
     if (const auto* part = std::get_if<datagram::Fragment>(&*content)) return reassembly_.add(*part);

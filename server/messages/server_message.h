@@ -34,7 +34,7 @@ struct Welcome {
     bool cells = false;
     struct Datagrams {
         std::uint16_t port = 0;
-        datagram::Ticket ticket;
+        datagram::Credentials ticket;
     };
     std::optional<Datagrams> datagrams = {};
     std::string resume_token = {};  // empty: its place is not kept

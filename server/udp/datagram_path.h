@@ -46,7 +46,7 @@ public:
     DatagramPath(std::unique_ptr<datagram::Seal> seal, int socket,
                  std::function<void(std::string_view)> on_message, Metrics* metrics);
 
-    const datagram::Ticket& ticket() const { return seal_->ticket(); }
+    const datagram::Credentials& ticket() const { return seal_->ticket(); }
 
     // Somebody answered with the key, and was heard lately.
     bool is_open(Clock::time_point now) const;

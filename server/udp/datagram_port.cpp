@@ -77,7 +77,7 @@ void DatagramPort::stop() {
 
 Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
     std::function<void(std::string_view)> on_message) {
-    datagram::Ticket ticket;
+    datagram::Credentials ticket;
     if (getentropy(&ticket.id, sizeof ticket.id) != 0 ||
         getentropy(ticket.key.data(), ticket.key.size()) != 0)
         return Error{ErrorCode::internal, "the operating system gave no random bytes"};

@@ -555,7 +555,7 @@ void write_kept(const fs::path& folder) {
 
 void write_datagrams(const fs::path& folder) {
     Seeds seeds(folder, "datagram_packet");
-    datagram::Ticket ticket{.id = 0x0807060504030201};
+    datagram::Credentials ticket{.id = 0x0807060504030201};
     ticket.key.fill(7);
     const auto client = datagram::Seal::make(ticket, datagram::Side::client).value();
     const std::string small = "snapshot", large(2500, 'x');

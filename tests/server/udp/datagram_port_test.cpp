@@ -122,7 +122,7 @@ TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
 }
 
 TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
-    datagram::Ticket guessed = path->ticket();
+    datagram::Credentials guessed = path->ticket();
     guessed.key[0] ^= 1;
     end->send((*Seal::make(guessed, Side::client))->close(message("let me in")));
     end->send(std::string(1200, 'x'));

@@ -40,7 +40,7 @@ Error no_datagrams(const std::string& why) {
 Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramCredentials& told,
                                                              const std::string& peer,
                                                              Clock::time_point now) {
-    datagram::Ticket ticket{.id = told.id()};
+    datagram::Credentials ticket{.id = told.id()};
     if (told.key().size() != ticket.key.size() || told.port() == 0 || told.port() > 65535)
         return no_datagrams("the server's ticket has a key of " +
                             std::to_string(told.key().size()) + " bytes and port " +

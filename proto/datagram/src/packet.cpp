@@ -25,7 +25,7 @@ struct FreeKdf {
 };
 
 // HKDF-SHA-256 without a salt.
-std::optional<DirectionKey> key_for(const Ticket& ticket, std::string_view direction) {
+std::optional<DirectionKey> key_for(const Credentials& ticket, std::string_view direction) {
     const std::unique_ptr<EVP_KDF, FreeKdf> kdf(EVP_KDF_fetch(nullptr, "HKDF", nullptr));
     if (!kdf) return std::nullopt;
     const std::unique_ptr<EVP_KDF_CTX, FreeKdf> context(EVP_KDF_CTX_new(kdf.get()));
@@ -77,7 +77,7 @@ std::optional<std::uint64_t> ticket_of(std::string_view packet) {
     return number_at<std::uint64_t>(packet, 0);
 }
 
-Result<std::unique_ptr<Seal>> Seal::make(const Ticket& ticket, Side side) {
+Result<std::unique_ptr<Seal>> Seal::make(const Credentials& ticket, Side side) {
     std::unique_ptr<Seal> seal(new Seal(ticket));
     const bool ours = side == Side::server;
     const auto out = key_for(ticket, ours ? to_client : to_server);

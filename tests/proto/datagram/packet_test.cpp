@@ -8,8 +8,8 @@
 namespace jostle::datagram {
 namespace {
 
-Ticket ticket(std::uint8_t fill = 7) {
-    Ticket made{.id = 0x0123456789abcdef};
+Credentials ticket(std::uint8_t fill = 7) {
+    Credentials made{.id = 0x0123456789abcdef};
     made.key.fill(fill);
     return made;
 }

@@ -30,7 +30,7 @@ inline constexpr std::size_t packet_bytes_max = 1200;
 inline constexpr std::size_t head_bytes = 16, tag_bytes = 16;
 inline constexpr std::size_t content_bytes_max = packet_bytes_max - head_bytes - tag_bytes;
 
-struct Ticket {
+struct Credentials {
     std::uint64_t id = 0;  // random; says whose packet it is
     std::array<std::uint8_t, 32> key{};
 };
@@ -43,7 +43,7 @@ std::optional<std::uint64_t> ticket_of(std::string_view packet);
 class Seal {
 public:
     // internal: OpenSSL refuses, as when memory runs out.
-    static Result<std::unique_ptr<Seal>> make(const Ticket& ticket, Side side);
+    static Result<std::unique_ptr<Seal>> make(const Credentials& ticket, Side side);
     ~Seal();
     Seal(const Seal&) = delete;
     Seal& operator=(const Seal&) = delete;
@@ -58,12 +58,12 @@ public:
     // Nothing: it is none of this ticket's, was changed on its way, or came before.
     std::optional<Opened> open(std::string_view packet);
 
-    const Ticket& ticket() const { return ticket_; }
+    const Credentials& ticket() const { return ticket_; }
 
 private:
-    explicit Seal(const Ticket& ticket) : ticket_(ticket) {}
+    explicit Seal(const Credentials& ticket) : ticket_(ticket) {}
 
-    const Ticket ticket_;
+    const Credentials ticket_;
     evp_cipher_ctx_st *out_ = nullptr, *in_ = nullptr;
     std::uint64_t next_ = 0;
     ReplayWindow window_;

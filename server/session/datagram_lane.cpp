@@ -32,7 +32,7 @@ void DatagramLane::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time
 }
 
 bool DatagramLane::fits(std::size_t bytes, Clock::time_point now) {
-    if (bytes <= parts_max * datagram::part_bytes) return true;
+    if (bytes <= fragments_max * datagram::part_bytes) return true;
     by_stream_until_ = now + large_pause;
     return false;
 }

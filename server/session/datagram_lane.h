@@ -23,7 +23,7 @@ namespace jostle::server {
 class DatagramLane {
 public:
     // Of a snapshot; with 2 % loss a fifth of those would not arrive whole.
-    static constexpr std::size_t parts_max = 12;
+    static constexpr std::size_t fragments_max = 12;
 
     DatagramLane(DatagramPort& port, std::shared_ptr<DatagramPath> path)
         : port_(port), path_(std::move(path)) {}

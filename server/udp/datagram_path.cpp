@@ -15,10 +15,10 @@ namespace {
 // A client that hears nothing takes the way for blocked: it is asked something now and then.
 constexpr auto quiet_max = std::chrono::milliseconds(250);
 
-std::optional<std::uint64_t> random_word() {
-    std::uint64_t word = 0;
-    if (getentropy(&word, sizeof word) != 0) return std::nullopt;
-    return word;
+std::optional<std::uint64_t> random_token() {
+    std::uint64_t token = 0;
+    if (getentropy(&token, sizeof token) != 0) return std::nullopt;
+    return token;
 }
 
 }  // namespace
@@ -99,12 +99,12 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
                                    bool newest, Clock::time_point now) {
     if (address_ && *address_ == from) {
         if (now - sent_ > quiet_max)
-            if (const auto word = random_word()) ask(from, *word, now);
+            if (const auto token = random_token()) ask(from, *token, now);
         return;
     }
     if (asked_ && asked_->where == from)
         if (const auto* answer = std::get_if<datagram::PathResponse>(&content);
-            answer && answer->word == asked_->word) {
+            answer && answer->token == asked_->token) {
             address_ = from;
             asked_.reset();
             return;
@@ -112,15 +112,15 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
     // One that was overtaken may come from where the client was before.
     if (!newest) return;
     if (!asked_ || !(asked_->where == from)) {
-        const auto word = random_word();
-        if (!word) return;
-        asked_ = {from, *word};
+        const auto token = random_token();
+        if (!token) return;
+        asked_ = {from, *token};
     }
-    ask(from, asked_->word, now);
+    ask(from, asked_->token, now);
 }
 
-void DatagramPath::ask(const DatagramAddress& where, std::uint64_t word, Clock::time_point now) {
-    const std::string packet = seal_->close(datagram::encode(datagram::PathChallenge{word}));
+void DatagramPath::ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
+    const std::string packet = seal_->close(datagram::encode(datagram::PathChallenge{token}));
     transmit(std::span(&packet, 1), where, now);
 }
 
@@ -128,8 +128,8 @@ void DatagramPath::ask(const DatagramAddress& where, std::uint64_t word, Clock::
 void DatagramPath::transmit(std::span<const std::string> packets, const DatagramAddress& to,
                             Clock::time_point now) {
     DatagramAddress address = to;
-    std::array<mmsghdr, datagram::parts_max> messages{};
-    std::array<iovec, datagram::parts_max> pieces{};
+    std::array<mmsghdr, datagram::fragments_max> messages{};
+    std::array<iovec, datagram::fragments_max> pieces{};
     for (std::size_t k = 0; k < packets.size(); k++) {
         pieces[k] = {const_cast<char*>(packets[k].data()), packets[k].size()};
         messages[k].msg_hdr.msg_name = &address.bytes;

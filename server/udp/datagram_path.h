@@ -53,7 +53,7 @@ public:
     // Nothing is sent until the client has answered again: it seems not to get what it is sent.
     void ask_anew();
     // A message, given in pieces; lost without a word when there is nobody, when it needs more than
-    // datagram::parts_max parts, or when the system's buffer is full.
+    // datagram::fragments_max parts, or when the system's buffer is full.
     void send(std::span<const std::string_view> pieces, Clock::time_point now);
 
     struct Mail {
@@ -69,7 +69,7 @@ public:
 private:
     bool take_packet(std::string_view packet, const DatagramAddress& from, Clock::time_point now,
                      std::string& message);
-    void ask(const DatagramAddress& where, std::uint64_t word, Clock::time_point now);
+    void ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now);
     void look_at_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
                          Clock::time_point now);
     void transmit(std::span<const std::string> packets, const DatagramAddress& to,
@@ -77,7 +77,7 @@ private:
 
     struct Asked {
         DatagramAddress where;
-        std::uint64_t word = 0;  // secret: only who is there can answer
+        std::uint64_t token = 0;  // secret: only who is there can answer
     };
 
     mutable std::mutex mutex_;

@@ -15,9 +15,9 @@ std::string begin(Kind kind) {
     return {static_cast<char>(kind)};
 }
 
-std::string word_of(Kind kind, std::uint64_t word) {
+std::string token_of(Kind kind, std::uint64_t token) {
     std::string content = begin(kind);
-    put_number(content, word);
+    put_number(content, token);
     return content;
 }
 
@@ -25,17 +25,17 @@ Error bad(const std::string& why) {
     return {ErrorCode::corrupt_data, "a datagram's content: " + why};
 }
 
-Result<Content> decode_part(std::string_view bytes) {
+Result<Content> decode_fragment(std::string_view bytes) {
     if (bytes.size() < 6) return bad("a part of " + std::to_string(bytes.size()) + " bytes");
     const Fragment part{.message = number_at<std::uint32_t>(bytes, 0),
                     .index = number_at<std::uint8_t>(bytes, 4),
                     .count = number_at<std::uint8_t>(bytes, 5),
                     .bytes = bytes.substr(6)};
-    if (part.count < 2 || part.count > parts_max || part.index >= part.count)
+    if (part.count < 2 || part.count > fragments_max || part.index >= part.count)
         return bad("part " + std::to_string(part.index) + " of " + std::to_string(part.count));
     const bool last = part.index + 1 == part.count;
-    if (part.bytes.empty() || part.bytes.size() > part_bytes ||
-        (!last && part.bytes.size() != part_bytes))
+    if (part.bytes.empty() || part.bytes.size() > fragment_bytes ||
+        (!last && part.bytes.size() != fragment_bytes))
         return bad("a part with " + std::to_string(part.bytes.size()) + " bytes");
     return Content{part};
 }
@@ -50,7 +50,7 @@ Result<Content> decode_content(std::string_view content) {
         case Kind::message:
             return Content{Message{rest}};
         case Kind::part:
-            return decode_part(rest);
+            return decode_fragment(rest);
         case Kind::question:
         case Kind::answer:
             if (rest.size() != sizeof(std::uint64_t))
@@ -62,10 +62,10 @@ Result<Content> decode_content(std::string_view content) {
 }
 
 std::string encode(const PathChallenge& question) {
-    return word_of(Kind::question, question.word);
+    return token_of(Kind::question, question.token);
 }
 std::string encode(const PathResponse& answer) {
-    return word_of(Kind::answer, answer.word);
+    return token_of(Kind::answer, answer.token);
 }
 
 std::vector<std::string> encode_message(std::span<const std::string_view> pieces,
@@ -73,10 +73,10 @@ std::vector<std::string> encode_message(std::span<const std::string_view> pieces
     std::size_t size = 0;
     for (const std::string_view piece : pieces) size += piece.size();
     const bool whole = size <= message_bytes_max;
-    const std::size_t most = whole ? message_bytes_max : part_bytes;
+    const std::size_t most = whole ? message_bytes_max : fragment_bytes;
     const std::size_t count = whole ? 1 : (size + most - 1) / most;
     std::vector<std::string> contents;
-    if (count > parts_max) return contents;
+    if (count > fragments_max) return contents;
     contents.reserve(count);
     std::size_t room = 0;
     const auto next = [&] {

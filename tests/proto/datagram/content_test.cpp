@@ -17,8 +17,8 @@ std::vector<std::string> encode_one(std::string_view message, std::uint32_t numb
 TEST(Content, questions_and_answers_have_nine_bytes) {
     const std::string question = encode(PathChallenge{0x1122334455667788}), answer = encode(PathResponse{9});
     EXPECT_EQ(question.size(), 9u);
-    EXPECT_EQ(std::get<PathChallenge>(*decode_content(question)).word, 0x1122334455667788u);
-    EXPECT_EQ(std::get<PathResponse>(*decode_content(answer)).word, 9u);
+    EXPECT_EQ(std::get<PathChallenge>(*decode_content(question)).token, 0x1122334455667788u);
+    EXPECT_EQ(std::get<PathResponse>(*decode_content(answer)).token, 9u);
 }
 
 TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two) {
@@ -32,7 +32,7 @@ TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two)
     EXPECT_EQ(last.message, 77u);
     EXPECT_EQ(last.index, 1);
     EXPECT_EQ(last.count, 2);
-    EXPECT_EQ(last.bytes.size(), message_bytes_max + 1 - part_bytes);
+    EXPECT_EQ(last.bytes.size(), message_bytes_max + 1 - fragment_bytes);
 }
 
 TEST(Content, pieces_are_put_one_after_the_other_and_cut_anew) {
@@ -43,8 +43,8 @@ TEST(Content, pieces_are_put_one_after_the_other_and_cut_anew) {
 }
 
 TEST(Content, more_than_64_parts_are_the_streams) {
-    EXPECT_EQ(encode_one(std::string(parts_max * part_bytes, 'x')).size(), 64u);
-    EXPECT_TRUE(encode_one(std::string(parts_max * part_bytes + 1, 'x')).empty());
+    EXPECT_EQ(encode_one(std::string(fragments_max * fragment_bytes, 'x')).size(), 64u);
+    EXPECT_TRUE(encode_one(std::string(fragments_max * fragment_bytes + 1, 'x')).empty());
 }
 
 TEST(Content, what_is_none_is_refused_and_the_error_says_why) {

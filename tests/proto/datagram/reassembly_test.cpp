@@ -67,12 +67,12 @@ TEST(Reassembly, the_same_part_twice_is_one) {
 TEST(Reassembly, holds_300_kB_at_most_and_the_newest_four) {
     Reassembly reassembly;
     for (std::uint32_t number = 1; number <= 100; number++) {
-        const Cut cut(parts_max * part_bytes, number);
-        for (std::size_t k = 1; k < parts_max; k++) EXPECT_FALSE(reassembly.add(cut.part(k)));
-        EXPECT_LE(reassembly.bytes_held(), 4 * 63 * part_bytes);
+        const Cut cut(fragments_max * fragment_bytes, number);
+        for (std::size_t k = 1; k < fragments_max; k++) EXPECT_FALSE(reassembly.add(cut.part(k)));
+        EXPECT_LE(reassembly.bytes_held(), 4 * 63 * fragment_bytes);
     }
-    EXPECT_FALSE(reassembly.add(Cut(parts_max * part_bytes, 96).part(0))) << "it was given up";
-    EXPECT_TRUE(reassembly.add(Cut(parts_max * part_bytes, 97).part(0)));
+    EXPECT_FALSE(reassembly.add(Cut(fragments_max * fragment_bytes, 96).part(0))) << "it was given up";
+    EXPECT_TRUE(reassembly.add(Cut(fragments_max * fragment_bytes, 97).part(0)));
 }
 
 TEST(Reassembly, a_part_that_does_not_fit_its_siblings_is_dropped) {

@@ -74,7 +74,7 @@ struct DatagramPortTest : testing::Test {
         ASSERT_TRUE(question);
         const auto content = *datagram::decode_content(question->content);
         from.send(client->close(
-            datagram::encode(datagram::PathResponse{std::get<datagram::PathChallenge>(content).word})));
+            datagram::encode(datagram::PathResponse{std::get<datagram::PathChallenge>(content).token})));
     }
     void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
 

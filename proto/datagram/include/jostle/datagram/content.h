@@ -18,9 +18,9 @@
 namespace jostle::datagram {
 
 // Of a message; a larger one goes by the stream.
-inline constexpr std::size_t parts_max = 64;
+inline constexpr std::size_t fragments_max = 64;
 // Each part has so many bytes but the last, which has at least one.
-inline constexpr std::size_t part_bytes = content_bytes_max - 7;
+inline constexpr std::size_t fragment_bytes = content_bytes_max - 7;
 inline constexpr std::size_t message_bytes_max = content_bytes_max - 1;  // in one packet
 
 struct Message {
@@ -33,10 +33,10 @@ struct Fragment {
 };
 // Who answers has that address and the key.
 struct PathChallenge {
-    std::uint64_t word = 0;
+    std::uint64_t token = 0;
 };
 struct PathResponse {
-    std::uint64_t word = 0;
+    std::uint64_t token = 0;
 };
 using Content = std::variant<Message, Fragment, PathChallenge, PathResponse>;
 
@@ -46,7 +46,7 @@ Result<Content> decode_content(std::string_view content);
 std::string encode(const PathChallenge& question);
 std::string encode(const PathResponse& answer);
 // A message, given in pieces, as the contents of one packet or several. Empty: it needs more than
-// parts_max.
+// fragments_max.
 std::vector<std::string> encode_message(std::span<const std::string_view> pieces,
                                         std::uint32_t number);
 

@@ -37,7 +37,7 @@ bool DatagramAddress::operator==(const DatagramAddress& other) const {
            std::memcmp(&a.sin6_addr, &b.sin6_addr, sizeof a.sin6_addr) == 0;
 }
 
-DatagramPath::DatagramPath(std::unique_ptr<datagram::Seal> seal, int socket,
+DatagramPath::DatagramPath(std::unique_ptr<datagram::PacketCipher> seal, int socket,
                            std::function<void(std::string_view)> on_message, Metrics* metrics)
     : seal_(std::move(seal)),
       socket_(socket),

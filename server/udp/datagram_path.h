@@ -43,7 +43,7 @@ public:
     static constexpr auto silence_max = std::chrono::seconds(2);
 
     // `on_message`: any thread, for each message that was put into the mail; it must be quick.
-    DatagramPath(std::unique_ptr<datagram::Seal> seal, int socket,
+    DatagramPath(std::unique_ptr<datagram::PacketCipher> seal, int socket,
                  std::function<void(std::string_view)> on_message, Metrics* metrics);
 
     const datagram::Credentials& ticket() const { return seal_->ticket(); }
@@ -81,7 +81,7 @@ private:
     };
 
     mutable std::mutex mutex_;
-    const std::unique_ptr<datagram::Seal> seal_;
+    const std::unique_ptr<datagram::PacketCipher> seal_;
     const int socket_;
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;

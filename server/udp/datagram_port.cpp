@@ -81,7 +81,7 @@ Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
     if (getentropy(&ticket.id, sizeof ticket.id) != 0 ||
         getentropy(ticket.key.data(), ticket.key.size()) != 0)
         return Error{ErrorCode::internal, "the operating system gave no random bytes"};
-    auto seal = datagram::Seal::make(ticket, datagram::Side::server);
+    auto seal = datagram::PacketCipher::make(ticket, datagram::Side::server);
     if (!seal.ok()) return seal.error();
     auto path = std::make_shared<DatagramPath>(*std::move(seal), socket_, std::move(on_message),
                                                settings_.metrics);

@@ -71,7 +71,7 @@ void cut_and_join(Bytes input) {
 }  // namespace
 
 void run(Bytes input) {
-    static const std::unique_ptr<Seal> server = Seal::make(ticket(), Side::server).value();
+    static const std::unique_ptr<PacketCipher> server = PacketCipher::make(ticket(), Side::server).value();
     expect(!server->open(text_of(input)), "what nobody sealed is not opened");
     hear(input);
     cut_and_join(input);

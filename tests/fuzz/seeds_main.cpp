@@ -557,7 +557,7 @@ void write_datagrams(const fs::path& folder) {
     Seeds seeds(folder, "datagram_packet");
     datagram::Credentials ticket{.id = 0x0807060504030201};
     ticket.key.fill(7);
-    const auto client = datagram::Seal::make(ticket, datagram::Side::client).value();
+    const auto client = datagram::PacketCipher::make(ticket, datagram::Side::client).value();
     const std::string small = "snapshot", large(2500, 'x');
     const auto contents = [](std::string_view message, std::uint32_t number) {
         return datagram::encode_message(std::span(&message, 1), number);

@@ -77,8 +77,8 @@ std::optional<std::uint64_t> ticket_of(std::string_view packet) {
     return number_at<std::uint64_t>(packet, 0);
 }
 
-Result<std::unique_ptr<Seal>> Seal::make(const Credentials& ticket, Side side) {
-    std::unique_ptr<Seal> seal(new Seal(ticket));
+Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& ticket, Side side) {
+    std::unique_ptr<PacketCipher> seal(new PacketCipher(ticket));
     const bool ours = side == Side::server;
     const auto out = key_for(ticket, ours ? to_client : to_server);
     const auto in = key_for(ticket, ours ? to_server : to_client);
@@ -89,12 +89,12 @@ Result<std::unique_ptr<Seal>> Seal::make(const Credentials& ticket, Side side) {
     return seal;
 }
 
-Seal::~Seal() {
+PacketCipher::~PacketCipher() {
     EVP_CIPHER_CTX_free(out_);
     EVP_CIPHER_CTX_free(in_);
 }
 
-std::string Seal::close(std::string_view content) {
+std::string PacketCipher::close(std::string_view content) {
     std::string packet;
     if (content.size() > content_bytes_max) return packet;
     packet.reserve(head_bytes + content.size() + tag_bytes);
@@ -115,7 +115,7 @@ std::string Seal::close(std::string_view content) {
     return packet;
 }
 
-std::optional<Seal::Opened> Seal::open(std::string_view packet) {
+std::optional<PacketCipher::Opened> PacketCipher::open(std::string_view packet) {
     const auto ticket = ticket_of(packet);
     if (!ticket || *ticket != ticket_.id) return std::nullopt;
     const auto number = number_at<std::uint64_t>(packet, sizeof ticket_.id);

@@ -15,8 +15,8 @@ Credentials ticket(std::uint8_t fill = 7) {
 }
 
 struct PacketTest : testing::Test {
-    std::unique_ptr<Seal> server = *Seal::make(ticket(), Side::server);
-    std::unique_ptr<Seal> client = *Seal::make(ticket(), Side::client);
+    std::unique_ptr<PacketCipher> server = *PacketCipher::make(ticket(), Side::server);
+    std::unique_ptr<PacketCipher> client = *PacketCipher::make(ticket(), Side::client);
 };
 
 std::string to_hex(std::string_view bytes) {
@@ -71,7 +71,7 @@ TEST_F(PacketTest, other_sizes_and_other_keys_are_refused) {
     EXPECT_FALSE(server->open(""));
     EXPECT_FALSE(server->open(std::string(packet_bytes_max + 1, 'x')));
     EXPECT_TRUE(server->open(packet));
-    EXPECT_FALSE((*Seal::make(ticket(8), Side::server))->open(client->close("a")));
+    EXPECT_FALSE((*PacketCipher::make(ticket(8), Side::server))->open(client->close("a")));
     EXPECT_EQ(client->close(std::string(content_bytes_max, 'x')).size(), packet_bytes_max);
     EXPECT_EQ(client->close(std::string(content_bytes_max + 1, 'x')), "");
 }

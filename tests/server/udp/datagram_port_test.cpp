@@ -16,7 +16,7 @@ namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-using datagram::Seal;
+using datagram::PacketCipher;
 using datagram::Side;
 using test::wait_until;
 
@@ -60,7 +60,7 @@ struct DatagramPortTest : testing::Test {
     void SetUp() override {
         ASSERT_TRUE(port.start().ok());
         path = *port.open([this](std::string_view) { messages++; });
-        client = *Seal::make(path->ticket(), Side::client);
+        client = *PacketCipher::make(path->ticket(), Side::client);
         end = std::make_unique<End>(port.port());
     }
     void TearDown() override { port.stop(); }
@@ -80,7 +80,7 @@ struct DatagramPortTest : testing::Test {
 
     DatagramPort port{{.host = "127.0.0.1", .port = 0}};
     std::shared_ptr<DatagramPath> path;
-    std::unique_ptr<Seal> client;
+    std::unique_ptr<PacketCipher> client;
     std::unique_ptr<End> end;
     std::atomic<int> messages{0};
 };
@@ -124,7 +124,7 @@ TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
 TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
     datagram::Credentials guessed = path->ticket();
     guessed.key[0] ^= 1;
-    end->send((*Seal::make(guessed, Side::client))->close(message("let me in")));
+    end->send((*PacketCipher::make(guessed, Side::client))->close(message("let me in")));
     end->send(std::string(1200, 'x'));
     end->send("x");
     end->send(std::string(1400, 'x'));

@@ -56,7 +56,7 @@ Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramC
         error != 0)
         return no_datagrams(*host + ": " + gai_strerror(error));
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-    auto seal = datagram::Seal::make(ticket, datagram::Side::client);
+    auto seal = datagram::PacketCipher::make(ticket, datagram::Side::client);
     if (!seal.ok()) return seal.error();
     const int descriptor = socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (descriptor < 0) return no_datagrams(std::strerror(errno));

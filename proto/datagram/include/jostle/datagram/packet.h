@@ -40,13 +40,13 @@ enum class Side { server, client };
 // The ticket's id of a packet, authentic or not; nothing: it is too short or too long to be one.
 std::optional<std::uint64_t> ticket_of(std::string_view packet);
 
-class Seal {
+class PacketCipher {
 public:
     // internal: OpenSSL refuses, as when memory runs out.
-    static Result<std::unique_ptr<Seal>> make(const Credentials& ticket, Side side);
-    ~Seal();
-    Seal(const Seal&) = delete;
-    Seal& operator=(const Seal&) = delete;
+    static Result<std::unique_ptr<PacketCipher>> make(const Credentials& ticket, Side side);
+    ~PacketCipher();
+    PacketCipher(const PacketCipher&) = delete;
+    PacketCipher& operator=(const PacketCipher&) = delete;
 
     // At most content_bytes_max bytes; as a packet. Empty: OpenSSL refused.
     std::string close(std::string_view content);
@@ -61,7 +61,7 @@ public:
     const Credentials& ticket() const { return ticket_; }
 
 private:
-    explicit Seal(const Credentials& ticket) : ticket_(ticket) {}
+    explicit PacketCipher(const Credentials& ticket) : ticket_(ticket) {}
 
     const Credentials ticket_;
     evp_cipher_ctx_st *out_ = nullptr, *in_ = nullptr;

@@ -77,7 +77,7 @@ std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
         const ssize_t size = recv(descriptor_, bytes.data(), bytes.size(), 0);
         if (size < 0 && (errno == ECONNREFUSED || errno == EINTR)) continue;  // told once
         if (size < 0) return std::nullopt;
-        const auto opened = seal_->open({bytes.data(), static_cast<std::size_t>(size)});
+        const auto opened = seal_->decrypt({bytes.data(), static_cast<std::size_t>(size)});
         if (!opened) continue;
         heard_ = now;
         if (auto message = take(opened->content)) return message;
@@ -105,7 +105,7 @@ void DatagramSocket::send(const std::string& message) {
 
 // What the system does not take is lost, as on the way.
 void DatagramSocket::transmit(const std::string& content) {
-    const std::string packet = seal_->close(content);
+    const std::string packet = seal_->encrypt(content);
     ::send(descriptor_, packet.data(), packet.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 

@@ -115,14 +115,14 @@ std::string PacketCipher::close(std::string_view content) {
     return packet;
 }
 
-std::optional<PacketCipher::Opened> PacketCipher::open(std::string_view packet) {
+std::optional<PacketCipher::DecryptedPacket> PacketCipher::open(std::string_view packet) {
     const auto ticket = ticket_of(packet);
     if (!ticket || *ticket != ticket_.id) return std::nullopt;
     const auto number = number_at<std::uint64_t>(packet, sizeof ticket_.id);
     if (window_.seen(number)) return std::nullopt;
     const Nonce nonce = nonce_of(number);
     const std::size_t content_bytes = packet.size() - head_bytes - tag_bytes;
-    Opened opened;
+    DecryptedPacket opened;
     opened.content.resize(content_bytes);
     std::string tag(packet.substr(head_bytes + content_bytes));
     int size = 0;

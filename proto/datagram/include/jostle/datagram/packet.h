@@ -51,12 +51,12 @@ public:
     // At most content_bytes_max bytes; as a packet. Empty: OpenSSL refused.
     std::string encrypt(std::string_view content);
 
-    struct Opened {
+    struct DecryptedPacket {
         std::string content;
         bool newest = false;  // no packet with a higher number has come
     };
     // Nothing: it is none of this ticket's, was changed on its way, or came before.
-    std::optional<Opened> decrypt(std::string_view packet);
+    std::optional<DecryptedPacket> decrypt(std::string_view packet);
 
     const Credentials& ticket() const { return ticket_; }
 

@@ -67,10 +67,10 @@ Status FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point n
             payload_left_ -= static_cast<std::uint32_t>(skipped);
             bytes = bytes.subspan(skipped);
         } else {
-            head_[head_bytes_++] = bytes[0];
+            head_[header_bytes_++] = bytes[0];
             bytes = bytes.subspan(1);
-            if (head_bytes_ < head_size) continue;
-            head_bytes_ = 0;
+            if (header_bytes_ < head_size) continue;
+            header_bytes_ = 0;
             const auto big_endian = [&](std::size_t at, std::size_t count) {
                 std::uint32_t value = 0;
                 for (std::size_t i = at; i < at + count; i++) value = value << 8 | head_[i];

@@ -48,7 +48,7 @@ private:
     Status on_continuation(const Head& head);
     Status allow(TokenBucket& bucket, const char* what, Clock::time_point now);
 
-    std::size_t preface_bytes_ = 0, head_bytes_ = 0;
+    std::size_t preface_bytes_ = 0, header_bytes_ = 0;
     std::array<std::uint8_t, head_size> head_{};
     std::uint32_t payload_left_ = 0;
     std::uint32_t last_stream_ = 0;

@@ -91,8 +91,8 @@ std::string encode_welcome(const Welcome& from) {
     if (from.datagrams) {
         v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();
         datagrams.set_port(from.datagrams->port);
-        datagrams.set_id(from.datagrams->ticket.id);
-        datagrams.set_key(from.datagrams->ticket.key.data(), from.datagrams->ticket.key.size());
+        datagrams.set_id(from.datagrams->credentials.id);
+        datagrams.set_key(from.datagrams->credentials.key.data(), from.datagrams->credentials.key.size());
     }
     return message.SerializeAsString();
 }

@@ -34,7 +34,7 @@ struct Welcome {
     bool cells = false;
     struct Datagrams {
         std::uint16_t port = 0;
-        datagram::Credentials ticket;
+        datagram::Credentials credentials;
     };
     std::optional<Datagrams> datagrams = {};
     std::string resume_token = {};  // empty: its place is not kept

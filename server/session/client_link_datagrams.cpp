@@ -33,7 +33,7 @@ void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
     if (!path.ok()) return log_warn("client {}: {}", client_, path.error().message);
     lane_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
     welcome.datagrams = {.port = context_.datagrams->advertised_port(),
-                         .ticket = (*path)->ticket()};
+                         .credentials = (*path)->credentials()};
 }
 
 void ClientLink::take_datagrams(Clock::time_point now) {

@@ -37,9 +37,9 @@ bool DatagramAddress::operator==(const DatagramAddress& other) const {
            std::memcmp(&a.sin6_addr, &b.sin6_addr, sizeof a.sin6_addr) == 0;
 }
 
-DatagramPath::DatagramPath(std::unique_ptr<datagram::PacketCipher> seal, int socket,
+DatagramPath::DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
                            std::function<void(std::string_view)> on_message, Metrics* metrics)
-    : seal_(std::move(seal)),
+    : cipher_(std::move(cipher)),
       socket_(socket),
       on_message_(std::move(on_message)),
       metrics_(metrics) {}
@@ -59,7 +59,7 @@ void DatagramPath::send(std::span<const std::string_view> pieces, Clock::time_po
     const std::lock_guard lock(mutex_);
     if (!address_) return;
     std::vector<std::string> packets = datagram::encode_message(pieces, ++messages_);
-    for (std::string& packet : packets) packet = seal_->encrypt(packet);
+    for (std::string& packet : packets) packet = cipher_->encrypt(packet);
     transmit(packets, *address_, now);
 }
 
@@ -79,7 +79,7 @@ void DatagramPath::receive(std::string_view packet, const DatagramAddress& from,
 bool DatagramPath::take_packet(std::string_view packet, const DatagramAddress& from,
                                Clock::time_point now, std::string& message) {
     const std::lock_guard lock(mutex_);
-    const auto opened = seal_->decrypt(packet);
+    const auto opened = cipher_->decrypt(packet);
     const auto content = opened ? datagram::decode_content(opened->content)
                                 : Result<datagram::Content>(invalid_argument("not authentic"));
     if (metrics_)
@@ -120,7 +120,7 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
 }
 
 void DatagramPath::ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
-    const std::string packet = seal_->encrypt(datagram::encode(datagram::PathChallenge{token}));
+    const std::string packet = cipher_->encrypt(datagram::encode(datagram::PathChallenge{token}));
     transmit(std::span(&packet, 1), where, now);
 }
 

@@ -43,10 +43,10 @@ public:
     static constexpr auto silence_max = std::chrono::seconds(2);
 
     // `on_message`: any thread, for each message that was put into the mail; it must be quick.
-    DatagramPath(std::unique_ptr<datagram::PacketCipher> seal, int socket,
+    DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
                  std::function<void(std::string_view)> on_message, Metrics* metrics);
 
-    const datagram::Credentials& ticket() const { return seal_->ticket(); }
+    const datagram::Credentials& credentials() const { return cipher_->credentials(); }
 
     // Somebody answered with the key, and was heard lately.
     bool is_open(Clock::time_point now) const;
@@ -81,7 +81,7 @@ private:
     };
 
     mutable std::mutex mutex_;
-    const std::unique_ptr<datagram::PacketCipher> seal_;
+    const std::unique_ptr<datagram::PacketCipher> cipher_;
     const int socket_;
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;

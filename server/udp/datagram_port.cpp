@@ -77,23 +77,23 @@ void DatagramPort::stop() {
 
 Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
     std::function<void(std::string_view)> on_message) {
-    datagram::Credentials ticket;
-    if (getentropy(&ticket.id, sizeof ticket.id) != 0 ||
-        getentropy(ticket.key.data(), ticket.key.size()) != 0)
+    datagram::Credentials credentials;
+    if (getentropy(&credentials.id, sizeof credentials.id) != 0 ||
+        getentropy(credentials.key.data(), credentials.key.size()) != 0)
         return Error{ErrorCode::internal, "the operating system gave no random bytes"};
-    auto seal = datagram::PacketCipher::make(ticket, datagram::Side::server);
-    if (!seal.ok()) return seal.error();
-    auto path = std::make_shared<DatagramPath>(*std::move(seal), socket_, std::move(on_message),
+    auto cipher = datagram::PacketCipher::make(credentials, datagram::Side::server);
+    if (!cipher.ok()) return cipher.error();
+    auto path = std::make_shared<DatagramPath>(*std::move(cipher), socket_, std::move(on_message),
                                                settings_.metrics);
     const std::lock_guard lock(mutex_);
-    if (!paths_.try_emplace(ticket.id, path).second)
+    if (!paths_.try_emplace(credentials.id, path).second)
         return Error{ErrorCode::internal, "a ticket for datagrams came twice"};
     return path;
 }
 
 void DatagramPort::close(const DatagramPath& path) {
     const std::lock_guard lock(mutex_);
-    paths_.erase(path.ticket().id);
+    paths_.erase(path.credentials().id);
 }
 
 std::size_t DatagramPort::paths() const {
@@ -101,9 +101,9 @@ std::size_t DatagramPort::paths() const {
     return paths_.size();
 }
 
-std::shared_ptr<DatagramPath> DatagramPort::find(std::uint64_t ticket) const {
+std::shared_ptr<DatagramPath> DatagramPort::find(std::uint64_t credentials) const {
     const std::lock_guard lock(mutex_);
-    const auto at = paths_.find(ticket);
+    const auto at = paths_.find(credentials);
     return at == paths_.end() ? nullptr : at->second;
 }
 
@@ -146,8 +146,8 @@ void DatagramPort::take_packets() {
         for (std::size_t k = 0; k < count; k++) {
             const std::string_view packet(bytes[k].data(), messages[k].msg_len);
             from[k].size = messages[k].msg_hdr.msg_namelen;
-            const auto ticket = datagram::ticket_of(packet);
-            const auto path = ticket ? find(*ticket) : nullptr;
+            const auto credentials = datagram::session_id_of(packet);
+            const auto path = credentials ? find(*credentials) : nullptr;
             if (path)
                 path->receive(packet, from[k], now);
             else if (settings_.metrics)

@@ -54,7 +54,7 @@ public:
 private:
     void run();
     void take_packets();
-    std::shared_ptr<DatagramPath> find(std::uint64_t ticket) const;
+    std::shared_ptr<DatagramPath> find(std::uint64_t credentials) const;
 
     const DatagramPortSettings settings_;
     int socket_ = -1, wake_ = -1;

@@ -25,13 +25,13 @@ struct FreeKdf {
 };
 
 // HKDF-SHA-256 without a salt.
-std::optional<DirectionKey> key_for(const Credentials& ticket, std::string_view direction) {
+std::optional<DirectionKey> key_for(const Credentials& credentials, std::string_view direction) {
     const std::unique_ptr<EVP_KDF, FreeKdf> kdf(EVP_KDF_fetch(nullptr, "HKDF", nullptr));
     if (!kdf) return std::nullopt;
     const std::unique_ptr<EVP_KDF_CTX, FreeKdf> context(EVP_KDF_CTX_new(kdf.get()));
     if (!context) return std::nullopt;
     char digest[] = "SHA256";
-    std::array<std::uint8_t, 32> secret = ticket.key;
+    std::array<std::uint8_t, 32> secret = credentials.key;
     std::string info(direction);
     const OSSL_PARAM parameters[] = {
         OSSL_PARAM_construct_utf8_string(OSSL_KDF_PARAM_DIGEST, digest, 0),
@@ -71,17 +71,17 @@ unsigned char* raw(std::string& bytes, std::size_t offset) {
 
 }  // namespace
 
-std::optional<std::uint64_t> ticket_of(std::string_view packet) {
-    if (packet.size() < head_bytes + tag_bytes || packet.size() > packet_bytes_max)
+std::optional<std::uint64_t> session_id_of(std::string_view packet) {
+    if (packet.size() < header_bytes + tag_bytes || packet.size() > packet_bytes_max)
         return std::nullopt;
     return number_at<std::uint64_t>(packet, 0);
 }
 
-Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& ticket, Side side) {
-    std::unique_ptr<PacketCipher> seal(new PacketCipher(ticket));
+Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& credentials, Side side) {
+    std::unique_ptr<PacketCipher> seal(new PacketCipher(credentials));
     const bool ours = side == Side::server;
-    const auto out = key_for(ticket, ours ? to_client : to_server);
-    const auto in = key_for(ticket, ours ? to_server : to_client);
+    const auto out = key_for(credentials, ours ? to_client : to_server);
+    const auto in = key_for(credentials, ours ? to_server : to_client);
     if (out) seal->out_ = cipher_with(*out, 1);
     if (in) seal->in_ = cipher_with(*in, 0);
     if (!seal->out_ || !seal->in_)
@@ -97,39 +97,39 @@ PacketCipher::~PacketCipher() {
 std::string PacketCipher::close(std::string_view content) {
     std::string packet;
     if (content.size() > content_bytes_max) return packet;
-    packet.reserve(head_bytes + content.size() + tag_bytes);
+    packet.reserve(header_bytes + content.size() + tag_bytes);
     put_number(packet, ticket_.id);
     put_number(packet, next_);
-    packet.resize(head_bytes + content.size() + tag_bytes);
+    packet.resize(header_bytes + content.size() + tag_bytes);
     const Nonce nonce = nonce_of(next_++);
     int size = 0;
     const bool done =
         EVP_EncryptInit_ex(out_, nullptr, nullptr, nullptr, nonce.data()) == 1 &&
-        EVP_EncryptUpdate(out_, nullptr, &size, raw(packet), static_cast<int>(head_bytes)) == 1 &&
-        EVP_EncryptUpdate(out_, raw(packet, head_bytes), &size, raw(content),
+        EVP_EncryptUpdate(out_, nullptr, &size, raw(packet), static_cast<int>(header_bytes)) == 1 &&
+        EVP_EncryptUpdate(out_, raw(packet, header_bytes), &size, raw(content),
                           static_cast<int>(content.size())) == 1 &&
-        EVP_EncryptFinal_ex(out_, raw(packet, head_bytes + content.size()), &size) == 1 &&
+        EVP_EncryptFinal_ex(out_, raw(packet, header_bytes + content.size()), &size) == 1 &&
         EVP_CIPHER_CTX_ctrl(out_, EVP_CTRL_AEAD_GET_TAG, static_cast<int>(tag_bytes),
-                            raw(packet, head_bytes + content.size())) == 1;
+                            raw(packet, header_bytes + content.size())) == 1;
     if (!done) packet.clear();
     return packet;
 }
 
 std::optional<PacketCipher::DecryptedPacket> PacketCipher::open(std::string_view packet) {
-    const auto ticket = ticket_of(packet);
-    if (!ticket || *ticket != ticket_.id) return std::nullopt;
+    const auto credentials = session_id_of(packet);
+    if (!credentials || *credentials != ticket_.id) return std::nullopt;
     const auto number = number_at<std::uint64_t>(packet, sizeof ticket_.id);
     if (window_.seen(number)) return std::nullopt;
     const Nonce nonce = nonce_of(number);
-    const std::size_t content_bytes = packet.size() - head_bytes - tag_bytes;
+    const std::size_t content_bytes = packet.size() - header_bytes - tag_bytes;
     DecryptedPacket opened;
     opened.content.resize(content_bytes);
-    std::string tag(packet.substr(head_bytes + content_bytes));
+    std::string tag(packet.substr(header_bytes + content_bytes));
     int size = 0;
     const bool authentic =
         EVP_DecryptInit_ex(in_, nullptr, nullptr, nullptr, nonce.data()) == 1 &&
-        EVP_DecryptUpdate(in_, nullptr, &size, raw(packet), static_cast<int>(head_bytes)) == 1 &&
-        EVP_DecryptUpdate(in_, raw(opened.content, 0), &size, raw(packet.substr(head_bytes)),
+        EVP_DecryptUpdate(in_, nullptr, &size, raw(packet), static_cast<int>(header_bytes)) == 1 &&
+        EVP_DecryptUpdate(in_, raw(opened.content, 0), &size, raw(packet.substr(header_bytes)),
                           static_cast<int>(content_bytes)) == 1 &&
         EVP_CIPHER_CTX_ctrl(in_, EVP_CTRL_AEAD_SET_TAG, static_cast<int>(tag_bytes), raw(tag, 0)) ==
             1 &&

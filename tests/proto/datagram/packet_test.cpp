@@ -8,15 +8,15 @@
 namespace jostle::datagram {
 namespace {
 
-Credentials ticket(std::uint8_t fill = 7) {
+Credentials credentials(std::uint8_t fill = 7) {
     Credentials made{.id = 0x0123456789abcdef};
     made.key.fill(fill);
     return made;
 }
 
 struct PacketTest : testing::Test {
-    std::unique_ptr<PacketCipher> server = *PacketCipher::make(ticket(), Side::server);
-    std::unique_ptr<PacketCipher> client = *PacketCipher::make(ticket(), Side::client);
+    std::unique_ptr<PacketCipher> server = *PacketCipher::make(credentials(), Side::server);
+    std::unique_ptr<PacketCipher> client = *PacketCipher::make(credentials(), Side::client);
 };
 
 std::string to_hex(std::string_view bytes) {
@@ -33,8 +33,8 @@ std::string to_hex(std::string_view bytes) {
 
 TEST_F(PacketTest, what_one_side_seals_the_other_opens_once) {
     const std::string packet = client->close("push 3 N s");
-    EXPECT_EQ(packet.size(), 10 + head_bytes + tag_bytes);
-    EXPECT_EQ(ticket_of(packet), ticket().id);
+    EXPECT_EQ(packet.size(), 10 + header_bytes + tag_bytes);
+    EXPECT_EQ(session_id_of(packet), credentials().id);
     EXPECT_EQ(packet.find("push"), std::string::npos);
     const auto opened = server->open(packet);
     ASSERT_TRUE(opened);
@@ -65,13 +65,13 @@ TEST_F(PacketTest, each_flipped_bit_is_noticed_and_costs_nothing_else) {
 
 TEST_F(PacketTest, other_sizes_and_other_keys_are_refused) {
     const std::string packet = client->close("");
-    EXPECT_EQ(packet.size(), head_bytes + tag_bytes);
+    EXPECT_EQ(packet.size(), header_bytes + tag_bytes);
     EXPECT_FALSE(server->open(packet.substr(1)));
     EXPECT_FALSE(server->open(packet + "x"));
     EXPECT_FALSE(server->open(""));
     EXPECT_FALSE(server->open(std::string(packet_bytes_max + 1, 'x')));
     EXPECT_TRUE(server->open(packet));
-    EXPECT_FALSE((*PacketCipher::make(ticket(8), Side::server))->open(client->close("a")));
+    EXPECT_FALSE((*PacketCipher::make(credentials(8), Side::server))->open(client->close("a")));
     EXPECT_EQ(client->close(std::string(content_bytes_max, 'x')).size(), packet_bytes_max);
     EXPECT_EQ(client->close(std::string(content_bytes_max + 1, 'x')), "");
 }

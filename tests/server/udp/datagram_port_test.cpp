@@ -60,7 +60,7 @@ struct DatagramPortTest : testing::Test {
     void SetUp() override {
         ASSERT_TRUE(port.start().ok());
         path = *port.open([this](std::string_view) { messages++; });
-        client = *PacketCipher::make(path->ticket(), Side::client);
+        client = *PacketCipher::make(path->credentials(), Side::client);
         end = std::make_unique<End>(port.port());
     }
     void TearDown() override { port.stop(); }
@@ -122,7 +122,7 @@ TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
 }
 
 TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
-    datagram::Credentials guessed = path->ticket();
+    datagram::Credentials guessed = path->credentials();
     guessed.key[0] ^= 1;
     end->send((*PacketCipher::make(guessed, Side::client))->close(message("let me in")));
     end->send(std::string(1200, 'x'));

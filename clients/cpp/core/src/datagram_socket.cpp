@@ -56,11 +56,11 @@ Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramC
         error != 0)
         return no_datagrams(*host + ": " + gai_strerror(error));
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-    auto seal = datagram::PacketCipher::make(ticket, datagram::Side::client);
-    if (!seal.ok()) return seal.error();
+    auto cipher = datagram::PacketCipher::make(ticket, datagram::Side::client);
+    if (!cipher.ok()) return cipher.error();
     const int descriptor = socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (descriptor < 0) return no_datagrams(std::strerror(errno));
-    std::unique_ptr<DatagramSocket> made(new DatagramSocket(descriptor, *std::move(seal), now));
+    std::unique_ptr<DatagramSocket> made(new DatagramSocket(descriptor, *std::move(cipher), now));
     setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &buffer_bytes, sizeof buffer_bytes);
     if (connect(descriptor, found->ai_addr, found->ai_addrlen) != 0)
         return no_datagrams(*host + ": " + std::strerror(errno));
@@ -77,7 +77,7 @@ std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
         const ssize_t size = recv(descriptor_, bytes.data(), bytes.size(), 0);
         if (size < 0 && (errno == ECONNREFUSED || errno == EINTR)) continue;  // told once
         if (size < 0) return std::nullopt;
-        const auto opened = seal_->decrypt({bytes.data(), static_cast<std::size_t>(size)});
+        const auto opened = cipher_->decrypt({bytes.data(), static_cast<std::size_t>(size)});
         if (!opened) continue;
         heard_ = now;
         if (auto message = take(opened->content)) return message;
@@ -105,7 +105,7 @@ void DatagramSocket::send(const std::string& message) {
 
 // What the system does not take is lost, as on the way.
 void DatagramSocket::transmit(const std::string& content) {
-    const std::string packet = seal_->encrypt(content);
+    const std::string packet = cipher_->encrypt(content);
     ::send(descriptor_, packet.data(), packet.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 

@@ -47,13 +47,13 @@ public:
     }
 
 private:
-    DatagramSocket(int descriptor, std::unique_ptr<datagram::PacketCipher> seal, Clock::time_point now)
-        : descriptor_(descriptor), seal_(std::move(seal)), opened_(now) {}
+    DatagramSocket(int descriptor, std::unique_ptr<datagram::PacketCipher> cipher, Clock::time_point now)
+        : descriptor_(descriptor), cipher_(std::move(cipher)), opened_(now) {}
     std::optional<std::string> take(const std::string& content);
     void transmit(const std::string& content);
 
     const int descriptor_;
-    const std::unique_ptr<datagram::PacketCipher> seal_;
+    const std::unique_ptr<datagram::PacketCipher> cipher_;
     datagram::Reassembly reassembly_;
     const Clock::time_point opened_;
     Clock::time_point heard_{};

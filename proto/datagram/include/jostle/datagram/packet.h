@@ -27,8 +27,8 @@ namespace jostle::datagram {
 
 // Below what every path of today's Internet carries whole, as QUIC takes it.
 inline constexpr std::size_t packet_bytes_max = 1200;
-inline constexpr std::size_t head_bytes = 16, tag_bytes = 16;
-inline constexpr std::size_t content_bytes_max = packet_bytes_max - head_bytes - tag_bytes;
+inline constexpr std::size_t header_bytes = 16, tag_bytes = 16;
+inline constexpr std::size_t content_bytes_max = packet_bytes_max - header_bytes - tag_bytes;
 
 struct Credentials {
     std::uint64_t id = 0;  // random; says whose packet it is
@@ -38,12 +38,12 @@ struct Credentials {
 enum class Side { server, client };
 
 // The ticket's id of a packet, authentic or not; nothing: it is too short or too long to be one.
-std::optional<std::uint64_t> ticket_of(std::string_view packet);
+std::optional<std::uint64_t> session_id_of(std::string_view packet);
 
 class PacketCipher {
 public:
     // internal: OpenSSL refuses, as when memory runs out.
-    static Result<std::unique_ptr<PacketCipher>> make(const Credentials& ticket, Side side);
+    static Result<std::unique_ptr<PacketCipher>> make(const Credentials& credentials, Side side);
     ~PacketCipher();
     PacketCipher(const PacketCipher&) = delete;
     PacketCipher& operator=(const PacketCipher&) = delete;
@@ -58,10 +58,10 @@ public:
     // Nothing: it is none of this ticket's, was changed on its way, or came before.
     std::optional<DecryptedPacket> decrypt(std::string_view packet);
 
-    const Credentials& ticket() const { return ticket_; }
+    const Credentials& credentials() const { return ticket_; }
 
 private:
-    explicit PacketCipher(const Credentials& ticket) : ticket_(ticket) {}
+    explicit PacketCipher(const Credentials& credentials) : ticket_(credentials) {}
 
     const Credentials ticket_;
     evp_cipher_ctx_st *out_ = nullptr, *in_ = nullptr;

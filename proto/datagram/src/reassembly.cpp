@@ -7,9 +7,9 @@
 namespace jostle::datagram {
 
 // What is older than a finished message is of no use: a snapshot would be skipped.
-Reassembly::Unfinished* Reassembly::find_or_begin(const Fragment& part) {
+Reassembly::PartialMessage* Reassembly::find_or_begin(const Fragment& part) {
     if (done_ && part.message <= *done_) return nullptr;
-    const auto at = std::ranges::lower_bound(unfinished_, part.message, {}, &Unfinished::number);
+    const auto at = std::ranges::lower_bound(unfinished_, part.message, {}, &PartialMessage::number);
     if (at != unfinished_.end() && at->number == part.message)
         return at->count == part.count ? &*at : nullptr;
     if (unfinished_.size() == unfinished_max && at == unfinished_.begin()) return nullptr;
@@ -24,7 +24,7 @@ Reassembly::Unfinished* Reassembly::find_or_begin(const Fragment& part) {
 }
 
 std::optional<std::string> Reassembly::add(const Fragment& part) {
-    Unfinished* const message = find_or_begin(part);
+    PartialMessage* const message = find_or_begin(part);
     if (!message) return std::nullopt;
     std::string& place = message->parts[part.index];
     if (!place.empty()) return std::nullopt;
@@ -33,13 +33,13 @@ std::optional<std::string> Reassembly::add(const Fragment& part) {
     std::string whole;
     for (const std::string& bytes : message->parts) whole += bytes;
     done_ = part.message;
-    std::erase_if(unfinished_, [&](const Unfinished& u) { return u.number <= *done_; });
+    std::erase_if(unfinished_, [&](const PartialMessage& u) { return u.number <= *done_; });
     return whole;
 }
 
 std::size_t Reassembly::bytes_held() const {
     std::size_t bytes = 0;
-    for (const Unfinished& message : unfinished_)
+    for (const PartialMessage& message : unfinished_)
         for (const std::string& part : message.parts) bytes += part.size();
     return bytes;
 }

@@ -24,15 +24,15 @@ public:
     std::size_t bytes_held() const;
 
 private:
-    struct Unfinished {
+    struct PartialMessage {
         std::uint32_t number = 0;
         std::uint8_t count = 0;
         std::vector<std::string> parts;  // empty: missing
         std::size_t missing = 0;
     };
-    Unfinished* find_or_begin(const Fragment& part);
+    PartialMessage* find_or_begin(const Fragment& part);
 
-    std::vector<Unfinished> unfinished_;  // the newest number last
+    std::vector<PartialMessage> unfinished_;  // the newest number last
     std::optional<std::uint32_t> done_;   // the newest that was finished
 };
 

@@ -11,7 +11,7 @@
 namespace jostle::server {
 
 struct HttpCode {
-    ErrorCode ours;
+    ErrorCode error_code;
     int status;
     std::string_view name;
 };
@@ -33,7 +33,7 @@ inline constexpr HttpCode http_codes[] = {
 
 constexpr HttpCode http_code_of(ErrorCode error) {
     for (const HttpCode& code : http_codes)
-        if (code.ours == error) return code;
+        if (code.error_code == error) return code;
     return {ErrorCode::internal, 500, "INTERNAL"};
 }
 

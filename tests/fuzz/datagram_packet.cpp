@@ -15,7 +15,7 @@ namespace {
 
 using namespace datagram;
 
-constexpr std::size_t held_bytes_max = Reassembly::unfinished_max * parts_max * part_bytes;
+constexpr std::size_t held_bytes_max = Reassembly::partial_messages_max * parts_max * part_bytes;
 
 Ticket ticket() {
     Ticket made{.id = 0x0807060504030201};

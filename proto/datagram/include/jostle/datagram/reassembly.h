@@ -16,7 +16,7 @@ namespace jostle::datagram {
 
 class Reassembly {
 public:
-    static constexpr std::size_t unfinished_max = 4;
+    static constexpr std::size_t partial_messages_max = 4;
 
     // The whole message when this was its last missing part. Parts of messages that are older than
     // all that it holds, or that do not fit to their siblings, are dropped.
@@ -30,9 +30,9 @@ private:
         std::vector<std::string> parts;  // empty: missing
         std::size_t missing = 0;
     };
-    PartialMessage* find_or_begin(const Fragment& part);
+    PartialMessage* find_or_add(const Fragment& part);
 
-    std::vector<PartialMessage> unfinished_;  // the newest number last
+    std::vector<PartialMessage> partial_;  // the newest number last
     std::optional<std::uint32_t> done_;   // the newest that was finished
 };
 

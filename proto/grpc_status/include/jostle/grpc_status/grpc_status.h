@@ -12,7 +12,7 @@
 namespace jostle {
 
 struct GrpcCode {
-    ErrorCode ours;
+    ErrorCode error_code;
     grpc::StatusCode grpc;
 };
 
@@ -35,7 +35,7 @@ inline constexpr GrpcCode grpc_codes[] = {
 inline grpc::Status to_grpc(const Status& status) {
     if (status.ok()) return grpc::Status::OK;
     for (const GrpcCode& code : grpc_codes)
-        if (code.ours == status.error().code) return {code.grpc, status.error().message};
+        if (code.error_code == status.error().code) return {code.grpc, status.error().message};
     return {grpc::StatusCode::INTERNAL, status.error().message};
 }
 
@@ -45,7 +45,7 @@ inline Status from_grpc(const grpc::Status& status) {
     Error error{ErrorCode::internal, status.error_message()};
     for (const GrpcCode& code : grpc_codes) {
         if (code.grpc != status.error_code()) continue;
-        error.code = code.ours;
+        error.code = code.error_code;
         break;
     }
     if (error.message.empty()) error.message = "the server gave no reason";

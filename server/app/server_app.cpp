@@ -15,7 +15,7 @@
 #include <random>
 
 #include "jostle/scenes/scene_file.h"
-#include "server/app/hard_exit.h"
+#include "server/app/shutdown_watchdog.h"
 #include "server/app/service_manager.h"
 #include "server/app/shutdown.h"
 #include "server/app/upkeep.h"
@@ -382,7 +382,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         shutdown.wait(config.drain_seconds, grpc, gateway, context);
     }
 
-    const HardExit hard_exit(orderly_end_max);
+    const ShutdownWatchdog hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);
     if (datagrams) datagrams->stop();  // before those whom it wakes
     admin_control.stop();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/app/hard_exit.h"
+#include "server/app/shutdown_watchdog.h"
 
 #include <cstdlib>
 
@@ -7,7 +7,7 @@
 
 namespace jostle::server {
 
-HardExit::HardExit(Clock::duration patience)
+ShutdownWatchdog::ShutdownWatchdog(Clock::duration patience)
     : thread_([this, patience] {
           std::unique_lock lock(mutex_);
           if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
@@ -16,7 +16,7 @@ HardExit::HardExit(Clock::duration patience)
           std::_Exit(status);
       }) {}
 
-HardExit::~HardExit() {
+ShutdownWatchdog::~ShutdownWatchdog() {
     {
         const std::lock_guard lock(mutex_);
         done_ = true;

@@ -11,13 +11,13 @@
 
 namespace jostle::server {
 
-class HardExit {
+class ShutdownWatchdog {
 public:
     static constexpr int status = 3;
 
     // From now on.
-    explicit HardExit(Clock::duration patience);
-    ~HardExit();  // in time
+    explicit ShutdownWatchdog(Clock::duration patience);
+    ~ShutdownWatchdog();  // in time
 
 private:
     std::mutex mutex_;

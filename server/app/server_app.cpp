@@ -18,7 +18,7 @@
 #include "server/app/shutdown_watchdog.h"
 #include "server/app/service_manager.h"
 #include "server/app/shutdown.h"
-#include "server/app/upkeep.h"
+#include "server/app/maintenance_thread.h"
 #include "server/config/exposure.h"
 #include "server/grpc/admin_methods.h"
 #include "server/grpc/grpc_server.h"
@@ -373,7 +373,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     {
         const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
-        const Upkeep upkeep(gate, certificates.get(), now_and_then, [&] {
+        const MaintenanceThread upkeep(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_tick(now) && !grpc.trouble(now);
         });

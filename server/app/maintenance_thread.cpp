@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/app/upkeep.h"
+#include "server/app/maintenance_thread.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace jostle::server {
 
-Upkeep::Upkeep(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+MaintenanceThread::MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
                std::function<bool()> is_well)
     : gate_(gate),
       certificates_(certificates),
@@ -22,12 +22,12 @@ Upkeep::Upkeep(Gate& gate, CertificateStore* certificates, std::function<void()>
     });
 }
 
-Upkeep::~Upkeep() {
+MaintenanceThread::~MaintenanceThread() {
     io_.stop();
     thread_.join();
 }
 
-void Upkeep::wait_for_signal() {
+void MaintenanceThread::wait_for_signal() {
     signals_.async_wait([this](const boost::system::error_code& error, int) {
         if (error) return;
         log_info("SIGHUP: keys and certificates are read again");
@@ -37,7 +37,7 @@ void Upkeep::wait_for_signal() {
     });
 }
 
-void Upkeep::look_again() {
+void MaintenanceThread::look_again() {
     timer_.expires_after(std::chrono::seconds(1));
     timer_.async_wait([this](const boost::system::error_code& error) {
         if (error) return;
@@ -48,7 +48,7 @@ void Upkeep::look_again() {
     });
 }
 
-void Upkeep::tell_again() {
+void MaintenanceThread::tell_again() {
     const auto period = watchdog_period();
     if (!period) return;
     if (is_well_()) notify_watchdog();

@@ -17,13 +17,13 @@
 
 namespace jostle::server {
 
-class Upkeep {
+class MaintenanceThread {
 public:
     // Gate and certificates outlive it; null certificates: there are none. `every_second`,
     // `is_well`: any thread.
-    Upkeep(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+    MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
            std::function<bool()> is_well);
-    ~Upkeep();
+    ~MaintenanceThread();
 
 private:
     void wait_for_signal();

@@ -34,7 +34,7 @@ namespace health = grpc::health::v1;
 using asio::ip::tcp;
 
 // Supervisors give up on a probe after some seconds: its own answer says more than that.
-constexpr auto whole_patience = std::chrono::milliseconds(2500);
+constexpr auto probe_timeout = std::chrono::milliseconds(2500);
 
 std::string text_of(const HostPort& address) {
     const bool is_ipv6 = address.host.find(':') != std::string::npos;
@@ -70,7 +70,7 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certifi
 }
 
 // What is wrong with gRPC, or nothing.
-std::optional<std::string> fault_of_grpc(const HealthTarget& target,
+std::optional<std::string> probe_grpc(const HealthTarget& target,
                                          std::chrono::milliseconds patience) {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // never by way of another machine
@@ -116,7 +116,7 @@ asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget&
 }
 
 // What is wrong with HTTP, or nothing.
-std::optional<std::string> fault_of_http(const HealthTarget& target,
+std::optional<std::string> probe_http(const HealthTarget& target,
                                          std::chrono::milliseconds patience) {
     asio::io_context io;
     std::optional<std::string> fault = "no answer in time";
@@ -161,9 +161,9 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
     const std::string grpc = text_of(target.grpc);
     const std::string http = fmt::format(
         "{}://{}/healthz", target.certificates.empty() ? "http" : "https", text_of(target.http));
-    if (const auto fault = fault_of_grpc(target, left()))
+    if (const auto fault = probe_grpc(target, left()))
         return Error{ErrorCode::unavailable, fmt::format("gRPC on {}: {}", grpc, *fault)};
-    if (const auto fault = fault_of_http(target, left()))
+    if (const auto fault = probe_http(target, left()))
         return Error{ErrorCode::unavailable, fmt::format("{}: {}", http, *fault)};
     return fmt::format("gRPC on {} and {} serve", grpc, http);
 }
@@ -171,7 +171,7 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
 int run_health_probe(const Config& config) {
     const Result<HealthTarget> target = health_target(config);
     const Result<std::string> found =
-        target.ok() ? probe_health(*target, whole_patience) : target.error();
+        target.ok() ? probe_health(*target, probe_timeout) : target.error();
     if (found.ok())
         std::printf("healthy: %s\n", found->c_str());
     else

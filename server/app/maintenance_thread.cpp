@@ -9,15 +9,15 @@
 namespace jostle::server {
 
 MaintenanceThread::MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
-               std::function<bool()> is_well)
+               std::function<bool()> is_healthy)
     : gate_(gate),
       certificates_(certificates),
       every_second_(std::move(every_second)),
-      is_well_(std::move(is_well)) {
+      is_healthy_(std::move(is_healthy)) {
     thread_ = std::thread([this] {
         wait_for_signal();
-        look_again();
-        tell_again();
+        poll_files();
+        ping_watchdog();
         io_.run();
     });
 }
@@ -37,24 +37,24 @@ void MaintenanceThread::wait_for_signal() {
     });
 }
 
-void MaintenanceThread::look_again() {
+void MaintenanceThread::poll_files() {
     timer_.expires_after(std::chrono::seconds(1));
     timer_.async_wait([this](const boost::system::error_code& error) {
         if (error) return;
         gate_.poll();
         every_second_();
         if (certificates_) certificates_->poll(std::chrono::system_clock::now());
-        look_again();
+        poll_files();
     });
 }
 
-void MaintenanceThread::tell_again() {
+void MaintenanceThread::ping_watchdog() {
     const auto period = watchdog_period();
     if (!period) return;
-    if (is_well_()) notify_watchdog();
+    if (is_healthy_()) notify_watchdog();
     watchdog_timer_.expires_after(*period);
     watchdog_timer_.async_wait([this](const boost::system::error_code& error) {
-        if (!error) tell_again();
+        if (!error) ping_watchdog();
     });
 }
 

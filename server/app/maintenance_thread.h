@@ -20,20 +20,20 @@ namespace jostle::server {
 class MaintenanceThread {
 public:
     // Gate and certificates outlive it; null certificates: there are none. `every_second`,
-    // `is_well`: any thread.
+    // `is_healthy`: any thread.
     MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
-           std::function<bool()> is_well);
+           std::function<bool()> is_healthy);
     ~MaintenanceThread();
 
 private:
     void wait_for_signal();
-    void look_again();
-    void tell_again();
+    void poll_files();
+    void ping_watchdog();
 
     Gate& gate_;
     CertificateStore* const certificates_;
     const std::function<void()> every_second_;
-    const std::function<bool()> is_well_;
+    const std::function<bool()> is_healthy_;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_{io_, SIGHUP};
     boost::asio::steady_timer timer_{io_}, watchdog_timer_{io_};

@@ -94,7 +94,7 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
 }
 
 // Before the metrics are read.
-void count_what_others_count(Metrics& metrics, const CertificateStore* certificates) {
+void refresh_metrics(Metrics& metrics, const CertificateStore* certificates) {
     raise_to(metrics.log_dropped, static_cast<double>(log_lines_dropped()));
     if (!certificates) return;
     const double expiry =
@@ -318,7 +318,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         {.allowed_hosts = config.allowed_hosts,
          .why_not_ready = why_not_ready,
          .trouble = trouble,
-         .refresh = [&] { count_what_others_count(metrics, certificates.get()); }});
+         .refresh = [&] { refresh_metrics(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
     std::vector<CallMethod> methods = world_methods(control, worlds);
     std::ranges::move(query_methods(queries, worlds), std::back_inserter(methods));
@@ -373,7 +373,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     {
         const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
-        const MaintenanceThread upkeep(gate, certificates.get(), now_and_then, [&] {
+        const MaintenanceThread maintenance_thread(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_tick(now) && !grpc.trouble(now);
         });

@@ -44,7 +44,7 @@ constexpr auto kept_within = std::chrono::milliseconds(1800);
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
-class Wakers {
+class FrameNotifier {
 public:
     void set(GrpcServer* grpc, Gateway* gateway) {
         const std::lock_guard lock(mutex_);
@@ -70,7 +70,7 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
-WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& metrics) {
+WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Metrics& metrics) {
     const SceneLimits& scene = config.scene;
     return {.limits = {.scene = {.bodies_max = config.world.bodies_max,
                                  .joints_max = scene.joints_max,
@@ -239,7 +239,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     Metrics metrics(version, stage_names());
     metrics.clients_max.Set(config.world.clients_max);
     RpcMetrics rpc_metrics(metrics);
-    Wakers wakers;
+    FrameNotifier wakers;
     SessionDirectory sessions(config.world.clients_max, config.world.clients_per_address_max);
     raise_descriptor_limit();
     const auto failed = [](const Error& error) {

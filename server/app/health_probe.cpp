@@ -71,13 +71,13 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certifi
 
 // What is wrong with gRPC, or nothing.
 std::optional<std::string> probe_grpc(const HealthTarget& target,
-                                         std::chrono::milliseconds patience) {
+                                         std::chrono::milliseconds timeout) {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // never by way of another machine
     const auto stub = health::Health::NewStub(grpc::CreateCustomChannel(
         text_of(target.grpc), credentials(target.certificates), arguments));
     grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + patience);
+    context.set_deadline(std::chrono::system_clock::now() + timeout);
     health::HealthCheckResponse response;
     const grpc::Status status = stub->Check(&context, {}, &response);
     if (!status.ok()) return status.error_message();
@@ -117,7 +117,7 @@ asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget&
 
 // What is wrong with HTTP, or nothing.
 std::optional<std::string> probe_http(const HealthTarget& target,
-                                         std::chrono::milliseconds patience) {
+                                         std::chrono::milliseconds timeout) {
     asio::io_context io;
     std::optional<std::string> fault = "no answer in time";
     asio::co_spawn(io, ask_http(io, target),
@@ -132,7 +132,7 @@ std::optional<std::string> probe_http(const HealthTarget& target,
                            fault = error.what();
                        }
                    });
-    io.run_for(patience);
+    io.run_for(timeout);
     return fault;
 }
 
@@ -153,8 +153,8 @@ Result<HealthTarget> health_target(const Config& config) {
     return target;
 }
 
-Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds patience) {
-    const auto deadline = Clock::now() + patience;
+Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds timeout) {
+    const auto deadline = Clock::now() + timeout;
     const auto left = [&] {
         return std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
     };

@@ -28,7 +28,7 @@ Result<HealthTarget> health_target(const Config& config);
 
 // What both doors said, in one line; an error says what the door that failed said. Takes no longer
 // than `patience`, and a moment.
-Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds patience);
+Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds timeout);
 
 // Prints one line and returns the exit status within 3 s: 0 healthy, 1 not.
 int run_health_probe(const Config& config);

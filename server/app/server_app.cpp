@@ -38,9 +38,9 @@ namespace jostle::server {
 namespace {
 
 // From the end of the drain: sockets, threads and worlds are taken down within this, or else.
-constexpr auto orderly_end_max = std::chrono::milliseconds(2500);
+constexpr auto graceful_shutdown_max = std::chrono::milliseconds(2500);
 // ... of which the last checkpoints may take so long. Without them the journal says all.
-constexpr auto kept_within = std::chrono::milliseconds(1800);
+constexpr auto flush_timeout = std::chrono::milliseconds(1800);
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -161,7 +161,7 @@ void go_on(WorldArchive& archive, PlayContext& context) {
 }
 
 // What tells this process's worlds from those of another one behind the same address.
-std::string process_word() {
+std::string process_suffix() {
     std::random_device random;
     return fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
 }
@@ -256,7 +256,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         hosts.keepers = archive.get();
         sessions.use_ids(archive->first_client(), [&](ClientId next) { archive->on_client(next); });
     }
-    WorldDirectory worlds(hosts, config.world.worlds_max, process_word());
+    WorldDirectory worlds(hosts, config.world.worlds_max, process_suffix());
     if (!config.development.link.empty())
         log_warn("development.link makes the link to every client worse on purpose: {}",
                  config.development.link);
@@ -333,7 +333,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .relay = {.unread_bytes_max = config.connection.unread_bytes_max,
                                .unread_total_max = config.connection.unread_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
-                     .silence_max = from_seconds(config.stream.silence_seconds),
+                     .tcp_user_timeout = from_seconds(config.stream.silence_seconds),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,
@@ -382,7 +382,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         shutdown.wait(config.drain_seconds, grpc, gateway, context);
     }
 
-    const ShutdownWatchdog hard_exit(orderly_end_max);
+    const ShutdownWatchdog hard_exit(graceful_shutdown_max);
     wakers.set(nullptr, nullptr);
     if (datagrams) datagrams->stop();  // before those whom it wakes
     admin_control.stop();
@@ -390,7 +390,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     grpc.stop();
     if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();
-    if (archive && !archive->flush(kept_within))
+    if (archive && !archive->flush(flush_timeout))
         log_error("not all could be kept: {}", archive->trouble().value_or("the store is slow"));
     log_info("done");
     return 0;

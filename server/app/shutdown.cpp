@@ -9,7 +9,7 @@ namespace jostle::server {
 namespace {
 
 constexpr auto poll_period = std::chrono::milliseconds(100);
-constexpr auto goodbye_time = std::chrono::milliseconds(100);
+constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void Shutdown::wait_for_clients() {
 void Shutdown::finish() {
     context_->closing = true;
     wake();
-    timer_.expires_after(goodbye_time);
+    timer_.expires_after(notice_flush_time);
     timer_.async_wait([this](const boost::system::error_code&) { io_.stop(); });
 }
 

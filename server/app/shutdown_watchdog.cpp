@@ -7,10 +7,10 @@
 
 namespace jostle::server {
 
-ShutdownWatchdog::ShutdownWatchdog(Clock::duration patience)
-    : thread_([this, patience] {
+ShutdownWatchdog::ShutdownWatchdog(Clock::duration timeout)
+    : thread_([this, timeout] {
           std::unique_lock lock(mutex_);
-          if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
+          if (ended_.wait_for(lock, timeout, [this] { return done_; })) return;
           log_error("something did not end in time: exit at once");
           stop_log();
           std::_Exit(status);

@@ -16,7 +16,7 @@ public:
     static constexpr int status = 3;
 
     // From now on.
-    explicit ShutdownWatchdog(Clock::duration patience);
+    explicit ShutdownWatchdog(Clock::duration timeout);
     ~ShutdownWatchdog();  // in time
 
 private:

@@ -104,9 +104,9 @@ void AuditLog::reopen() {
     work_.notify_one();
 }
 
-bool AuditLog::flush(Clock::duration patience) {
+bool AuditLog::flush(Clock::duration timeout) {
     std::unique_lock lock(mutex_);
-    return idle_.wait_for(lock, patience, [&] { return queue_.empty() && !writing_ && !reopen_; });
+    return idle_.wait_for(lock, timeout, [&] { return queue_.empty() && !writing_ && !reopen_; });
 }
 
 std::uint64_t AuditLog::dropped() const {

@@ -48,7 +48,7 @@ public:
     // Opens the file anew (SIGHUP, after it was renamed). If that fails, the old one is written on.
     void reopen();
     // False: what was recorded is not written within that time.
-    bool flush(Clock::duration patience);
+    bool flush(Clock::duration timeout);
 
     std::uint64_t dropped() const;
 

@@ -313,7 +313,7 @@ void CallFront::give_up_waiting(Clock::time_point now) {
     for (const auto& call : calls_) {
         const Clock::rep since = call->waits_since.load();
         if (since == 0 || call->is_done) continue;
-        if (now - Clock::time_point(Clock::duration(since)) > limits_.patience)
+        if (now - Clock::time_point(Clock::duration(since)) > limits_.timeout)
             call->context.TryCancel();
     }
 }

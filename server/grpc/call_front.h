@@ -35,7 +35,7 @@ struct CallLimits {
     double answer_bytes_max = 64e6;  // made but not yet taken by their clients
     int waiting_threads = 2;         // for what waits for a world
     // For a request to come in, and for an answer to be taken.
-    Clock::duration patience = std::chrono::seconds(10);
+    Clock::duration timeout = std::chrono::seconds(10);
 };
 
 class CallFront {

@@ -26,7 +26,7 @@ constexpr int message_bytes_max = 4 * 1024 * 1024;  // methods and play streams 
 constexpr int streams_per_connection_max = 100;
 constexpr int header_bytes_max = 8 * 1024;
 constexpr int handshake_ms = 5'000;  // from the connection to the first settings
-constexpr auto shutdown_patience = std::chrono::seconds(1);
+constexpr auto shutdown_timeout = std::chrono::seconds(1);
 constexpr auto last_words_max = std::chrono::milliseconds(300);
 constexpr auto ask_period = std::chrono::milliseconds(500);
 constexpr auto unanswered_max = std::chrono::milliseconds(1500);
@@ -78,7 +78,7 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
              context.rpc_metrics),
       table_(settings_.connections),
       relay_(table_, settings_.relay, settings_.metrics),
-      acceptor_(table_, settings_.certificates, settings_.silence_max, settings_.metrics) {}
+      acceptor_(table_, settings_.certificates, settings_.tcp_user_timeout, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -166,16 +166,16 @@ void GrpcServer::wake() {
 
 // gRPC's Shutdown() tells the connections at once, and returns when all calls have ended or the
 // patience has.
-void GrpcServer::drain(Clock::duration patience) {
+void GrpcServer::drain(Clock::duration timeout) {
     if (!serving_.exchange(false) || !server_) return;
     { const std::lock_guard lock(asker_mutex_); }
     asker_wake_.notify_all();
     if (asker_.joinable()) asker_.join();
     acceptor_.stop();
-    shutdown_ = std::thread([this, patience] {
+    shutdown_ = std::thread([this, timeout] {
         // Those who watch our health are told first.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        server_->Shutdown(std::chrono::system_clock::now() + patience + shutdown_patience);
+        server_->Shutdown(std::chrono::system_clock::now() + timeout + shutdown_timeout);
     });
 }
 

@@ -35,7 +35,7 @@ struct GrpcSettings {
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};
     const ListenerMetrics* metrics = nullptr;                // null: nobody counts
-    Clock::duration silence_max = std::chrono::seconds(10);  // of who takes nothing
+    Clock::duration tcp_user_timeout = std::chrono::seconds(10);  // of who takes nothing
     Clock::duration idle_max = std::chrono::minutes(5);      // of a connection without a call
 };
 
@@ -58,7 +58,7 @@ public:
     void wake();
     // Health answers NOT_SERVING and nobody new is let in; each connection is told to go elsewhere
     // (GOAWAY). Streams that run go on for so long.
-    void drain(Clock::duration patience);
+    void drain(Clock::duration timeout);
     // Ends what is left and all threads.
     void stop();
 

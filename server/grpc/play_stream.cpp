@@ -16,7 +16,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr auto last_write_patience = std::chrono::seconds(1);
+constexpr auto last_write_timeout = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -102,7 +102,7 @@ void PlayStream::advance(Clock::time_point now) {
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its stream, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_patience) context_.TryCancel();
+        if (link_->end() && now >= link_->end_time() + last_write_timeout) context_.TryCancel();
         return;
     }
     std::optional<OutMessage> message;

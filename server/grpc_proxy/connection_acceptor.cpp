@@ -159,7 +159,7 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
         return;
     }
     set_socket_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
-    drop_when_silent(descriptor, silence_max_);
+    set_tcp_user_timeout(descriptor, tcp_user_timeout_);
     const auto tls = tls_.present();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);

@@ -28,12 +28,12 @@ public:
         std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
 
     // All outlive the acceptor. Null certificates: without TLS; null metrics: nobody counts.
-    // `silence_max`: a peer that takes nothing for so long is gone.
+    // `tcp_user_timeout`: a peer that takes nothing for so long is gone.
     ConnectionAcceptor(ConnectionTable& table, const CertificateStore* certificates,
-                       Clock::duration silence_max, const ListenerMetrics* metrics)
+                       Clock::duration tcp_user_timeout, const ListenerMetrics* metrics)
         : table_(table),
           tls_(certificates, {.only_http2 = true}),
-          silence_max_(silence_max),
+          tcp_user_timeout_(tcp_user_timeout),
           metrics_(metrics) {}
     ~ConnectionAcceptor();
 
@@ -70,7 +70,7 @@ private:
 
     ConnectionTable& table_;
     TlsContexts tls_;
-    const Clock::duration silence_max_;
+    const Clock::duration tcp_user_timeout_;
     const ListenerMetrics* const metrics_;
     HandOver hand_over_;
     int listener_ = -1, epoll_ = -1;

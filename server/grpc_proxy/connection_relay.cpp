@@ -125,9 +125,9 @@ void ConnectionRelay::add(std::unique_ptr<ClientSocket> client,
     eventfd_write(wake_, 1);
 }
 
-void ConnectionRelay::stop(Clock::duration patience) {
+void ConnectionRelay::stop(Clock::duration timeout) {
     if (!thread_.joinable()) return;
-    stop_at_ = (Clock::now() + patience).time_since_epoch().count();
+    stop_at_ = (Clock::now() + timeout).time_since_epoch().count();
     eventfd_write(wake_, 1);
     thread_.join();
 }

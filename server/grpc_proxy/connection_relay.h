@@ -55,7 +55,7 @@ public:
     Status start(HandOver hand_over);
     void add(std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection);
     // Moves what gRPC has still to say to its clients, for so long at most, then closes all.
-    void stop(Clock::duration patience);
+    void stop(Clock::duration timeout);
 
     // Any thread.
     std::uint64_t cut() const { return cut_.load(std::memory_order_relaxed); }

@@ -40,9 +40,9 @@ constexpr double work_of_byte = 1.0 / 4096;
 // trip.
 constexpr double resets_per_second = 20, resets_store = 100;
 constexpr double settings_per_second = 1, settings_store = 16;
-constexpr double pings_per_second = 200, pings_store = 400;
-constexpr double empty_per_second = 10, empty_store = 100;
-constexpr double odd_per_second = 10, odd_store = 100;
+constexpr double pings_per_second = 200, pings_burst = 400;
+constexpr double empty_per_second = 10, empty_burst = 100;
+constexpr double odd_per_second = 10, unusual_burst = 100;
 
 }  // namespace
 
@@ -50,9 +50,9 @@ FrameGuard::FrameGuard(Clock::time_point now)
     : work_(work_per_second, work_store, now),
       resets_(resets_per_second, resets_store, now),
       settings_(settings_per_second, settings_store, now),
-      pings_(pings_per_second, pings_store, now),
-      empty_(empty_per_second, empty_store, now),
-      odd_(odd_per_second, odd_store, now) {}
+      pings_(pings_per_second, pings_burst, now),
+      empty_(empty_per_second, empty_burst, now),
+      odd_(odd_per_second, unusual_burst, now) {}
 
 Status FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point now) {
     work_.spend(static_cast<double>(bytes.size()) * work_of_byte, now);

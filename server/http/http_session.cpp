@@ -56,12 +56,12 @@ void HttpSession::abort() {
     stream_.tcp().socket().close(ignored);
 }
 
-void HttpSession::read(std::chrono::seconds patience) {
+void HttpSession::read(std::chrono::seconds timeout) {
     give_back_body();
     idle_since_ = Clock::now();
     parser_.emplace();
     set_bounds(*parser_, services_.settings);
-    stream_.tcp().expires_after(patience);
+    stream_.tcp().expires_after(timeout);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
                                 self->on_head(error);

@@ -46,7 +46,7 @@ public:
 private:
     using Response = boost::beast::http::response<Body>;
 
-    void read(std::chrono::seconds patience);
+    void read(std::chrono::seconds timeout);
     void on_head(boost::beast::error_code error);
     void read_body();
     void on_body(boost::beast::error_code error);

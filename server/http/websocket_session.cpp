@@ -23,7 +23,7 @@ using boost::asio::const_buffer;
 namespace {
 
 constexpr auto handshake_timeout = std::chrono::seconds(5);  // also for the closing handshake
-constexpr auto last_write_patience = std::chrono::seconds(1);
+constexpr auto last_write_timeout = std::chrono::seconds(1);
 
 websocket::close_code close_code_of(ErrorCode code) {
     switch (code) {
@@ -66,7 +66,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     const auto endpoint = tcp.socket().remote_endpoint(error);
     if (!error) address_ = endpoint.address().to_string();
     tcp.expires_never();  // from here on the WebSocket layer and the link keep time
-    drop_when_silent(tcp.socket().native_handle(),
+    set_tcp_user_timeout(tcp.socket().native_handle(),
                      from_seconds(context_.config.stream.silence_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
@@ -140,7 +140,7 @@ void WebSocketSession::advance(Clock::time_point now) {
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its socket, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_patience) abort();
+        if (link_->end() && now >= link_->end_time() + last_write_timeout) abort();
         return;
     }
     if (std::optional<OutMessage> message = link_->take_message(now)) {

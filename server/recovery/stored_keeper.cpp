@@ -41,9 +41,9 @@ void CheckpointWriter::push(Job job) {
     changed_.notify_all();
 }
 
-bool CheckpointWriter::wait(Clock::duration patience) {
+bool CheckpointWriter::wait(Clock::duration timeout) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, patience, [&] { return jobs_.empty() && !busy_; });
+    return changed_.wait_for(lock, timeout, [&] { return jobs_.empty() && !busy_; });
 }
 
 void CheckpointWriter::run() {

@@ -46,7 +46,7 @@ public:
     ~CheckpointWriter();
     void push(Job job);
     // Waits until all that was pushed has been done. False: not within that time.
-    bool wait(Clock::duration patience);
+    bool wait(Clock::duration timeout);
 
 private:
     void run();

@@ -20,7 +20,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(5);
+constexpr auto timeout = std::chrono::seconds(5);
 constexpr ClientId ids_at_once = 1 << 16;
 constexpr const char* secret_note = "secret";
 constexpr const char* clients_note = "clients";
@@ -283,7 +283,7 @@ Status WorldArchive::open(WorldStart& start) {
                                                 .settings = encode_world_record(record)}},
                                       nullptr) &&
                         writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
-    if (!pushed || !writer_->flush(patience)) {
+    if (!pushed || !writer_->flush(timeout)) {
         writer_->push(DropWorld{id}, nullptr);
         return Error{ErrorCode::unavailable,
                      "the world cannot be kept: " +
@@ -294,9 +294,9 @@ Status WorldArchive::open(WorldStart& start) {
 }
 
 void WorldArchive::drop(const std::string& id) {
-    checkpoints_->wait(patience);
+    checkpoints_->wait(timeout);
     marks_->drop(id);
-    if (!writer_->push(DropWorld{id}, nullptr) || !writer_->flush(patience))
+    if (!writer_->push(DropWorld{id}, nullptr) || !writer_->flush(timeout))
         log_error("world {} may come back: that it was deleted could not be kept", id);
 }
 
@@ -304,7 +304,7 @@ Result<std::unique_ptr<WorldStore>> WorldArchive::copy_of(const std::string& id,
                                                           std::uint32_t last_tick) {
     Result<std::unique_ptr<CopiedWorld>> copy = slow();
     writer_->visit([&](WorldStore& store) { copy = CopiedWorld::of(store, id, 2, last_tick); },
-                   patience);
+                   timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStore>(*std::move(copy));
 }
@@ -328,7 +328,7 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
 }
 
 Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
-    checkpoints_->wait(patience);
+    checkpoints_->wait(timeout);
     Result<std::unique_ptr<CopiedWorld>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
     writer_->visit(
@@ -336,7 +336,7 @@ Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
             copy = CopiedWorld::of(store, id, 2);
             ticks = store.checkpoint_ticks(id);
         },
-        patience);
+        timeout);
     if (!copy.ok()) return copy.error();
     if (!ticks.ok()) return ticks.error();
     const StoredWorld stored = (*copy)->worlds().value().front();

@@ -56,7 +56,7 @@ public:
     std::optional<std::string> trouble() const { return writer_->failing(); }
     std::size_t bytes_waiting() const { return writer_->bytes_waiting(); }
     // Waits until all is kept that was handed over. False: not within that time.
-    bool flush(Clock::duration patience);
+    bool flush(Clock::duration timeout);
 
     Status open(WorldStart& start) override;
     void drop(const std::string& id) override;

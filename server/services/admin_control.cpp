@@ -16,7 +16,7 @@ constexpr std::size_t reason_bytes_max = 100;
 constexpr std::uint32_t steps_max = 1000;
 constexpr std::size_t export_bytes_max = 64u << 20;
 // Beyond the time that steps take at the world's rate.
-constexpr double step_patience_s = 2;
+constexpr double step_timeout_s = 2;
 
 // An operator names the world that is meant: the first one is not a good guess.
 Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
@@ -127,7 +127,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
     if (Status s = waiting.admitted(); !s.ok()) return s;
     const auto steps = static_cast<int>(request.steps());
     const Result<int> taken =
-        (*world)->steps().take(steps, from_seconds(steps / (*world)->hz() + step_patience_s));
+        (*world)->steps().take(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
     if (!taken.ok()) return taken.error();
     response.set_tick((*world)->frame()->tick);
     response.set_steps_taken(static_cast<std::uint32_t>(*taken));

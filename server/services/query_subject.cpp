@@ -26,7 +26,7 @@ Result<QueryFramePtr> frame_of(WorldHost& world, CopyParts parts) {
     if (world.stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
     return Error{ErrorCode::unavailable,
                  fmt::format("the world took more than {} ms for a step; ask again",
-                             QueryBroker::patience.count())};
+                             QueryBroker::timeout.count())};
 }
 
 Status check_view_time(const v1::ViewTime& view_time) {

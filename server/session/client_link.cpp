@@ -380,9 +380,9 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     lane_.reset();
 }
 
-void ClientLink::forgive_pause(Clock::time_point now) {
+void ClientLink::forgive_process_stall(Clock::time_point now) {
     const Clock::duration pause = now - std::exchange(looked_, now);
-    if (pause <= pause_of_ours) return;
+    if (pause <= process_stall_min) return;
     begun_ += pause;
     last_received_ = std::min(last_received_ + pause, now);
     if (writing_since_) writing_since_ = std::min(*writing_since_ + pause, now);
@@ -391,7 +391,7 @@ void ClientLink::forgive_pause(Clock::time_point now) {
 // What time alone decides, and what the server as a whole decided.
 void ClientLink::check_timeouts(Clock::time_point now) {
     if (end_) return;
-    forgive_pause(now);
+    forgive_process_stall(now);
     const StreamSettings& limits = context_.config.stream;
     if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
     if (context_.draining && !draining_sent_) {

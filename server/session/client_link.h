@@ -114,7 +114,7 @@ private:
                     Clock::time_point now);
     void drop_message(Clock::time_point now);
 
-    void forgive_pause(Clock::time_point now);
+    void forgive_process_stall(Clock::time_point now);
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
     void drop_waiting();

@@ -144,8 +144,8 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
         lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
-    const auto patience = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
-    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= patience) {
+    const auto timeout = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
+    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= timeout) {
         context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;

@@ -61,15 +61,15 @@ Status make_file(const std::string& path, bool make) {
 
 }  // namespace
 
-SqliteStatement& SqliteStatement::bind(int place, std::string_view bytes) {
+SqliteStatement& SqliteStatement::bind(int index, std::string_view bytes) {
     // An empty piece is an empty blob, not nothing.
-    sqlite3_bind_blob64(statement_.get(), place, bytes.empty() ? "" : bytes.data(), bytes.size(),
+    sqlite3_bind_blob64(statement_.get(), index, bytes.empty() ? "" : bytes.data(), bytes.size(),
                         SQLITE_STATIC);
     return *this;
 }
 
-SqliteStatement& SqliteStatement::bind(int place, std::uint64_t number) {
-    sqlite3_bind_int64(statement_.get(), place, static_cast<sqlite3_int64>(number));
+SqliteStatement& SqliteStatement::bind(int index, std::uint64_t number) {
+    sqlite3_bind_int64(statement_.get(), index, static_cast<sqlite3_int64>(number));
     return *this;
 }
 

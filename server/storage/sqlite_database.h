@@ -21,8 +21,8 @@ public:
     explicit SqliteStatement(sqlite3_stmt* statement) : statement_(statement) {}
 
     // ?1, ?2 and so on; what is bound lives until the statement is done.
-    SqliteStatement& bind(int place, std::string_view bytes);
-    SqliteStatement& bind(int place, std::uint64_t number);
+    SqliteStatement& bind(int index, std::string_view bytes);
+    SqliteStatement& bind(int index, std::uint64_t number);
     // True: there is a row. False: none is left, and the statement may be run again.
     Result<bool> step();
     Status run();

@@ -28,7 +28,7 @@ StoreWriter::StoreWriter(std::unique_ptr<WorldStore> store, const StoreWriterSet
 StoreWriter::~StoreWriter() {
     {
         const std::lock_guard lock(mutex_);
-        last_try_ = Clock::now() + settings_.patience;
+        last_try_ = Clock::now() + settings_.timeout;
     }
     changed_.notify_all();
     thread_.join();
@@ -47,15 +47,15 @@ bool StoreWriter::push(StoreChange change, Done done) {
     return true;
 }
 
-bool StoreWriter::flush(Clock::duration patience) {
+bool StoreWriter::flush(Clock::duration timeout) {
     std::unique_lock lock(mutex_);
     const std::uint64_t all = pushed_;
-    return changed_.wait_for(lock, patience, [&] { return finished_ >= all; });
+    return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
 bool StoreWriter::visit(const std::function<void(WorldStore& store)>& look,
-                        Clock::duration patience) {
-    const Clock::time_point until = Clock::now() + patience;
+                        Clock::duration timeout) {
+    const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (!changed_.wait_until(lock, until, [&] { return !visit_; })) return false;
     visit_ = &look;
@@ -75,9 +75,9 @@ bool StoreWriter::visit(const std::function<void(WorldStore& store)>& look,
 std::optional<std::string> StoreWriter::failing() const {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
-    if (writing_since_ && Clock::now() - *writing_since_ > settings_.patience)
+    if (writing_since_ && Clock::now() - *writing_since_ > settings_.timeout)
         return "the store takes longer than " +
-               std::to_string(static_cast<int>(to_ms(settings_.patience))) + " ms to write";
+               std::to_string(static_cast<int>(to_ms(settings_.timeout))) + " ms to write";
     return std::nullopt;
 }
 

@@ -24,7 +24,7 @@ struct StoreWriterSettings {
     std::size_t bytes_max = 64 << 20;  // that wait; beyond it changes are refused
     Clock::duration retry = std::chrono::milliseconds(250);  // after a failure
     // A store that has taken so long over what it was given counts as failing.
-    Clock::duration patience = std::chrono::seconds(1);
+    Clock::duration timeout = std::chrono::seconds(1);
 };
 
 class StoreWriter {
@@ -42,10 +42,10 @@ public:
     bool push(StoreChange change, Done done);
     // Any thread: looks at the store on the writer's thread, after what was pushed before, and
     // returns when that is over. False: the writer did not come to it within that time.
-    bool visit(const std::function<void(WorldStore& store)>& look, Clock::duration patience);
+    bool visit(const std::function<void(WorldStore& store)>& look, Clock::duration timeout);
     // Any thread: waits until all that was pushed before has been written or refused. False: not
     // within that time.
-    bool flush(Clock::duration patience);
+    bool flush(Clock::duration timeout);
     // Any thread: why the store does not take what it is given; nothing: it does.
     std::optional<std::string> failing() const;
     // Any thread.

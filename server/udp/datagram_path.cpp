@@ -46,7 +46,7 @@ DatagramPath::DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int s
 
 bool DatagramPath::is_open(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
-    return address_ && now - heard_ < silence_max;
+    return address_ && now - heard_ < receive_timeout;
 }
 
 void DatagramPath::ask_anew() {

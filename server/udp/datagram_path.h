@@ -40,7 +40,7 @@ class DatagramPath {
 public:
     static constexpr std::size_t mail_max = 256;  // not taken yet; more is dropped
     // Who has not been heard for so long is not sent to.
-    static constexpr auto silence_max = std::chrono::seconds(2);
+    static constexpr auto receive_timeout = std::chrono::seconds(2);
 
     // `on_message`: any thread, for each message that was put into the mail; it must be quick.
     DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int socket,

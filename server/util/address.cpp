@@ -11,17 +11,17 @@ namespace jostle::server {
 
 namespace {
 
-const in6_addr& six_of(const sockaddr_storage& address) {
+const in6_addr& ipv6_prefix_of(const sockaddr_storage& address) {
     return reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
 }
 
 // IPv4, also when it came by an IPv6 socket.
 std::optional<in_addr> ipv4_of(const sockaddr_storage& address) {
     if (address.ss_family == AF_INET) return reinterpret_cast<const sockaddr_in&>(address).sin_addr;
-    if (address.ss_family != AF_INET6 || !IN6_IS_ADDR_V4MAPPED(&six_of(address)))
+    if (address.ss_family != AF_INET6 || !IN6_IS_ADDR_V4MAPPED(&ipv6_prefix_of(address)))
         return std::nullopt;
     in_addr four{};
-    std::memcpy(&four, six_of(address).s6_addr + 12, 4);
+    std::memcpy(&four, ipv6_prefix_of(address).s6_addr + 12, 4);
     return four;
 }
 
@@ -35,7 +35,7 @@ std::string text_of(int family, const void* address) {
 std::string network_of(const sockaddr_storage& address) {
     if (const auto four = ipv4_of(address)) return text_of(AF_INET, &*four);
     if (address.ss_family != AF_INET6) return "elsewhere";
-    in6_addr net = six_of(address);
+    in6_addr net = ipv6_prefix_of(address);
     std::memset(net.s6_addr + 8, 0, 8);
     return text_of(AF_INET6, &net) + "/64";
 }
@@ -54,7 +54,7 @@ std::string network_of(std::string_view address) {
 
 std::string address_name(const sockaddr_storage& address) {
     if (const auto four = ipv4_of(address)) return text_of(AF_INET, &*four);
-    return address.ss_family == AF_INET6 ? text_of(AF_INET6, &six_of(address)) : "elsewhere";
+    return address.ss_family == AF_INET6 ? text_of(AF_INET6, &ipv6_prefix_of(address)) : "elsewhere";
 }
 
 std::string peer_name(const sockaddr_storage& address) {

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 // A thread that looks every few hundredths of a second and has not looked for so long stood still,
 // and with it the process or the machine: nobody else was late.
-inline constexpr auto pause_of_ours = std::chrono::milliseconds(500);
+inline constexpr auto process_stall_min = std::chrono::milliseconds(500);
 
 // On the wire: microseconds of the server's monotonic clock. That of the machine may have begun
 // after the first tick of a world that was kept: on the wire it began 35 years earlier.

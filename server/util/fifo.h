@@ -19,7 +19,7 @@ public:
     T& front() { return items_[first_]; }
     const T& front() const { return items_[first_]; }
     const T& back() const { return items_.back(); }
-    const T& operator[](std::size_t place) const { return items_[first_ + place]; }
+    const T& operator[](std::size_t index) const { return items_[first_ + index]; }
     auto begin() { return items_.begin() + offset(); }
     auto end() { return items_.end(); }
     auto begin() const { return items_.begin() + offset(); }
@@ -39,11 +39,11 @@ public:
     void clear() {
         first_ = 0;
         items_.clear();
-        if (items_.capacity() > kept) items_ = {};
+        if (items_.capacity() > retained_capacity) items_ = {};
     }
 
 private:
-    static constexpr std::size_t kept = 64;  // items; after a flood its memory is given back
+    static constexpr std::size_t retained_capacity = 64;  // items; after a flood its memory is given back
 
     std::ptrdiff_t offset() const { return static_cast<std::ptrdiff_t>(first_); }
 

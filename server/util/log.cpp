@@ -22,7 +22,7 @@ constexpr std::size_t queue_lines = 8192;
 // poll() allowed does not wait.
 constexpr std::size_t message_bytes_max = 2000;
 constexpr std::size_t json_message_bytes_max = 1500;
-constexpr int reader_patience_ms = 250;
+constexpr int reader_timeout_ms = 250;
 
 std::string time_of(const spdlog::log_clock::time_point at, bool utc) {
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch());
@@ -57,7 +57,7 @@ protected:
         const std::string_view level(spdlog::level::to_string_view(message.level).data(),
                                      spdlog::level::to_string_view(message.level).size());
         const std::string_view text(message.payload.data(), message.payload.size());
-        tell_drops(message.time);
+        report_drops(message.time);
         if (!write(line(message.time, level, text))) dropped_++;
     }
     void flush_() override {}
@@ -72,7 +72,7 @@ private:
                            time_of(at, true), level,
                            json_string(printable(message, json_message_bytes_max)));
     }
-    void tell_drops(spdlog::log_clock::time_point at) {
+    void report_drops(spdlog::log_clock::time_point at) {
         const std::uint64_t now = dropped_;
         if (now == told_) return;
         if (write(
@@ -83,7 +83,7 @@ private:
         std::size_t done = 0;
         while (done < text.size()) {
             pollfd ready{descriptor_, POLLOUT, 0};
-            if (::poll(&ready, 1, closing_ ? 0 : reader_patience_ms) <= 0) return false;
+            if (::poll(&ready, 1, closing_ ? 0 : reader_timeout_ms) <= 0) return false;
             const ssize_t wrote = ::write(descriptor_, text.data() + done, text.size() - done);
             if (wrote < 0 && errno == EINTR) continue;
             if (wrote <= 0) return false;

@@ -20,8 +20,8 @@ inline void set_socket_option(int descriptor, int level, int name, int value) {
 // The system closes the connection when the peer takes nothing for so long though there is
 // something for it: it is gone, or it does not read (RFC 5482; on Linux that counts for a window
 // that stays shut, too).
-inline void drop_when_silent(int descriptor, Clock::duration silence_max) {
-    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(silence_max).count();
+inline void set_tcp_user_timeout(int descriptor, Clock::duration tcp_user_timeout) {
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(tcp_user_timeout).count();
     set_socket_option(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(ms));
 }
 

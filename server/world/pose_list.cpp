@@ -20,15 +20,15 @@ void PoseEditor::assign(const std::vector<EntityPose>& poses) {
     changed_ = true;
 }
 
-void PoseEditor::set(std::size_t place, const physics::Transform& pose, bool awake) {
-    const EntityPose& old = list_[place];
+void PoseEditor::set(std::size_t index, const physics::Transform& pose, bool awake) {
+    const EntityPose& old = list_[index];
     if (old.awake == awake && old.pose == pose) return;
-    const std::size_t block = place / PoseList::block_size;
+    const std::size_t block = index / PoseList::block_size;
     if (!open_[block]) {
         open_[block] = std::make_shared<PoseList::Block>(*list_.blocks_[block]);
         list_.blocks_[block] = open_[block];
     }
-    EntityPose& now = (*open_[block])[place % PoseList::block_size];
+    EntityPose& now = (*open_[block])[index % PoseList::block_size];
     now.pose = pose;
     now.awake = awake;
     changed_ = true;

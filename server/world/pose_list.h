@@ -81,7 +81,7 @@ public:
     // All anew.
     void assign(const std::vector<EntityPose>& poses);
     // The entity at that place; nothing happens when it is as it was.
-    void set(std::size_t place, const physics::Transform& pose, bool awake);
+    void set(std::size_t index, const physics::Transform& pose, bool awake);
     // The list with all that was set; `changed` says whether it differs from the last one taken.
     const PoseList& take(bool& changed);
 

@@ -19,7 +19,7 @@ void QueryBroker::want(CopyParts parts, Clock::time_point now) {
 QueryFramePtr QueryBroker::ask(CopyParts parts) {
     want(parts, Clock::now());
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return closed_ || is_good(parts); });
+    changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(parts); });
     return !closed_ && is_good(parts) ? frame_ : nullptr;
 }
 

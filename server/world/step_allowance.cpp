@@ -3,8 +3,8 @@
 
 namespace jostle::server {
 
-Result<int> StepAllowance::take(int steps, Clock::duration patience) {
-    const Clock::time_point end = Clock::now() + patience;
+Result<int> StepAllowance::take(int steps, Clock::duration timeout) {
+    const Clock::time_point end = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (wanted_)

@@ -17,7 +17,7 @@ class StepAllowance {
 public:
     // Any thread: lets a paused world take so many steps, and waits until frames show them, or for
     // `patience`. How many were taken. Errors: somebody else steps it, or the world ended.
-    Result<int> take(int steps, Clock::duration patience);
+    Result<int> take(int steps, Clock::duration timeout);
 
     // The thread of a paused world, in each tick: whether it takes a step all the same; and when
     // the tick's frame is out.

@@ -12,7 +12,7 @@ Status WorldVisits::make(const Visit& visit) {
         return Error{ErrorCode::resource_exhausted,
                      "somebody else looks at this world; try again in a moment"};
     waiting_ = &visit;
-    changed_.wait_for(lock, patience, [&] { return closed_ || waiting_ != &visit; });
+    changed_.wait_for(lock, timeout, [&] { return closed_ || waiting_ != &visit; });
     // The world's thread takes it under the lock: what is still here was not begun.
     if (waiting_ != &visit) {
         if (!failed_) return {};

@@ -21,7 +21,7 @@ class WorldVisits {
 public:
     using Visit = std::function<void(HostedWorld&)>;
     // A tick may take long; one that takes longer is hung.
-    static constexpr auto patience = std::chrono::seconds(5);
+    static constexpr auto timeout = std::chrono::seconds(5);
 
     // Any thread: returns when the visit is over. Errors: somebody else visits, the world ended or
     // does not come to a tick's end.

@@ -217,7 +217,7 @@ TEST_F(DatagramsTest, a_way_that_is_blocked_costs_nothing_and_is_told_of) {
 TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) {
     const auto player = join();
     ASSERT_TRUE(goes_by_datagrams(*player));
-    const auto without_datagrams_within = [&](Clock::duration patience) {
+    const auto without_datagrams_within = [&](Clock::duration timeout) {
         const auto cut = Clock::now();
         const auto comes_by_stream = [&] {
             const auto before = player->stats();
@@ -226,7 +226,7 @@ TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) 
             return !now.datagrams && now.datagram_snapshots == before.datagram_snapshots &&
                    now.snapshots > before.snapshots + 3;
         };
-        return wait_until(comes_by_stream) && Clock::now() - cut < patience;
+        return wait_until(comes_by_stream) && Clock::now() - cut < timeout;
     };
     proxy.down_loss_percent = 100;
     EXPECT_TRUE(without_datagrams_within(10s)) << "there";

@@ -30,8 +30,8 @@ protected:
 
     // One push every 5 ms for so long; until `done` says so.
     template <class Done>
-    bool play(WorldHost& world, Clock::duration patience, Done&& done) {
-        for (const auto end = Clock::now() + patience; Clock::now() < end;) {
+    bool play(WorldHost& world, Clock::duration timeout, Done&& done) {
+        for (const auto end = Clock::now() + timeout; Clock::now() < end;) {
             world.push({.client = 1,
                         .sequence = ++sequence_,
                         .action = ImpulseCommand{2, {0, 1, 0}, {}},

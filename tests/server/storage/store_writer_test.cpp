@@ -81,7 +81,7 @@ TEST(StoreWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) 
 }
 
 TEST(StoreWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
-    Desk desk({.patience = 100ms});
+    Desk desk({.timeout = 100ms});
     desk.disk->delay_ms = 500;
     EXPECT_TRUE(desk.push(desk.journal.next("slow")));
     ASSERT_TRUE(wait_until([&] { return desk.writer->failing().has_value(); }));
@@ -125,7 +125,7 @@ TEST(StoreWriter, at_the_end_it_writes_what_waits_or_says_that_it_could_not) {
     desk.writer.reset();
     EXPECT_EQ(desk.text(), "abc");
 
-    Desk dead({.patience = 200ms});
+    Desk dead({.timeout = 200ms});
     dead.disk->fail(Error{ErrorCode::unavailable, "the disk is gone"});
     for (const char* text : {"a", "b", "c"}) dead.push(dead.journal.next(text));
     const auto began = Clock::now();

@@ -39,9 +39,9 @@ public:
                   static_cast<ssize_t>(packet.size()));
     }
     // Nothing: none came within that time.
-    std::optional<std::string> receive(std::chrono::milliseconds patience = 1000ms) const {
+    std::optional<std::string> receive(std::chrono::milliseconds timeout = 1000ms) const {
         pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
-        if (poll(&watched, 1, static_cast<int>(patience.count())) != 1) return std::nullopt;
+        if (poll(&watched, 1, static_cast<int>(timeout.count())) != 1) return std::nullopt;
         std::string packet(2000, ' ');
         const ssize_t size = recv(descriptor_, packet.data(), packet.size(), 0);
         packet.resize(size < 0 ? 0 : static_cast<std::size_t>(size));

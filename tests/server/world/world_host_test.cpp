@@ -92,7 +92,7 @@ TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
     const QueryFramePtr copy = host->query_frame(copy_shapes);
     ASSERT_NE(copy, nullptr);
     EXPECT_EQ(copy->tick, 3u);
-    EXPECT_LT(Clock::now() - asked, QueryBroker::patience) << "and nobody is waited for";
+    EXPECT_LT(Clock::now() - asked, QueryBroker::timeout) << "and nobody is waited for";
     host->stop();
     EXPECT_EQ(host->query_frame(copy_shapes), nullptr);
 }

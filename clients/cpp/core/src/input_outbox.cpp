@@ -65,9 +65,9 @@ bool InputOutbox::fits(std::size_t bytes_max) const {
     return bytes <= bytes_max;
 }
 
-bool InputOutbox::is_stuck(Clock::duration patience, Clock::time_point now) const {
+bool InputOutbox::is_stuck(Clock::duration timeout, Clock::time_point now) const {
     return first_ < next_unsaid_ && open_since_ != Clock::time_point{} &&
-           now - open_since_ > patience;
+           now - open_since_ > timeout;
 }
 
 std::uint32_t InputOutbox::next_for_stream() const {

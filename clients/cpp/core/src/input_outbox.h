@@ -45,7 +45,7 @@ public:
     // Whether all that is open fits into one batch of so many bytes.
     bool fits(std::size_t bytes_max) const;
     // Something that a datagram said was not confirmed for so long.
-    bool is_stuck(Clock::duration patience, Clock::time_point now) const;
+    bool is_stuck(Clock::duration timeout, Clock::time_point now) const;
 
     // Whether the stream has something to say that it has not said yet.
     bool has_for_stream() const { return next_for_stream() < next_; }

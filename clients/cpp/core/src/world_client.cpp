@@ -16,7 +16,7 @@
 namespace jostle::client {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(5);
+constexpr auto timeout = std::chrono::seconds(5);
 
 template <class Stub, class Request, class Response>
 Result<Response> call(Stub& stub,
@@ -24,7 +24,7 @@ Result<Response> call(Stub& stub,
                       const Request& request, const Security& security) {
     grpc::ClientContext context;
     show_token(context, security);
-    context.set_deadline(std::chrono::system_clock::now() + patience);
+    context.set_deadline(std::chrono::system_clock::now() + timeout);
     context.set_wait_for_ready(true);
     Response response;
     const Status status = from_grpc((stub.*method)(&context, request, &response));

@@ -33,26 +33,26 @@ constexpr std::uint32_t block_bytes_max = 32 * 1024, block_frames_max = 8;
 
 // Work is counted in small frames. A player sends some 200 frames a second: inputs, window updates
 // and pings; a message of 4 MiB has 260 of them.
-constexpr double work_per_second = 4000, work_store = 4000;
+constexpr double work_per_second = 4000, work_burst = 4000;
 constexpr double work_of_stream = 4;  // a call is more than a frame
 constexpr double work_of_byte = 1.0 / 4096;
 // In the long run and at once. Clients measure their lines by pings, some of them once a round
 // trip.
-constexpr double resets_per_second = 20, resets_store = 100;
-constexpr double settings_per_second = 1, settings_store = 16;
+constexpr double resets_per_second = 20, resets_burst = 100;
+constexpr double settings_per_second = 1, settings_burst = 16;
 constexpr double pings_per_second = 200, pings_burst = 400;
 constexpr double empty_per_second = 10, empty_burst = 100;
-constexpr double odd_per_second = 10, unusual_burst = 100;
+constexpr double unusual_per_second = 10, unusual_burst = 100;
 
 }  // namespace
 
 FrameGuard::FrameGuard(Clock::time_point now)
-    : work_(work_per_second, work_store, now),
-      resets_(resets_per_second, resets_store, now),
-      settings_(settings_per_second, settings_store, now),
+    : work_(work_per_second, work_burst, now),
+      resets_(resets_per_second, resets_burst, now),
+      settings_(settings_per_second, settings_burst, now),
       pings_(pings_per_second, pings_burst, now),
       empty_(empty_per_second, empty_burst, now),
-      odd_(odd_per_second, unusual_burst, now) {}
+      unusual_(unusual_per_second, unusual_burst, now) {}
 
 Status FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point now) {
     work_.spend(static_cast<double>(bytes.size()) * work_of_byte, now);
@@ -112,13 +112,13 @@ Status FrameGuard::on_head(const Head& head, Clock::time_point now) {
             return {};
         case priority:
         case goaway:
-            return allow(odd_, "PRIORITY or GOAWAY", now);
+            return allow(unusual_, "PRIORITY or GOAWAY", now);
         case push_promise:
         case continuation:
             return Error{ErrorCode::invalid_argument,
                          "a PUSH_PROMISE, or a CONTINUATION of nothing"};
         default:
-            return allow(odd_, "unknown", now);
+            return allow(unusual_, "unknown", now);
     }
 }
 

@@ -55,7 +55,7 @@ private:
     std::uint32_t block_stream_ = 0;  // whose header block goes on; 0: none does
     std::uint32_t block_bytes_ = 0, block_frames_ = 0;
     std::uint64_t streams_opened_ = 0;
-    TokenBucket work_, resets_, settings_, pings_, empty_, odd_;
+    TokenBucket work_, resets_, settings_, pings_, empty_, unusual_;
 };
 
 }  // namespace jostle::server

@@ -379,7 +379,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));
-        shutdown.wait(config.drain_seconds, grpc, gateway, context);
+        shutdown.wait(config.drain_timeout_seconds, grpc, gateway, context);
     }
 
     const ShutdownWatchdog hard_exit(graceful_shutdown_max);

@@ -13,9 +13,9 @@ constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
 
-void Shutdown::wait(double drain_seconds, GrpcServer& grpc, Gateway& gateway,
+void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, Gateway& gateway,
                     PlayContext& context) {
-    drain_ = from_seconds(drain_seconds);
+    drain_ = from_seconds(drain_timeout_seconds);
     grpc_ = &grpc;
     gateway_ = &gateway;
     context_ = &context;

@@ -18,9 +18,9 @@ namespace jostle::server {
 
 class Shutdown {
 public:
-    // Waits for the first of them, then gives clients `drain_seconds` to leave; a further signal
+    // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further signal
     // ends the wait.
-    void wait(double drain_seconds, GrpcServer& grpc, Gateway& gateway, PlayContext& context);
+    void wait(double drain_timeout_seconds, GrpcServer& grpc, Gateway& gateway, PlayContext& context);
 
 private:
     void await_signal();

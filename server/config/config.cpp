@@ -51,7 +51,7 @@ Status check_access(const Config& c) {
 
 Status check(const Config& c) {
     const Range ranges[] = {
-        {"drain_seconds", c.drain_seconds, 0, 3600},
+        {"drain_timeout_seconds", c.drain_timeout_seconds, 0, 3600},
         {"network_threads", c.network_threads, 1, 64},
         {"client.messages_per_second", c.client.messages_per_second, 1, 1e6},
         {"client.bytes_per_second", c.client.bytes_per_second, 1024, 1e9},

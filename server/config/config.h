@@ -158,7 +158,7 @@ struct Config {
     // The host name that clients are sent to, for a server that listens on all addresses; empty:
     // the name of the machine.
     std::string advertise;
-    double drain_seconds = 5;  // after SIGTERM, for clients to leave
+    double drain_timeout_seconds = 5;  // after SIGTERM, for clients to leave
     int network_threads = 1;   // gRPC play streams; each owns its clients
     ClientLimits client;
     ConnectionLimits connection;

@@ -67,7 +67,7 @@ Setters setters_of(Config& c) {
         {"log_level", into(c.log_level)},
         {"log_format", into(c.log_format)},
         {"advertise", into(c.advertise)},
-        {"drain_seconds", into(c.drain_seconds)},
+        {"drain_timeout_seconds", into(c.drain_timeout_seconds)},
         {"network_threads", into(c.network_threads)},
         {"client.messages_per_second", into(c.client.messages_per_second)},
         {"client.bytes_per_second", into(c.client.bytes_per_second)},

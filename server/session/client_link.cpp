@@ -397,7 +397,7 @@ void ClientLink::check_timeouts(Clock::time_point now) {
     if (context_.draining && !draining_sent_) {
         draining_sent_ = true;
         send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
-                                                             context_.config.drain_seconds)));
+                                                             context_.config.drain_timeout_seconds)));
     }
     if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
     if (!feed_) {

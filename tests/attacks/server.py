@@ -42,7 +42,7 @@ class Server:
         (folder / "target.json").write_text(json.dumps(target or DEFAULT_TARGET))
         (folder / "server.toml").write_text(
             f'listen = "{SERVER}:0"\nhttp = "{SERVER}:0"\nscenes = ["sandbox", "{folder}/target.json"]\n'
-            f'drain_seconds = {DRAIN_SECONDS}\nlog_level = "{log_level}"\n{settings}\n')
+            f'drain_timeout_seconds = {DRAIN_SECONDS}\nlog_level = "{log_level}"\n{settings}\n')
         self.log_path, self.max_rss_mb, self.max_threads, self.killed = folder / "log", 0.0, 0, False
         log = open(self.log_path, "wb")
         self.reader, out = None, log

@@ -85,9 +85,9 @@ function faults_of_references(objects) {
 // The server ends itself 3 s after its drain at the latest: who kills it must wait longer.
 function faults_of_patience(objects) {
     const settings = objects.find(o => o.kind === "ConfigMap" && o.data?.["jostle-server.toml"]);
-    const drain = Number(/^drain_seconds = (\d+)/m.exec(settings?.data["jostle-server.toml"] ?? "")?.[1] ?? 5);
+    const drain = Number(/^drain_timeout_seconds = (\d+)/m.exec(settings?.data["jostle-server.toml"] ?? "")?.[1] ?? 5);
     return objects.filter(o => o.kind === "StatefulSet" && !(o.spec.template.spec.terminationGracePeriodSeconds >= drain + 4))
-        .map(o => `${name_of(o)}: terminationGracePeriodSeconds is less than drain_seconds (${drain}) and 4`);
+        .map(o => `${name_of(o)}: terminationGracePeriodSeconds is less than drain_timeout_seconds (${drain}) and 4`);
 }
 
 export async function faults(objects) {

@@ -231,7 +231,7 @@ private:
                                        "--set",    "persistence.history_hours=1000",
                                        "--set",    "persistence.replay_seconds=0.5",
                                        "--set",    "client.bodies_owned_max=8",
-                                       "--set",    "drain_seconds=1"};
+                                       "--set",    "drain_timeout_seconds=1"};
         for (const std::string& setting : plan_.settings) {
             flags.emplace_back("--set");
             flags.push_back(setting);

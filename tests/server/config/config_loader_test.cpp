@@ -18,12 +18,12 @@ std::string error_of(const std::string& text) {
 TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
     Config config;
     ASSERT_TRUE(load_config_text(config,
-                                 "drain_seconds = 2.5\n"
+                                 "drain_timeout_seconds = 2.5\n"
                                  "scenes = [\"pile\", \"wall\"]\n"
                                  "[client]\nbodies_owned_max = 3\n",
                                  "test.toml")
                     .ok());
-    EXPECT_EQ(config.drain_seconds, 2.5);
+    EXPECT_EQ(config.drain_timeout_seconds, 2.5);
     EXPECT_EQ(config.scenes, (std::vector<std::string>{"pile", "wall"}));
     EXPECT_EQ(config.client.bodies_owned_max, 3);
     EXPECT_EQ(config.client.inputs_per_second, Config{}.client.inputs_per_second);
@@ -41,9 +41,9 @@ TEST(ConfigLoader, mistakes_name_file_and_key) {
     const std::string unknown = error_of("[client]\nbodies_max = 3\n");
     EXPECT_NE(unknown.find("test.toml"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("bodies_max"), std::string::npos) << unknown;
-    const std::string type = error_of("drain_seconds = \"soon\"\n");
-    EXPECT_NE(type.find("drain_seconds"), std::string::npos) << type;
-    EXPECT_FALSE(error_of("drain_seconds = \n").empty());
+    const std::string type = error_of("drain_timeout_seconds = \"soon\"\n");
+    EXPECT_NE(type.find("drain_timeout_seconds"), std::string::npos) << type;
+    EXPECT_FALSE(error_of("drain_timeout_seconds = \n").empty());
     Config config;
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
 }
@@ -56,8 +56,8 @@ TEST(ConfigLoader, what_cannot_be_read_is_an_error_and_no_crash) {
 
 TEST(ConfigLoader, a_file_with_a_mistake_changes_nothing) {
     Config config;
-    EXPECT_FALSE(load_config_text(config, "drain_seconds = 1\nnonsense = 2\n", "t").ok());
-    EXPECT_EQ(config.drain_seconds, Config{}.drain_seconds);
+    EXPECT_FALSE(load_config_text(config, "drain_timeout_seconds = 1\nnonsense = 2\n", "t").ok());
+    EXPECT_EQ(config.drain_timeout_seconds, Config{}.drain_timeout_seconds);
 }
 
 TEST(Config, check_names_the_key_and_its_range) {
@@ -78,7 +78,7 @@ TEST(Config, check_names_the_key_and_its_range) {
 // line changed to itself loads, and the loaded settings are the defaults.
 TEST(Config, the_example_file_holds_the_defaults) {
     Config config;
-    config.drain_seconds = 99;  // the file must say it again
+    config.drain_timeout_seconds = 99;  // the file must say it again
     config.client.bodies_owned_max = 99;
     config.world.clients_max = 99;
     config.stream.silence_seconds = 99;
@@ -92,7 +92,7 @@ TEST(Config, the_example_file_holds_the_defaults) {
     EXPECT_EQ(config.listen, expected.listen);
     EXPECT_EQ(config.http, expected.http);
     EXPECT_EQ(config.scenes, expected.scenes);
-    EXPECT_EQ(config.drain_seconds, expected.drain_seconds);
+    EXPECT_EQ(config.drain_timeout_seconds, expected.drain_timeout_seconds);
     EXPECT_EQ(config.client.bodies_owned_max, expected.client.bodies_owned_max);
     EXPECT_EQ(config.client.messages_per_second, expected.client.messages_per_second);
     EXPECT_EQ(config.world.clients_max, expected.world.clients_max);

@@ -152,7 +152,7 @@ Status start_worlds(const Config& config, WorldDirectory& worlds) {
 // Worlds that were there go on, and who played in them may come back.
 void go_on(WorldArchive& archive, PlayContext& context) {
     const Clock::time_point until =
-        Clock::now() + from_seconds(context.config.client.resume_seconds);
+        Clock::now() + from_seconds(context.config.client.resume_timeout_seconds);
     for (KeptWorld& kept : archive.take_worlds()) {
         const auto world = context.worlds.adopt(std::move(kept.start));
         for (const AbsentClient& absent : kept.absent)

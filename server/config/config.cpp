@@ -59,7 +59,7 @@ Status check(const Config& c) {
         {"client.message_bytes_max", c.client.message_bytes_max, 1024, 1 << 24},
         {"client.inputs_per_batch_max", c.client.inputs_per_batch_max, 1, 4096},
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
-        {"client.resume_seconds", c.client.resume_seconds, 0, 600},
+        {"client.resume_timeout_seconds", c.client.resume_timeout_seconds, 0, 600},
         {"world.worlds_max", c.world.worlds_max, 1, 10000},
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
         {"world.bodies_total_max", c.world.bodies_total_max, 1, 100000000},

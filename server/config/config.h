@@ -23,7 +23,7 @@ struct ClientLimits {
     bool keep_bodies_after_leave = false;  // else what a client spawned goes with it
     // How long the place of a client is kept whose connection broke, if it said that it would come
     // back; 0: not at all.
-    double resume_seconds = 30;
+    double resume_timeout_seconds = 30;
 };
 
 struct WorldLimits {

@@ -86,7 +86,7 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_resumed(from.resumed);
     welcome.set_state_preserved(from.state_preserved);
     welcome.set_last_sequence(from.last_sequence);
-    welcome.set_resume_timeout_seconds(from.resume_seconds);
+    welcome.set_resume_timeout_seconds(from.resume_timeout_seconds);
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     if (from.datagrams) {
         v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();

@@ -40,7 +40,7 @@ struct Welcome {
     std::string resume_token = {};  // empty: its place is not kept
     bool resumed = false, state_preserved = false;
     std::uint32_t last_sequence = 0;
-    double resume_seconds = 0;
+    double resume_timeout_seconds = 0;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 

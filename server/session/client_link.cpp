@@ -190,7 +190,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     spectator_ = hello.spectator;
     feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
-    if (!lost && hello.resumable && context_.config.client.resume_seconds > 0)
+    if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
         seat_ = open_seat(*world);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
@@ -238,7 +238,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .resumed = lost != nullptr,
                     .state_preserved = gone.has_value(),
                     .last_sequence = confirmed(),
-                    .resume_seconds = seat_ ? context_.config.client.resume_seconds : 0};
+                    .resume_timeout_seconds = seat_ ? context_.config.client.resume_timeout_seconds : 0};
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));
     if (gone && !gone->empty())

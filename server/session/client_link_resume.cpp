@@ -110,7 +110,7 @@ void ClientLink::keep_place(Clock::time_point now) {
                     .told_geometry = std::move(told_geometry_),
                     .channel_kinds = channel_kinds_};
     context_.resumes.leave_at(*seat_, std::move(lost),
-                              now + from_seconds(context_.config.client.resume_seconds));
+                              now + from_seconds(context_.config.client.resume_timeout_seconds));
 }
 
 // By a ticket one comes in once; the token stands for it, and for no more than it allowed.

@@ -57,7 +57,7 @@ public:
         // A place that is kept for it is kept for so long.
         now_ += std::chrono::seconds(1) +
                 std::chrono::ceil<std::chrono::seconds>(
-                    std::chrono::duration<double>(server_.context.config.client.resume_seconds));
+                    std::chrono::duration<double>(server_.context.config.client.resume_timeout_seconds));
         server::end_lost_clients(server_.context, now_);
         expect(server_.sessions.clients() == 0, "who has gone is not counted");
     }

@@ -20,7 +20,7 @@ struct ClientLimits {
     int message_bytes_max = 65536;
     int inputs_per_batch_max = 64;
     int bodies_owned_max = 50;
-    bool keep_bodies_after_leave = false;  // else what a client spawned goes with it
+    bool retain_bodies_after_leave = false;  // else what a client spawned goes with it
     // How long the place of a client is kept whose connection broke, if it said that it would come
     // back; 0: not at all.
     double resume_timeout_seconds = 30;

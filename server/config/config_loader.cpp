@@ -75,7 +75,7 @@ Setters setters_of(Config& c) {
         {"client.message_bytes_max", into(c.client.message_bytes_max)},
         {"client.inputs_per_batch_max", into(c.client.inputs_per_batch_max)},
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
-        {"client.keep_bodies_after_leave", into(c.client.keep_bodies_after_leave)},
+        {"client.retain_bodies_after_leave", into(c.client.retain_bodies_after_leave)},
         {"client.resume_timeout_seconds", into(c.client.resume_timeout_seconds)},
         {"development.link", into(c.development.link)},
         {"development.link_worlds", into(c.development.link_worlds)},

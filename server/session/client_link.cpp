@@ -374,7 +374,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
         context_.sessions.leave(client_);
         const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(feed_->host().id());
         (goes_on ? *goes_on : feed_->host())
-            .leave(client_, context_.config.client.keep_bodies_after_leave);
+            .leave(client_, context_.config.client.retain_bodies_after_leave);
     }
     client_ = 0;
     lane_.reset();

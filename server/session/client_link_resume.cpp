@@ -31,7 +31,7 @@ void let_go(PlayContext& context, const LostClient& lost) {
     log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
     context.sessions.leave(lost.client);
     if (const auto host = host_of(context, lost))
-        host->leave(lost.client, context.config.client.keep_bodies_after_leave);
+        host->leave(lost.client, context.config.client.retain_bodies_after_leave);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ void settle_clients(PlayContext& context, WorldHost& world, std::span<const Clie
         if (context.sessions.has(client))
             world.lose(client);
         else
-            world.leave(client, context.config.client.keep_bodies_after_leave);
+            world.leave(client, context.config.client.retain_bodies_after_leave);
     }
 }
 

@@ -94,7 +94,7 @@ void visit_action(Visitor& v, Command& c) {
         for (auto& axis : c.controls.axes) v(axis);
         v(c.controls.buttons);
     } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
-        v(c.keep_bodies);
+        v(c.retain_bodies);
     } else {
         static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, LoseCommand>);
     }

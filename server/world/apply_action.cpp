@@ -146,7 +146,7 @@ struct Apply {
     }
 
     Status operator()(const LeaveCommand& c) const {
-        if (!c.keep_bodies)
+        if (!c.retain_bodies)
             for (const EntityId id : state.ownership.owned_by(client)) remove(id);
         state.ownership.forget(client);
         state.grabs.release(state.world, client);

@@ -78,7 +78,7 @@ struct ControlCommand {
 // The client is gone: lets go, and takes its bodies along unless they are to be kept. Carries no
 // sequence.
 struct LeaveCommand {
-    bool keep_bodies = false;
+    bool retain_bodies = false;
 };
 
 // The client's connection broke, and it may come back: its hand lets go, and what it drives is as

@@ -84,7 +84,7 @@ void HostedWorld::follow(const HostedWorld& later) {
 
 void HostedWorld::let_all_go() {
     for (const auto& [client, sequence] : clients_of(image(0)))
-        apply({.client = client, .action = LeaveCommand{.keep_bodies = true}, .reply = nullptr}, 0);
+        apply({.client = client, .action = LeaveCommand{.retain_bodies = true}, .reply = nullptr}, 0);
 }
 
 void HostedWorld::set_limits(const HostLimits& limits) {

@@ -102,9 +102,9 @@ bool WorldHost::stop_to_go_on() {
     return true;
 }
 
-void WorldHost::leave(ClientId client, bool keep_bodies) {
+void WorldHost::leave(ClientId client, bool retain_bodies) {
     const std::lock_guard lock(leave_mutex_);
-    leavers_.push_back({.client = client, .action = LeaveCommand{keep_bodies}, .reply = nullptr});
+    leavers_.push_back({.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
 }
 
 void WorldHost::lose(ClientId client) {

@@ -80,7 +80,7 @@ public:
     // Any thread. False: the queue is full, the command was not taken.
     bool push(Command command) { return commands_.push(std::move(command)); }
     // Any thread; never waits and is never refused: the world takes it after what the client sent.
-    void leave(ClientId client, bool keep_bodies);
+    void leave(ClientId client, bool retain_bodies);
     // The same for a client whose connection broke and that may come back.
     void lose(ClientId client);
     // Any thread: the newest frame; there is one from the start.

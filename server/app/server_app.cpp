@@ -84,7 +84,7 @@ WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Met
             .totals = {.bodies_max = config.world.bodies_total_max,
                        .work_per_second_max = scene.work_total_per_second_max},
             .command_queue_max = config.world.command_queue_max,
-            .catch_up_max = config.tick.catch_up_max,
+            .catch_up_ticks_max = config.tick.catch_up_ticks_max,
             .physics_threads = config.tick.physics_threads,
             .on_frame =
                 [&wakers](bool news) {

@@ -78,7 +78,7 @@ Status check(const Config& c) {
         {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
         {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},
         {"scene.first_step_seconds_max", c.scene.first_step_seconds_max, 0.01, 3600},
-        {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
+        {"tick.catch_up_ticks_max", c.tick.catch_up_ticks_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"tick.rewind_ms_max", c.tick.rewind_ms_max, 0, 2000},

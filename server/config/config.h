@@ -49,7 +49,7 @@ struct SceneLimits {
 struct TickSettings {
     // When late, up to this many ticks run at once to catch up; what is later than that is skipped
     // and counted as late, so that a stall of the machine is not followed by a burst.
-    int catch_up_max = 4;
+    int catch_up_ticks_max = 4;
     int physics_threads = 1;  // per world
     // A step that takes longer is interrupted and its world paused, so that it holds up nobody
     // else.

@@ -97,7 +97,7 @@ Setters setters_of(Config& c) {
         {"world.clients_max", into(c.world.clients_max)},
         {"world.clients_per_address_max", into(c.world.clients_per_address_max)},
         {"world.command_queue_max", into(c.world.command_queue_max)},
-        {"tick.catch_up_max", into(c.tick.catch_up_max)},
+        {"tick.catch_up_ticks_max", into(c.tick.catch_up_ticks_max)},
         {"tick.physics_threads", into(c.tick.physics_threads)},
         {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
         {"tick.rewind_ms_max", into(c.tick.rewind_ms_max)},

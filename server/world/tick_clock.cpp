@@ -3,8 +3,8 @@
 
 namespace jostle::server {
 
-TickClock::TickClock(Clock::time_point start, double hz, int catch_up_max)
-    : start_(start), period_s_(1 / hz), catch_up_max_(catch_up_max) {}
+TickClock::TickClock(Clock::time_point start, double hz, int catch_up_ticks_max)
+    : start_(start), period_s_(1 / hz), catch_up_max_(catch_up_ticks_max) {}
 
 Clock::time_point TickClock::next_due() const {
     return start_ + from_seconds(static_cast<double>(next_) * period_s_);

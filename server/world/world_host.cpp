@@ -150,7 +150,7 @@ void WorldHost::interrupt(std::string reason) {
 
 void WorldHost::run() {
     // The first tick is the world as it was made; the clock counts from there.
-    TickClock clock(epoch_ + from_seconds(tick_ / hz_), hz_, settings_.catch_up_max);
+    TickClock clock(epoch_ + from_seconds(tick_ / hz_), hz_, settings_.catch_up_ticks_max);
     std::function<void()> wait = [&] {
         timer_->due.expires_at(clock.next_due());
         timer_->due.async_wait([&](const boost::system::error_code& error) {

@@ -34,7 +34,7 @@ struct WorldHostSettings {
     HostLimits limits;
     TotalLimits totals;
     int command_queue_max = 8192;
-    int catch_up_max = 4;
+    int catch_up_ticks_max = 4;
     int physics_threads = 1;
     bool own_thread = true;           // false: it ticks only when tick() is called
     WorldKeepers* keepers = nullptr;  // null: worlds end with the process

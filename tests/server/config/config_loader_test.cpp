@@ -96,7 +96,7 @@ TEST(Config, the_example_file_holds_the_defaults) {
     EXPECT_EQ(config.client.bodies_owned_max, expected.client.bodies_owned_max);
     EXPECT_EQ(config.client.messages_per_second, expected.client.messages_per_second);
     EXPECT_EQ(config.world.clients_max, expected.world.clients_max);
-    EXPECT_EQ(config.tick.catch_up_max, expected.tick.catch_up_max);
+    EXPECT_EQ(config.tick.catch_up_ticks_max, expected.tick.catch_up_ticks_max);
     EXPECT_EQ(config.stream.silence_seconds, expected.stream.silence_seconds);
     EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
     EXPECT_EQ(config.insecure, expected.insecure);

@@ -4,7 +4,7 @@
 namespace jostle::server {
 
 TickClock::TickClock(Clock::time_point start, double hz, int catch_up_ticks_max)
-    : start_(start), period_s_(1 / hz), catch_up_max_(catch_up_ticks_max) {}
+    : start_(start), period_s_(1 / hz), catch_up_ticks_max_(catch_up_ticks_max) {}
 
 Clock::time_point TickClock::next_due() const {
     return start_ + from_seconds(static_cast<double>(next_) * period_s_);
@@ -15,7 +15,7 @@ int TickClock::due(Clock::time_point now) {
     while (start_ + from_seconds(static_cast<double>(next_ + static_cast<std::uint64_t>(count)) *
                                  period_s_) <=
            now) {
-        if (count < catch_up_max_) {
+        if (count < catch_up_ticks_max_) {
             count++;
             continue;
         }

@@ -28,7 +28,7 @@ public:
 private:
     Clock::time_point start_;
     double period_s_;
-    int catch_up_max_;
+    int catch_up_ticks_max_;
     std::uint64_t next_ = 1;  // number of the next tick since start_
     std::uint32_t late_ = 0;
 };

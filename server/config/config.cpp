@@ -81,7 +81,7 @@ Status check(const Config& c) {
         {"tick.catch_up_ticks_max", c.tick.catch_up_ticks_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
-        {"tick.rewind_ms_max", c.tick.rewind_ms_max, 0, 2000},
+        {"tick.lag_compensation_ms_max", c.tick.lag_compensation_ms_max, 0, 2000},
         {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
         {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
         {"stream.cell_m", c.stream.cell_m, 1, 100000},

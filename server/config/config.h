@@ -56,7 +56,7 @@ struct TickSettings {
     double step_seconds_max = 1;
     // How long ago a client may have seen what it asks about or aims at: its delay both ways and
     // that of its pictures. So long frames are kept.
-    double rewind_ms_max = 400;
+    double lag_compensation_ms_max = 400;
 };
 
 struct StreamSettings {

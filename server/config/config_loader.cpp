@@ -100,7 +100,7 @@ Setters setters_of(Config& c) {
         {"tick.catch_up_ticks_max", into(c.tick.catch_up_ticks_max)},
         {"tick.physics_threads", into(c.tick.physics_threads)},
         {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
-        {"tick.rewind_ms_max", into(c.tick.rewind_ms_max)},
+        {"tick.lag_compensation_ms_max", into(c.tick.lag_compensation_ms_max)},
         {"stream.ack_window_max", into(c.stream.ack_window_max)},
         {"stream.ack_interval_ms", into(c.stream.ack_interval_ms)},
         {"stream.cell_m", into(c.stream.cell_m)},

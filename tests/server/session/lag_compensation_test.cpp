@@ -67,7 +67,7 @@ struct Round {
 // Eight seconds of which the last six are shot in, three times a second.
 Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rewind_ms = 400) {
     Config config;
-    config.tick.rewind_ms_max = rewind_ms;
+    config.tick.lag_compensation_ms_max = rewind_ms;
     QuietServer server(config);
     const auto world = server.host(range_scene());
     PlayedLink shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},

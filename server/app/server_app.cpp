@@ -80,7 +80,7 @@ WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Met
                                  .work_per_second_max = scene.work_per_second_max,
                                  .first_step_seconds_max = scene.first_step_seconds_max},
                        .bodies_owned_max = config.client.bodies_owned_max,
-                       .past_ms_max = config.tick.lag_compensation_ms_max},
+                       .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
             .totals = {.bodies_max = config.world.bodies_total_max,
                        .work_per_second_max = scene.work_total_per_second_max},
             .command_queue_max = config.world.command_queue_max,

@@ -32,7 +32,7 @@ std::string encode_world_record(const WorldRecord& record) {
     to.real(scene.work_per_second_max);
     to.real(scene.first_step_seconds_max);
     to.real(record.limits.bodies_owned_max);
-    to.real(record.limits.past_ms_max);
+    to.real(record.limits.lag_compensation_ms_max);
     to.real(record.work_per_second);
     return to.take();
 }
@@ -60,11 +60,11 @@ Result<WorldRecord> decode_world_record(std::string_view bytes) {
     budget.work_per_second_max = from.real();
     budget.first_step_seconds_max = from.real();
     record.limits.bodies_owned_max = count();
-    record.limits.past_ms_max = from.real();
+    record.limits.lag_compensation_ms_max = from.real();
     record.work_per_second = from.real();
     if (!from.ok()) return not_a_record("ends too early");
     if (!from.at_end()) return not_a_record("goes on after its end");
-    if (!fits || !(record.limits.past_ms_max >= 0))
+    if (!fits || !(record.limits.lag_compensation_ms_max >= 0))
         return not_a_record("has a limit that is out of range");
     if (!scene.ok()) return not_a_record("has no scene: " + scene.error().message);
     record.scene = std::make_shared<const scenes::SceneDescription>(*std::move(scene));

@@ -89,7 +89,7 @@ void HostedWorld::let_all_go() {
 
 void HostedWorld::set_limits(const HostLimits& limits) {
     state_.limits = limits;
-    past_ = std::make_shared<FrameRing>(limits.past_ms_max, hz_);
+    past_ = std::make_shared<FrameRing>(limits.lag_compensation_ms_max, hz_);
 }
 
 Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {

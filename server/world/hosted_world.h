@@ -92,7 +92,7 @@ private:
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
           hz_(hz),
-          past_(std::make_shared<FrameRing>(state_.limits.past_ms_max, hz)) {}
+          past_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
     Status act(const Command& command, InputResult& result);
 
     Status accept_sequence(ClientId client, std::uint32_t sequence);

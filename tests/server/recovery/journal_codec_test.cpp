@@ -21,7 +21,7 @@ using test::error_of;
 HostedWorld sandbox() {
     return std::move(*HostedWorld::create(
         *scenes::find_scene("sandbox"),
-        {.scene = {.bodies_max = 400}, .bodies_owned_max = 30, .past_ms_max = 250}, 1));
+        {.scene = {.bodies_max = 400}, .bodies_owned_max = 30, .lag_compensation_ms_max = 250}, 1));
 }
 
 // As a client sends it: the shape by its message.

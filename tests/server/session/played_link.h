@@ -32,7 +32,7 @@ struct QuietServer {
     const std::unique_ptr<server::Gate> gate = *server::Gate::open(config);
     server::SessionDirectory sessions{20};
     server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
-                                              .past_ms_max = config.tick.lag_compensation_ms_max},
+                                              .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
                                    .own_thread = false},
                                   2};
     server::PlayContext context{

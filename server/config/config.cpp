@@ -84,7 +84,7 @@ Status check(const Config& c) {
         {"tick.lag_compensation_ms_max", c.tick.lag_compensation_ms_max, 0, 2000},
         {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
         {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
-        {"stream.cell_m", c.stream.cell_m, 1, 100000},
+        {"stream.interest_cell_m", c.stream.interest_cell_m, 1, 100000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},

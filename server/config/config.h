@@ -66,7 +66,7 @@ struct StreamSettings {
     double silence_seconds = 10;  // a client that says nothing at all is gone
     double stats_per_second = 2;
     int codec = 2;       // of snapshots: the highest that clients are offered
-    double cell_m = 32;  // edge of the parts of a world that clients with an interest are told of
+    double interest_cell_m = 32;  // edge of the parts of a world that clients with an interest are told of
     // Snapshots a second to a client while nothing in its world moves.
     double heartbeats_per_second = 4;
 };

@@ -103,7 +103,7 @@ Setters setters_of(Config& c) {
         {"tick.lag_compensation_ms_max", into(c.tick.lag_compensation_ms_max)},
         {"stream.ack_window_max", into(c.stream.ack_window_max)},
         {"stream.ack_interval_ms", into(c.stream.ack_interval_ms)},
-        {"stream.cell_m", into(c.stream.cell_m)},
+        {"stream.interest_cell_m", into(c.stream.interest_cell_m)},
         {"stream.heartbeats_per_second", into(c.stream.heartbeats_per_second)},
         {"stream.hello_seconds", into(c.stream.hello_seconds)},
         {"stream.silence_seconds", into(c.stream.silence_seconds)},

@@ -8,8 +8,8 @@
 
 namespace jostle::server {
 
-CellFeed::CellFeed(double cell_m, const wire::QuantSpec& spec, Serialize serialize)
-    : spec_(spec), serialize_(std::move(serialize)), grid_(cell_m, spec) {}
+CellFeed::CellFeed(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize)
+    : spec_(spec), serialize_(std::move(serialize)), grid_(interest_cell_m, spec) {}
 
 CellFeed::Cells CellFeed::cells(const FramePtr& frame,
                                 const std::function<wire::QuantizedFrame()>& quantized) {

@@ -41,7 +41,7 @@ public:
     static constexpr std::size_t states_kept = 32;  // of a cell, as bases
     static constexpr std::uint32_t empty_ticks = 256;
 
-    CellFeed(double cell_m, const wire::QuantSpec& spec, Serialize serialize);
+    CellFeed(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);
 
     // In rising order of id. One that became empty stays for `empty_ticks`.
     using Cells = std::shared_ptr<const std::vector<CellState>>;
@@ -55,7 +55,7 @@ public:
     double distance(CellId cell, double x_m, double z_m) const {
         return grid_.distance(cell, x_m, z_m);
     }
-    double cell_m() const { return grid_.cell_m(); }
+    double interest_cell_m() const { return grid_.interest_cell_m(); }
 
 private:
     struct History {

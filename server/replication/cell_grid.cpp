@@ -17,8 +17,8 @@ double gap(double coordinate, double from, double size) {
 
 }  // namespace
 
-CellGrid::CellGrid(double cell_m, const wire::QuantSpec& spec)
-    : cell_m_(cell_m), units_per_cell_(cell_m * spec.units_per_meter) {}
+CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
+    : cell_m_(interest_cell_m), units_per_cell_(interest_cell_m * spec.units_per_meter) {}
 
 CellId CellGrid::id_of(CellPlace place) {
     const auto part = [](int k) {

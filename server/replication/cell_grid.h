@@ -27,14 +27,14 @@ struct CellPlace {
 
 class CellGrid {
 public:
-    // `cell_m`: edge of a cell.
-    CellGrid(double cell_m, const wire::QuantSpec& spec);
+    // `interest_cell_m`: edge of a cell.
+    CellGrid(double interest_cell_m, const wire::QuantSpec& spec);
 
     // The entities of the frame by cell, each cell in rising order of id.
     using Cells = std::unordered_map<CellId, wire::QuantizedFrame>;
     Cells split(const wire::QuantizedFrame& frame, const EntityList& entities);
 
-    double cell_m() const { return cell_m_; }
+    double interest_cell_m() const { return cell_m_; }
     static CellId id_of(CellPlace place);
     static CellPlace place_of(CellId cell);
     // m from a point on the ground to the nearest of the cell; 0 within, and to `everywhere`.

@@ -67,14 +67,14 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
                 ranked.push_back({first_of_all - distance, {cell, {}, true, true}});
             continue;
         }
-        if (distance > interest_.radius_m + leave_share * feed.cell_m()) {
+        if (distance > interest_.radius_m + leave_share * feed.interest_cell_m()) {
             left_.push_back(cell.id);
             known_.erase(known);
             continue;
         }
         const std::uint32_t waited = tick - known->second.sent_tick;
         if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
-        const double near = 1 + distance / feed.cell_m();
+        const double near = 1 + distance / feed.interest_cell_m();
         ranked.push_back({waited / near,
                           {cell, known->second.states.bases_for(cell.number), false,
                            cell.members != known->second.members}});

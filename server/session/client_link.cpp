@@ -188,7 +188,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     spectator_ = hello.spectator;
-    feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.cell_m);
+    feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.interest_cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
         seat_ = open_seat(*world);

@@ -41,7 +41,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
     context.sessions.enter_again(client, world->id(), {});
     world->lose(client);
     context.resumes.expect({.client = client,
-                            .feed = context.feeds.feed_of(world, context.config.stream.cell_m),
+                            .feed = context.feeds.feed_of(world, context.config.stream.interest_cell_m),
                             .network = {},
                             .subject = {},
                             .result_queue = std::make_shared<ResultQueue>(),
@@ -142,7 +142,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     }
     LostClient& lost = *claim.client;
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
-        lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.cell_m));
+        lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
     const auto timeout = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= timeout) {

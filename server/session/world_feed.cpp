@@ -19,10 +19,10 @@ SharedBytes share(std::string bytes) {
 
 }  // namespace
 
-WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host, double cell_m)
+WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
       snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
-      cells_(cell_m, wire::QuantSpec{}, encode_cell_field) {}
+      cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {}
 
 CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
@@ -71,13 +71,13 @@ SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
 }
 
 std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
-                                               double cell_m) {
+                                               double interest_cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
     std::weak_ptr<WorldFeed>& known = feeds_[host.get()];
     std::shared_ptr<WorldFeed> feed = known.lock();
     if (!feed) {
-        feed = std::make_shared<WorldFeed>(host, cell_m);
+        feed = std::make_shared<WorldFeed>(host, interest_cell_m);
         known = feed;
     }
     return feed;

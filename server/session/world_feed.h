@@ -22,7 +22,7 @@ namespace jostle::server {
 
 class WorldFeed {
 public:
-    WorldFeed(std::shared_ptr<WorldHost> host, double cell_m);
+    WorldFeed(std::shared_ptr<WorldHost> host, double interest_cell_m);
 
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
@@ -63,8 +63,8 @@ private:
 // The feed of each world that has clients. Any thread.
 class WorldFeeds {
 public:
-    // `cell_m`: edge of the cells of a feed that is made.
-    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host, double cell_m);
+    // `interest_cell_m`: edge of the cells of a feed that is made.
+    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host, double interest_cell_m);
 
 private:
     std::mutex mutex_;

@@ -11,7 +11,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr double cell_m = 32;
+constexpr double interest_cell_m = 32;
 
 EntityList described(std::size_t count, double reach = 0.5) {
     EntityList list;
@@ -46,7 +46,7 @@ TEST(CellGrid, places_and_numbers_of_cells_say_the_same) {
 }
 
 TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywhere) {
-    CellGrid grid(cell_m, {});
+    CellGrid grid(interest_cell_m, {});
     const wire::QuantizedFrame frame{
         .frame = 1, .entities = {at(1, 5, 5), at(2, -5, 5), at(3, 40, -70), at(4, 6, 6)}};
     EntityList list = described(4);
@@ -63,7 +63,7 @@ TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywher
 }
 
 TEST(CellGrid, what_lies_on_a_border_does_not_come_and_go) {
-    CellGrid grid(cell_m, {});
+    CellGrid grid(interest_cell_m, {});
     const CellId first = cell_of(grid, 31, 3), second = CellGrid::id_of({1, 0});
     int changes = 0;
     CellId now = first;
@@ -79,7 +79,7 @@ TEST(CellGrid, what_lies_on_a_border_does_not_come_and_go) {
 }
 
 TEST(CellGrid, the_distance_to_a_cell_is_that_to_its_nearest_point) {
-    const CellGrid grid(cell_m, {});
+    const CellGrid grid(interest_cell_m, {});
     const CellId cell = CellGrid::id_of({1, 0});  // x from 32 to 64, z from 0 to 32
     EXPECT_EQ(grid.distance(cell, 40, 10), 0);
     EXPECT_EQ(grid.distance(cell, 2, 10), 30);

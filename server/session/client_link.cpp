@@ -401,9 +401,9 @@ void ClientLink::check_timeouts(Clock::time_point now) {
     }
     if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
     if (!feed_) {
-        if (now - begun_ > from_seconds(limits.hello_seconds)) {
+        if (now - begun_ > from_seconds(limits.hello_timeout_seconds)) {
             refuse(Error{ErrorCode::deadline_exceeded,
-                         fmt::format("no Hello within {:g} s", limits.hello_seconds)},
+                         fmt::format("no Hello within {:g} s", limits.hello_timeout_seconds)},
                    now);
         }
         return;

@@ -333,7 +333,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .relay = {.unread_bytes_max = config.connection.unread_bytes_max,
                                .unread_total_max = config.connection.unread_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
-                     .tcp_user_timeout = from_seconds(config.stream.silence_seconds),
+                     .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,

@@ -87,7 +87,7 @@ Status check(const Config& c) {
         {"stream.interest_cell_m", c.stream.interest_cell_m, 1, 100000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_timeout_seconds", c.stream.hello_timeout_seconds, 0.1, 3600},
-        {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
+        {"stream.client_timeout_seconds", c.stream.client_timeout_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
         {"stream.codec", c.stream.codec, 1, 2},
         {"persistence.checkpoint_seconds", c.persistence.checkpoint_seconds, 1, 86400},

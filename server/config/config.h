@@ -63,7 +63,7 @@ struct StreamSettings {
     int ack_window_max = 30;      // messages on the way to a client
     int ack_interval_ms = 100;             // how often a client acknowledges
     double hello_timeout_seconds = 5;     // a stream that says nothing is closed
-    double silence_seconds = 10;  // a client that says nothing at all is gone
+    double client_timeout_seconds = 10;  // a client that says nothing at all is gone
     double stats_per_second = 2;
     int codec = 2;       // of snapshots: the highest that clients are offered
     double interest_cell_m = 32;  // edge of the parts of a world that clients with an interest are told of

@@ -106,7 +106,7 @@ Setters setters_of(Config& c) {
         {"stream.interest_cell_m", into(c.stream.interest_cell_m)},
         {"stream.heartbeats_per_second", into(c.stream.heartbeats_per_second)},
         {"stream.hello_timeout_seconds", into(c.stream.hello_timeout_seconds)},
-        {"stream.silence_seconds", into(c.stream.silence_seconds)},
+        {"stream.client_timeout_seconds", into(c.stream.client_timeout_seconds)},
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
         {"stream.codec", into(c.stream.codec)},
         {"persistence.store", into(c.persistence.store)},

@@ -67,7 +67,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     if (!error) address_ = endpoint.address().to_string();
     tcp.expires_never();  // from here on the WebSocket layer and the link keep time
     set_tcp_user_timeout(tcp.socket().native_handle(),
-                     from_seconds(context_.config.stream.silence_seconds));
+                     from_seconds(context_.config.stream.client_timeout_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one

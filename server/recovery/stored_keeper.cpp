@@ -13,7 +13,7 @@ namespace jostle::server {
 namespace {
 
 // How far a world that nobody touches may be ahead of its journal.
-constexpr double silence_seconds = 1;
+constexpr double client_timeout_seconds = 1;
 // What is as cheap to do again as to load is not written anew.
 constexpr double worth_ms = 50;
 constexpr std::size_t kept_checkpoints = 2;
@@ -110,7 +110,7 @@ void StoredKeeper::keep(KeptTick tick) {
         batch_.ticks.push_back({tick.tick, std::move(tick.commands)});
         changed_ = true;
     }
-    if (urgent || last_ - first_ + 1 >= silence_seconds * hz_) flush();
+    if (urgent || last_ - first_ + 1 >= client_timeout_seconds * hz_) flush();
 }
 
 void StoredKeeper::on_shown(double step_ms, std::vector<WaitingResult> results) {

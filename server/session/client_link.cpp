@@ -412,10 +412,10 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (seat_ && seat_->is_wanted)
         return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
-    if (now - last_received_ > from_seconds(limits.silence_seconds)) {
+    if (now - last_received_ > from_seconds(limits.client_timeout_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
-                                        limits.silence_seconds)},
+                                        limits.client_timeout_seconds)},
                       now, true);
     }
     if (feed_->host().failed()) {

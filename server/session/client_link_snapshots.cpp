@@ -73,10 +73,10 @@ void ClientLink::wait_for_write(Clock::time_point now) {
     if (!writing_since_) writing_since_ = now;
     take_in_delayed(now);
     check_timeouts(now);
-    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
+    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.client_timeout_seconds))
         refuse(Error{ErrorCode::resource_exhausted,
                      fmt::format("nothing was read for {:g} s",
-                                 context_.config.stream.silence_seconds)},
+                                 context_.config.stream.client_timeout_seconds)},
                now, true);
     if (feed_ && !end_) collect_results();
 }

@@ -81,7 +81,7 @@ TEST(Config, the_example_file_holds_the_defaults) {
     config.drain_timeout_seconds = 99;  // the file must say it again
     config.client.bodies_owned_max = 99;
     config.world.clients_max = 99;
-    config.stream.silence_seconds = 99;
+    config.stream.client_timeout_seconds = 99;
     config.insecure = true;
     config.tls = {"a", "b", "c"};
     config.auth = {"a", "b", "c", "viewer", 99, "d"};
@@ -97,7 +97,7 @@ TEST(Config, the_example_file_holds_the_defaults) {
     EXPECT_EQ(config.client.messages_per_second, expected.client.messages_per_second);
     EXPECT_EQ(config.world.clients_max, expected.world.clients_max);
     EXPECT_EQ(config.tick.catch_up_ticks_max, expected.tick.catch_up_ticks_max);
-    EXPECT_EQ(config.stream.silence_seconds, expected.stream.silence_seconds);
+    EXPECT_EQ(config.stream.client_timeout_seconds, expected.stream.client_timeout_seconds);
     EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
     EXPECT_EQ(config.insecure, expected.insecure);
     EXPECT_EQ(config.tls, expected.tls);

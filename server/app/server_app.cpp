@@ -334,7 +334,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                                .unread_total_max = config.connection.unread_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
                      .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
-                     .idle_max = from_seconds(config.connection.idle_seconds)});
+                     .idle_max = from_seconds(config.connection.idle_timeout_seconds)});
     Gateway gateway(
         context, routes,
         {.host = http.host,

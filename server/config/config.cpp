@@ -70,7 +70,7 @@ Status check(const Config& c) {
         {"connection.per_address_max", c.connection.per_address_max, 1, 1 << 20},
         {"connection.unread_bytes_max", c.connection.unread_bytes_max, 65536, 1e10},
         {"connection.unread_total_bytes_max", c.connection.unread_total_bytes_max, 65536, 1e11},
-        {"connection.idle_seconds", c.connection.idle_seconds, 1, 86400},
+        {"connection.idle_timeout_seconds", c.connection.idle_timeout_seconds, 1, 86400},
         {"scene.joints_max", c.scene.joints_max, 0, 10000000},
         {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
         {"scene.outline_bytes_max", c.scene.outline_bytes_max, 1024, 1e10},

@@ -113,7 +113,7 @@ struct ConnectionLimits {
     // the most is cut.
     double unread_bytes_max = 8e6;
     double unread_total_bytes_max = 64e6;
-    double idle_seconds = 300;  // without a call
+    double idle_timeout_seconds = 300;  // without a call
 };
 
 // Never where people play.

@@ -83,7 +83,7 @@ Setters setters_of(Config& c) {
         {"connection.per_address_max", into(c.connection.per_address_max)},
         {"connection.unread_bytes_max", into(c.connection.unread_bytes_max)},
         {"connection.unread_total_bytes_max", into(c.connection.unread_total_bytes_max)},
-        {"connection.idle_seconds", into(c.connection.idle_seconds)},
+        {"connection.idle_timeout_seconds", into(c.connection.idle_timeout_seconds)},
         {"scene.joints_max", into(c.scene.joints_max)},
         {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
         {"scene.outline_bytes_max", into(c.scene.outline_bytes_max)},

@@ -173,7 +173,7 @@ Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32
     if (!world.is_kept())
         return Error{ErrorCode::failed_precondition,
                      "the world is not kept, so only what it is now can be had; "
-                     "persistence.store says where worlds are kept"};
+                     "persistence.database says where worlds are kept"};
     return built([&] { return settings_.keepers->world_at(world.id(), tick); });
 }
 

@@ -226,7 +226,7 @@ private:
         std::vector<std::string> flags{"--listen", "127.0.0.1:" + std::to_string(port),
                                        "--http",   "127.0.0.1:0",
                                        "--scene",  plan_.scene,
-                                       "--set",    "persistence.store=" + store(),
+                                       "--set",    "persistence.database=" + store(),
                                        "--set",    "persistence.level=" + plan_.level,
                                        "--set",    "persistence.history_hours=1000",
                                        "--set",    "persistence.replay_seconds=0.5",

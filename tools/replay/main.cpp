@@ -39,7 +39,7 @@ jostle-record makes recordings. One that was cut off, by a crash or because it s
 summary says so. --at begins at the keyframe before the tick, so it takes as long for any tick. Positions are in m, rotations
 are quaternions; a body that rests sleeps. A tick in which nothing was sent shows what was last told before it.
 
-A store is what a server keeps its worlds in (persistence.store, docs/persistence.md); the server must not run, so copy the files
+A store is what a server keeps its worlds in (persistence.database, docs/persistence.md); the server must not run, so copy the files
 of one that does. What was done is done again, to the bit: --verify compares each checkpoint with what the world became,
 --diff names the first tick after which two stores part, and the first field.
 

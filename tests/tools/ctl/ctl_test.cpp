@@ -130,9 +130,9 @@ TEST_F(CtlTest, an_exported_world_is_hosted_again) {
 
 TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
     EXPECT_EQ(run("rewind stack --to 1"), 1);
-    EXPECT_TRUE(complains("persistence.store says where worlds are kept")) << err;
+    EXPECT_TRUE(complains("persistence.database says where worlds are kept")) << err;
     const ServerProcess kept{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
-                              "127.0.0.1:0", "--set", "persistence.store=" + file("worlds.db")}};
+                              "127.0.0.1:0", "--set", "persistence.database=" + file("worlds.db")}};
     const std::string at = kept.grpc_address();
     ASSERT_EQ(run("world create what-if --from stack --at 1", at), 0) << err;
     EXPECT_TRUE(says("\"what-if\" runs with 11 bodies")) << out;

@@ -134,7 +134,7 @@ struct DatagramSettings {
 
 // What outlives the process (docs/persistence.md).
 struct PersistenceSettings {
-    std::string store;  // an SQLite file, made if there is none; empty: worlds end with the process
+    std::string database;  // an SQLite file, made if there is none; empty: worlds end with the process
     // "machine": what clients were told survives the end of the machine; "process": that of the
     // process, however it ends; "none": as without a store.
     std::string level = "machine";
@@ -142,7 +142,7 @@ struct PersistenceSettings {
     double replay_seconds = 2;       // or when its steps since then took so long
     double history_hours = 0;        // that can be gone back to; 0: the last two checkpoints
 
-    bool is_on() const { return !store.empty() && level != "none"; }
+    bool is_on() const { return !database.empty() && level != "none"; }
 };
 
 struct Config {

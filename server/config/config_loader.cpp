@@ -109,7 +109,7 @@ Setters setters_of(Config& c) {
         {"stream.client_timeout_seconds", into(c.stream.client_timeout_seconds)},
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
         {"stream.codec", into(c.stream.codec)},
-        {"persistence.database", into(c.persistence.store)},
+        {"persistence.database", into(c.persistence.database)},
         {"persistence.level", into(c.persistence.level)},
         {"persistence.checkpoint_seconds", into(c.persistence.checkpoint_seconds)},
         {"persistence.replay_seconds", into(c.persistence.replay_seconds)},

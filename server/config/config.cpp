@@ -125,7 +125,7 @@ Status check(const Config& c) {
         return invalid_argument("scenes names more worlds than world.worlds_max");
     static constexpr std::array kept = {"none", "process", "machine"};
     if (std::find(kept.begin(), kept.end(), c.persistence.level) == kept.end())
-        return invalid_argument("persistence.level is \"" + c.persistence.level +
+        return invalid_argument("persistence.durability is \"" + c.persistence.level +
                                 "\"; it must be none, process or machine");
     if (const auto link = read_link_settings(c.development.link); !link.ok())
         return invalid_argument("development.link: " + link.error().message);

@@ -227,7 +227,7 @@ private:
                                        "--http",   "127.0.0.1:0",
                                        "--scene",  plan_.scene,
                                        "--set",    "persistence.database=" + store(),
-                                       "--set",    "persistence.level=" + plan_.level,
+                                       "--set",    "persistence.durability=" + plan_.level,
                                        "--set",    "persistence.history_hours=1000",
                                        "--set",    "persistence.replay_seconds=0.5",
                                        "--set",    "client.bodies_owned_max=8",
@@ -356,7 +356,7 @@ int main(int argc, char** argv) {
     app.add_option("--bots", plan.bots, "How many play")->check(CLI::Range(1, 1000));
     app.add_option("--seed", plan.seed, "Of the instants, and of what bots do");
     app.add_option("--scene", plan.scene, "Where they play");
-    app.add_option("--level", plan.level, "persistence.level: process or machine");
+    app.add_option("--level", plan.level, "persistence.durability: process or machine");
     app.add_option("--set", plan.settings, "KEY=VALUE, another setting of the server");
     app.add_flag("--gently", plan.gently, "Ends it in order (SIGTERM) instead: an upgrade");
     app.add_flag("--rewind", plan.rewinds, "Before each kill an operator takes the world back");

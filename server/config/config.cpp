@@ -124,8 +124,8 @@ Status check(const Config& c) {
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid_argument("scenes names more worlds than world.worlds_max");
     static constexpr std::array kept = {"none", "process", "machine"};
-    if (std::find(kept.begin(), kept.end(), c.persistence.level) == kept.end())
-        return invalid_argument("persistence.durability is \"" + c.persistence.level +
+    if (std::find(kept.begin(), kept.end(), c.persistence.durability) == kept.end())
+        return invalid_argument("persistence.durability is \"" + c.persistence.durability +
                                 "\"; it must be none, process or machine");
     if (const auto link = read_link_settings(c.development.link); !link.ok())
         return invalid_argument("development.link: " + link.error().message);

@@ -110,7 +110,7 @@ Setters setters_of(Config& c) {
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
         {"stream.codec", into(c.stream.codec)},
         {"persistence.database", into(c.persistence.database)},
-        {"persistence.durability", into(c.persistence.level)},
+        {"persistence.durability", into(c.persistence.durability)},
         {"persistence.checkpoint_seconds", into(c.persistence.checkpoint_seconds)},
         {"persistence.replay_seconds", into(c.persistence.replay_seconds)},
         {"persistence.history_hours", into(c.persistence.history_hours)},

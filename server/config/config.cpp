@@ -90,7 +90,7 @@ Status check(const Config& c) {
         {"stream.client_timeout_seconds", c.stream.client_timeout_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
         {"stream.codec", c.stream.codec, 1, 2},
-        {"persistence.checkpoint_seconds", c.persistence.checkpoint_seconds, 1, 86400},
+        {"persistence.checkpoint_interval_seconds", c.persistence.checkpoint_interval_seconds, 1, 86400},
         {"persistence.replay_seconds", c.persistence.replay_seconds, 0.01, 3600},
         {"persistence.history_hours", c.persistence.history_hours, 0, 87600},
         {"datagrams.advertised_port", c.datagrams.advertised_port, 0, 65535},

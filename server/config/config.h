@@ -138,7 +138,7 @@ struct PersistenceSettings {
     // "machine": what clients were told survives the end of the machine; "process": that of the
     // process, however it ends; "none": as without a store.
     std::string level = "machine";
-    double checkpoint_seconds = 60;  // a world that moves is written whole so often
+    double checkpoint_interval_seconds = 60;  // a world that moves is written whole so often
     double replay_seconds = 2;       // or when its steps since then took so long
     double history_hours = 0;        // that can be gone back to; 0: the last two checkpoints
 

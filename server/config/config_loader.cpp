@@ -111,7 +111,7 @@ Setters setters_of(Config& c) {
         {"stream.codec", into(c.stream.codec)},
         {"persistence.database", into(c.persistence.database)},
         {"persistence.durability", into(c.persistence.durability)},
-        {"persistence.checkpoint_seconds", into(c.persistence.checkpoint_seconds)},
+        {"persistence.checkpoint_interval_seconds", into(c.persistence.checkpoint_interval_seconds)},
         {"persistence.replay_seconds", into(c.persistence.replay_seconds)},
         {"persistence.history_hours", into(c.persistence.history_hours)},
         {"datagrams.listen", into(c.datagrams.listen)},

@@ -177,7 +177,7 @@ bool StoredKeeper::wants_moment() const {
     if (interrupted_) return true;
     if (!changed_ && replay_ms_ < worth_ms) return false;
     return replay_ms_ > 1000 * settings_.replay_seconds ||
-           Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_seconds);
+           Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 
 void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) {

@@ -72,7 +72,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
                            int threads, std::function<void()> on_told)
     : limits_(limits),
       threads_(threads),
-      keeper_settings_{.checkpoint_seconds = settings.checkpoint_seconds,
+      keeper_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
                        .replay_seconds = settings.replay_seconds,
                        .history_hours = settings.history_hours,
                        .on_told = std::move(on_told)},

@@ -91,7 +91,7 @@ Status check(const Config& c) {
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
         {"stream.codec", c.stream.codec, 1, 2},
         {"persistence.checkpoint_interval_seconds", c.persistence.checkpoint_interval_seconds, 1, 86400},
-        {"persistence.replay_seconds", c.persistence.replay_seconds, 0.01, 3600},
+        {"persistence.replay_seconds_max", c.persistence.replay_seconds_max, 0.01, 3600},
         {"persistence.history_hours", c.persistence.history_hours, 0, 87600},
         {"datagrams.advertised_port", c.datagrams.advertised_port, 0, 65535},
         {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},

@@ -112,7 +112,7 @@ Setters setters_of(Config& c) {
         {"persistence.database", into(c.persistence.database)},
         {"persistence.durability", into(c.persistence.durability)},
         {"persistence.checkpoint_interval_seconds", into(c.persistence.checkpoint_interval_seconds)},
-        {"persistence.replay_seconds", into(c.persistence.replay_seconds)},
+        {"persistence.replay_seconds_max", into(c.persistence.replay_seconds_max)},
         {"persistence.history_hours", into(c.persistence.history_hours)},
         {"datagrams.listen", into(c.datagrams.listen)},
         {"datagrams.advertised_port", into(c.datagrams.advertised_port)},

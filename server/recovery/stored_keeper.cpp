@@ -176,7 +176,7 @@ bool StoredKeeper::wants_moment() const {
     if (checkpoint_waits_ || trouble()) return false;
     if (interrupted_) return true;
     if (!changed_ && replay_ms_ < worth_ms) return false;
-    return replay_ms_ > 1000 * settings_.replay_seconds ||
+    return replay_ms_ > 1000 * settings_.replay_seconds_max ||
            Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 

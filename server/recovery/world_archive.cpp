@@ -73,7 +73,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
     : limits_(limits),
       threads_(threads),
       keeper_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
-                       .replay_seconds = settings.replay_seconds,
+                       .replay_seconds_max = settings.replay_seconds_max,
                        .history_hours = settings.history_hours,
                        .on_told = std::move(on_told)},
       checkpoints_(std::make_unique<CheckpointWriter>()) {}

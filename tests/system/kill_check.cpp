@@ -229,7 +229,7 @@ private:
                                        "--set",    "persistence.database=" + store(),
                                        "--set",    "persistence.durability=" + plan_.level,
                                        "--set",    "persistence.history_hours=1000",
-                                       "--set",    "persistence.replay_seconds=0.5",
+                                       "--set",    "persistence.replay_seconds_max=0.5",
                                        "--set",    "client.bodies_owned_max=8",
                                        "--set",    "drain_timeout_seconds=1"};
         for (const std::string& setting : plan_.settings) {

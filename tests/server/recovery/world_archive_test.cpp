@@ -174,7 +174,7 @@ TEST(WorldArchive, a_deleted_world_does_not_come_back_and_its_clients_ids_are_no
 
 TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two_are_kept) {
     const test::TempFolder folder;
-    Process process(folder / "worlds.db", {.replay_seconds = 0.01});
+    Process process(folder / "worlds.db", {.replay_seconds_max = 0.01});
     const auto world = process.create("yard");
     for (int k = 0; k < 60; k++) {
         Process::play(*world, 10, std::make_shared<ResultQueue>());
@@ -342,7 +342,7 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
     std::string id;
     std::uint32_t tick = 0;
     {
-        Process process(folder / "worlds.db", {.replay_seconds = 0.01});
+        Process process(folder / "worlds.db", {.replay_seconds_max = 0.01});
         const auto world = process.create("yard");
         id = world->id();
         for (int k = 0; k < 20; k++) {

@@ -26,7 +26,7 @@ using test::error_of;
 // ball. `late` throws one more, in tick 125.
 void play(const std::string& path, bool late) {
     server::PersistenceSettings settings{
-        .store = path, .level = "process", .replay_seconds = 0.003, .history_hours = 1};
+        .store = path, .level = "process", .replay_seconds_max = 0.003, .history_hours = 1};
     const server::HostLimits limits{.scene = {.bodies_max = 400}};
     auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
     server::WorldDirectory worlds({.limits = limits, .own_thread = false, .keepers = archive.get()},

@@ -92,7 +92,7 @@ Status check(const Config& c) {
         {"stream.codec", c.stream.codec, 1, 2},
         {"persistence.checkpoint_interval_seconds", c.persistence.checkpoint_interval_seconds, 1, 86400},
         {"persistence.replay_seconds_max", c.persistence.replay_seconds_max, 0.01, 3600},
-        {"persistence.history_hours", c.persistence.history_hours, 0, 87600},
+        {"persistence.history_retention_hours", c.persistence.history_retention_hours, 0, 87600},
         {"datagrams.advertised_port", c.datagrams.advertised_port, 0, 65535},
         {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
         {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},

@@ -140,7 +140,7 @@ struct PersistenceSettings {
     std::string level = "machine";
     double checkpoint_interval_seconds = 60;  // a world that moves is written whole so often
     double replay_seconds_max = 2;       // or when its steps since then took so long
-    double history_hours = 0;        // that can be gone back to; 0: the last two checkpoints
+    double history_retention_hours = 0;        // that can be gone back to; 0: the last two checkpoints
 
     bool is_on() const { return !database.empty() && level != "none"; }
 };

@@ -113,7 +113,7 @@ Setters setters_of(Config& c) {
         {"persistence.durability", into(c.persistence.durability)},
         {"persistence.checkpoint_interval_seconds", into(c.persistence.checkpoint_interval_seconds)},
         {"persistence.replay_seconds_max", into(c.persistence.replay_seconds_max)},
-        {"persistence.history_hours", into(c.persistence.history_hours)},
+        {"persistence.history_retention_hours", into(c.persistence.history_retention_hours)},
         {"datagrams.listen", into(c.datagrams.listen)},
         {"datagrams.advertised_port", into(c.datagrams.advertised_port)},
         {"tls.certificate", into(c.tls.certificate)},

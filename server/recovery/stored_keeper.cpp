@@ -236,9 +236,9 @@ void StoredKeeper::forget_old(Taken newest) {
     {
         const std::lock_guard lock(mutex_);
         taken_.push_back(newest);
-        const auto since = newest.at - from_seconds(3600 * settings_.history_hours);
+        const auto since = newest.at - from_seconds(3600 * settings_.history_retention_hours);
         while (taken_.size() > kept_checkpoints && taken_[1].at < since) taken_.pop_front();
-        if (settings_.history_hours == 0)
+        if (settings_.history_retention_hours == 0)
             while (taken_.size() > kept_checkpoints) taken_.pop_front();
         oldest = taken_.front().tick;
     }

@@ -23,7 +23,7 @@ namespace jostle::server {
 struct KeeperSettings {
     double checkpoint_interval_seconds = 60;  // between two, at most, of a world that moves
     double replay_seconds_max = 2;       // that the steps since the last one took, at most
-    double history_hours = 0;        // 0: the last two checkpoints, and what came after them
+    double history_retention_hours = 0;        // 0: the last two checkpoints, and what came after them
     // After results were told, on the writer's thread: must only wake somebody.
     std::function<void()> on_told;
 };

@@ -74,7 +74,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
       threads_(threads),
       keeper_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
                        .replay_seconds_max = settings.replay_seconds_max,
-                       .history_hours = settings.history_hours,
+                       .history_retention_hours = settings.history_retention_hours,
                        .on_told = std::move(on_told)},
       checkpoints_(std::make_unique<CheckpointWriter>()) {}
 

@@ -228,7 +228,7 @@ private:
                                        "--scene",  plan_.scene,
                                        "--set",    "persistence.database=" + store(),
                                        "--set",    "persistence.durability=" + plan_.level,
-                                       "--set",    "persistence.history_hours=1000",
+                                       "--set",    "persistence.history_retention_hours=1000",
                                        "--set",    "persistence.replay_seconds_max=0.5",
                                        "--set",    "client.bodies_owned_max=8",
                                        "--set",    "drain_timeout_seconds=1"};

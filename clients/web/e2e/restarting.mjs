@@ -13,7 +13,7 @@ export async function restarting({ page, server, folder, webRoot, until, expect,
   const start = async (http, grpc) => {
     rmSync(portFile, { force: true });
     const ways = { '--scene': 'stack', '--listen': `127.0.0.1:${grpc}`, '--http': `127.0.0.1:${http}`, '--web-root': webRoot, '--port-file': portFile };
-    const kept = ['persistence.history_hours=1', `persistence.database=${join(folder, 'worlds.db')}`, 'client.resume_timeout_seconds=120'].flatMap((setting) => ['--set', setting]);
+    const kept = ['persistence.history_retention_hours=1', `persistence.database=${join(folder, 'worlds.db')}`, 'client.resume_timeout_seconds=120'].flatMap((setting) => ['--set', setting]);
     child = spawn(server, [...Object.entries(ways).flat(), ...kept], { stdio: ['ignore', 'inherit', 'inherit'] });
     return until('the kept server writes its ports', () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
   };

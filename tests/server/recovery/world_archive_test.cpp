@@ -213,7 +213,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
     std::uint64_t at_the_end = 0;
     std::uint32_t last_tick = 0;
     {
-        Process process(folder / "worlds.db", {.history_hours = 1});
+        Process process(folder / "worlds.db", {.history_retention_hours = 1});
         const auto first = process.create("yard");
         Process::play(*first, 40, reply);
         const std::uint64_t then = hash_of(*first);

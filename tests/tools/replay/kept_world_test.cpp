@@ -26,7 +26,7 @@ using test::error_of;
 // ball. `late` throws one more, in tick 125.
 void play(const std::string& path, bool late) {
     server::PersistenceSettings settings{
-        .store = path, .level = "process", .replay_seconds_max = 0.003, .history_hours = 1};
+        .store = path, .level = "process", .replay_seconds_max = 0.003, .history_retention_hours = 1};
     const server::HostLimits limits{.scene = {.bodies_max = 400}};
     auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
     server::WorldDirectory worlds({.limits = limits, .own_thread = false, .keepers = archive.get()},
@@ -106,7 +106,7 @@ TEST(KeptWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
     for (int life = 0; life < 6; life++) {
         auto archive =
-            server::WorldArchive::open({.store = path, .level = "process", .history_hours = 1},
+            server::WorldArchive::open({.store = path, .level = "process", .history_retention_hours = 1},
                                        limits, 1, nullptr)
                 .value();
         server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");

@@ -95,7 +95,7 @@ Times measure(int bodies, int repetitions) {
     limits.scene = {.bodies_max = 1 << 30,
                     .joints_max = 1 << 30,
                     .joints_per_pair_max = 1 << 30,
-                    .outline_bytes_max = 1e12,
+                    .geometry_bytes_max = 1e12,
                     .body_outline_bytes_max = 1 << 30,
                     .work_per_second_max = 1e15,
                     .first_step_seconds_max = 1e3};

@@ -75,7 +75,7 @@ WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Met
     return {.limits = {.scene = {.bodies_max = config.world.bodies_max,
                                  .joints_max = scene.joints_max,
                                  .joints_per_pair_max = scene.joints_per_pair_max,
-                                 .outline_bytes_max = scene.outline_bytes_max,
+                                 .geometry_bytes_max = scene.geometry_bytes_max,
                                  .body_outline_bytes_max = scene.body_outline_bytes_max,
                                  .work_per_second_max = scene.work_per_second_max,
                                  .first_step_seconds_max = scene.first_step_seconds_max},

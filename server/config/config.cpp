@@ -73,7 +73,7 @@ Status check(const Config& c) {
         {"connection.idle_timeout_seconds", c.connection.idle_timeout_seconds, 1, 86400},
         {"scene.joints_max", c.scene.joints_max, 0, 10000000},
         {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
-        {"scene.outline_bytes_max", c.scene.outline_bytes_max, 1024, 1e10},
+        {"scene.geometry_bytes_max", c.scene.geometry_bytes_max, 1024, 1e10},
         {"scene.body_outline_bytes_max", c.scene.body_outline_bytes_max, 1024, 1 << 20},
         {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
         {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},

@@ -39,7 +39,7 @@ struct WorldLimits {
 struct SceneLimits {
     int joints_max = 20000;
     int joints_per_pair_max = 64;
-    double outline_bytes_max = 32e6;
+    double geometry_bytes_max = 32e6;
     int body_outline_bytes_max = 65536;
     double work_per_second_max = 2e8;
     double work_total_per_second_max = 4e8;  // of all worlds together

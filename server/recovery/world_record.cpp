@@ -27,7 +27,7 @@ std::string encode_world_record(const WorldRecord& record) {
     to.real(scene.bodies_max);
     to.real(scene.joints_max);
     to.real(scene.joints_per_pair_max);
-    to.real(scene.outline_bytes_max);
+    to.real(scene.geometry_bytes_max);
     to.real(scene.body_outline_bytes_max);
     to.real(scene.work_per_second_max);
     to.real(scene.first_step_seconds_max);
@@ -55,7 +55,7 @@ Result<WorldRecord> decode_world_record(std::string_view bytes) {
     budget.bodies_max = count();
     budget.joints_max = count();
     budget.joints_per_pair_max = count();
-    budget.outline_bytes_max = from.real();
+    budget.geometry_bytes_max = from.real();
     budget.body_outline_bytes_max = count();
     budget.work_per_second_max = from.real();
     budget.first_step_seconds_max = from.real();

@@ -36,11 +36,11 @@ Status check_outlines(const scenes::SceneDescription& scene, const SceneBudget& 
             if (!shared) own += size;
             if (shared && !counted.insert(scenes::shared_data(shape.geometry)).second) continue;
             bytes += size;
-            if (bytes > budget.outline_bytes_max)
+            if (bytes > budget.geometry_bytes_max)
                 return too_much(
                     fmt::format("the shapes of the scene take more than {:.0f} bytes to tell a "
-                                "client about; scene.outline_bytes_max allows no more",
-                                budget.outline_bytes_max));
+                                "client about; scene.geometry_bytes_max allows no more",
+                                budget.geometry_bytes_max));
         }
         if (own > budget.body_outline_bytes_max)
             return too_much(fmt::format(

@@ -76,7 +76,7 @@ TEST(SceneBudget, a_shape_that_bodies_share_counts_once_and_small_ones_with_thei
     const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
     scenes::SceneDescription scene = boxes(500, {3, 0, 0});
     for (scenes::SceneBody& body : scene.bodies) body.shapes[0].geometry = hull;
-    EXPECT_EQ(refusal_of(scene, {.outline_bytes_max = 10'000}), "");
+    EXPECT_EQ(refusal_of(scene, {.geometry_bytes_max = 10'000}), "");
     scene.bodies[7].name = "city";
     scene.bodies[7].shapes.assign(5000, {.geometry = physics::Box{}});
     const std::string why = refusal_of(scene);

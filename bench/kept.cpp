@@ -96,7 +96,7 @@ Times measure(int bodies, int repetitions) {
                     .joints_max = 1 << 30,
                     .joints_per_pair_max = 1 << 30,
                     .geometry_bytes_max = 1e12,
-                    .body_outline_bytes_max = 1 << 30,
+                    .body_geometry_bytes_max = 1 << 30,
                     .work_per_second_max = 1e15,
                     .first_step_seconds_max = 1e3};
     server::HostedWorld world = must(server::HostedWorld::create(scene, limits, 1));

@@ -76,7 +76,7 @@ WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Met
                                  .joints_max = scene.joints_max,
                                  .joints_per_pair_max = scene.joints_per_pair_max,
                                  .geometry_bytes_max = scene.geometry_bytes_max,
-                                 .body_outline_bytes_max = scene.body_outline_bytes_max,
+                                 .body_geometry_bytes_max = scene.body_geometry_bytes_max,
                                  .work_per_second_max = scene.work_per_second_max,
                                  .first_step_seconds_max = scene.first_step_seconds_max},
                        .bodies_owned_max = config.client.bodies_owned_max,

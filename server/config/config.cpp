@@ -74,7 +74,7 @@ Status check(const Config& c) {
         {"scene.joints_max", c.scene.joints_max, 0, 10000000},
         {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
         {"scene.geometry_bytes_max", c.scene.geometry_bytes_max, 1024, 1e10},
-        {"scene.body_outline_bytes_max", c.scene.body_outline_bytes_max, 1024, 1 << 20},
+        {"scene.body_geometry_bytes_max", c.scene.body_geometry_bytes_max, 1024, 1 << 20},
         {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
         {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},
         {"scene.first_step_seconds_max", c.scene.first_step_seconds_max, 0.01, 3600},

@@ -40,7 +40,7 @@ struct SceneLimits {
     int joints_max = 20000;
     int joints_per_pair_max = 64;
     double geometry_bytes_max = 32e6;
-    int body_outline_bytes_max = 65536;
+    int body_geometry_bytes_max = 65536;
     double work_per_second_max = 2e8;
     double work_total_per_second_max = 4e8;  // of all worlds together
     double first_step_seconds_max = 0.5;

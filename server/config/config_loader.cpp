@@ -87,7 +87,7 @@ Setters setters_of(Config& c) {
         {"scene.joints_max", into(c.scene.joints_max)},
         {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
         {"scene.geometry_bytes_max", into(c.scene.geometry_bytes_max)},
-        {"scene.body_outline_bytes_max", into(c.scene.body_outline_bytes_max)},
+        {"scene.body_geometry_bytes_max", into(c.scene.body_geometry_bytes_max)},
         {"scene.work_per_second_max", into(c.scene.work_per_second_max)},
         {"scene.work_total_per_second_max", into(c.scene.work_total_per_second_max)},
         {"scene.first_step_seconds_max", into(c.scene.first_step_seconds_max)},

@@ -28,7 +28,7 @@ std::string encode_world_record(const WorldRecord& record) {
     to.real(scene.joints_max);
     to.real(scene.joints_per_pair_max);
     to.real(scene.geometry_bytes_max);
-    to.real(scene.body_outline_bytes_max);
+    to.real(scene.body_geometry_bytes_max);
     to.real(scene.work_per_second_max);
     to.real(scene.first_step_seconds_max);
     to.real(record.limits.bodies_owned_max);
@@ -56,7 +56,7 @@ Result<WorldRecord> decode_world_record(std::string_view bytes) {
     budget.joints_max = count();
     budget.joints_per_pair_max = count();
     budget.geometry_bytes_max = from.real();
-    budget.body_outline_bytes_max = count();
+    budget.body_geometry_bytes_max = count();
     budget.work_per_second_max = from.real();
     budget.first_step_seconds_max = from.real();
     record.limits.bodies_owned_max = count();

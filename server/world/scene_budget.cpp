@@ -42,11 +42,11 @@ Status check_outlines(const scenes::SceneDescription& scene, const SceneBudget& 
                                 "client about; scene.geometry_bytes_max allows no more",
                                 budget.geometry_bytes_max));
         }
-        if (own > budget.body_outline_bytes_max)
+        if (own > budget.body_geometry_bytes_max)
             return too_much(fmt::format(
-                "bodies[{}] \"{}\" has shapes of {:.0f} bytes; scene.body_outline_bytes_max allows "
+                "bodies[{}] \"{}\" has shapes of {:.0f} bytes; scene.body_geometry_bytes_max allows "
                 "{}; make them one mesh or compound",
-                i, scene.bodies[i].name, own, budget.body_outline_bytes_max));
+                i, scene.bodies[i].name, own, budget.body_geometry_bytes_max));
     }
     return {};
 }

@@ -16,7 +16,7 @@ struct SceneBudget {
     int joints_max = 20000;
     int joints_per_pair_max = 64;        // of the same two bodies: they are solved one by one
     double geometry_bytes_max = 32e6;     // of what clients are told about shapes, each kept once
-    int body_outline_bytes_max = 65536;  // of the small shapes of one body
+    int body_geometry_bytes_max = 65536;  // of the small shapes of one body
     // Solver visits a second: rate x sub-steps x (moving bodies + joints + pairs of shapes whose
     // boxes overlap). A core makes some tens of millions.
     double work_per_second_max = 2e8;

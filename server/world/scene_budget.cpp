@@ -25,7 +25,7 @@ Error too_much(std::string message) {
     return {ErrorCode::resource_exhausted, std::move(message)};
 }
 
-Status check_outlines(const scenes::SceneDescription& scene, const SceneBudget& budget) {
+Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBudget& budget) {
     double bytes = 0;
     std::set<const void*> counted;
     for (std::size_t i = 0; i < scene.bodies.size(); i++) {
@@ -115,7 +115,7 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
         return too_much(fmt::format("the scene has {} bodies; world.bodies_max allows {}",
                                     scene.bodies.size(), budget.bodies_max));
     if (Status s = check_joints(scene, budget); !s.ok()) return s;
-    return check_outlines(scene, budget);
+    return check_geometry_size(scene, budget);
 }
 
 Result<double> work_of(const scenes::SceneDescription& scene, const World& world,

@@ -251,8 +251,8 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
         return;
     }
     if (count == 0 || stream.grpc_deaf) return;
-    if (stream.unread > limits_.unread_bytes_max) measure(stream, now);
-    if (stream.unread > limits_.unread_bytes_max) return cut_unread(stream, now);
+    if (stream.unread > limits_.buffered_bytes_max) measure(stream, now);
+    if (stream.unread > limits_.buffered_bytes_max) return cut_unread(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
         if (stream.guard.has_preface()) return cut(stream, allowed.error().message, now);
@@ -422,7 +422,7 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     Stream* largest = nullptr;
     for (const auto& [stream, owned] : streams_) {
         measure(*stream, now);
-        if (stream->unread > limits_.unread_bytes_max)
+        if (stream->unread > limits_.buffered_bytes_max)
             cut_unread(*stream, now);
         else if (stream->deadline != Clock::time_point{} && now >= stream->deadline)
             close(*stream);

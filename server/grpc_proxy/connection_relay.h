@@ -33,7 +33,7 @@
 namespace jostle::server {
 
 struct RelayLimits {
-    double unread_bytes_max = 8.0 * 1024 * 1024;   // of one connection, of which no message came
+    double buffered_bytes_max = 8.0 * 1024 * 1024;   // of one connection, of which no message came
     double unread_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
     // Streams that were begun and that gRPC has not given us yet.
     double backlog_max = 100, backlog_total_max = 2000;

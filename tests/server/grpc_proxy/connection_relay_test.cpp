@@ -154,7 +154,7 @@ protected:
     std::vector<Owned> handed;
     ConnectionTable table{{}};
     ConnectionRelay relay{
-        table, {.unread_bytes_max = 1e6, .introduction_max = 300ms, .farewell_max = 300ms}};
+        table, {.buffered_bytes_max = 1e6, .introduction_max = 300ms, .farewell_max = 300ms}};
     ConnectionRelay* door = &relay;
     std::shared_ptr<Connection> connection;
     sockaddr_storage peer{};

@@ -69,7 +69,7 @@ Status check(const Config& c) {
         {"connection.total_max", c.connection.total_max, 8, 1 << 20},
         {"connection.per_address_max", c.connection.per_address_max, 1, 1 << 20},
         {"connection.buffered_bytes_max", c.connection.buffered_bytes_max, 65536, 1e10},
-        {"connection.unread_total_bytes_max", c.connection.unread_total_bytes_max, 65536, 1e11},
+        {"connection.buffered_total_bytes_max", c.connection.buffered_total_bytes_max, 65536, 1e11},
         {"connection.idle_timeout_seconds", c.connection.idle_timeout_seconds, 1, 86400},
         {"scene.joints_max", c.scene.joints_max, 0, 10000000},
         {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},

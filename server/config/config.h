@@ -112,7 +112,7 @@ struct ConnectionLimits {
     // Sent but not (yet) a message: of one connection, and of all together. Beyond it the one with
     // the most is cut.
     double buffered_bytes_max = 8e6;
-    double unread_total_bytes_max = 64e6;
+    double buffered_total_bytes_max = 64e6;
     double idle_timeout_seconds = 300;  // without a call
 };
 

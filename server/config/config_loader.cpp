@@ -82,7 +82,7 @@ Setters setters_of(Config& c) {
         {"connection.total_max", into(c.connection.total_max)},
         {"connection.per_address_max", into(c.connection.per_address_max)},
         {"connection.buffered_bytes_max", into(c.connection.buffered_bytes_max)},
-        {"connection.unread_total_bytes_max", into(c.connection.unread_total_bytes_max)},
+        {"connection.buffered_total_bytes_max", into(c.connection.buffered_total_bytes_max)},
         {"connection.idle_timeout_seconds", into(c.connection.idle_timeout_seconds)},
         {"scene.joints_max", into(c.scene.joints_max)},
         {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},

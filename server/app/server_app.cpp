@@ -331,7 +331,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .certificates = certificates.get(),
                      .connections = connection_limits(config.connection),
                      .relay = {.buffered_bytes_max = config.connection.buffered_bytes_max,
-                               .unread_total_max = config.connection.buffered_total_bytes_max},
+                               .buffered_total_max = config.connection.buffered_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
                      .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
                      .idle_max = from_seconds(config.connection.idle_timeout_seconds)});

@@ -35,7 +35,7 @@ constexpr double slack_bytes_per_second = 16 * 1024, slack_of_call = 4 * 1024;
 // Streams that gRPC itself turns away never reach us.
 constexpr double streams_forgiven_per_second = 50;
 // When much waits in all, who has this little still goes on.
-constexpr double small_unread = 64 * 1024, small_backlog = 8;
+constexpr double small_buffer = 64 * 1024, small_backlog = 8;
 
 void close_if_open(int& descriptor) {
     if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
@@ -242,7 +242,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     const std::uint64_t received = stream.client->received();
     const double fresh = static_cast<double>(received - std::exchange(stream.received, received));
     stream.unread += fresh;
-    unread_total_ += fresh;
+    buffered_total_ += fresh;
     if (state == ClientSocket::State::wants_write) stream.read_wants_write = true;
     if (state == ClientSocket::State::closed) {
         stream.client_ended = true;
@@ -252,7 +252,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     }
     if (count == 0 || stream.grpc_deaf) return;
     if (stream.unread > limits_.buffered_bytes_max) measure(stream, now);
-    if (stream.unread > limits_.buffered_bytes_max) return cut_unread(stream, now);
+    if (stream.unread > limits_.buffered_bytes_max) return drop_largest_buffer(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
         if (stream.guard.has_preface()) return cut(stream, allowed.error().message, now);
@@ -377,7 +377,7 @@ bool ConnectionRelay::may_read(const Stream& stream, Clock::time_point now) cons
     if (stream.waits || (!stream.for_grpc.empty() && stream.grpc >= 0)) return false;
     if (now < stream.read_again || stream.backlog > limits_.backlog_max) return false;
     if (backlog_total_ > limits_.backlog_total_max && stream.backlog > small_backlog) return false;
-    return unread_total_ <= limits_.unread_total_max || stream.unread <= small_unread;
+    return buffered_total_ <= limits_.buffered_total_max || stream.unread <= small_buffer;
 }
 
 void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
@@ -418,21 +418,21 @@ void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
 }
 
 void ConnectionRelay::sweep(Clock::time_point now) {
-    unread_total_ = backlog_total_ = 0;
+    buffered_total_ = backlog_total_ = 0;
     Stream* largest = nullptr;
     for (const auto& [stream, owned] : streams_) {
         measure(*stream, now);
         if (stream->unread > limits_.buffered_bytes_max)
-            cut_unread(*stream, now);
+            drop_largest_buffer(*stream, now);
         else if (stream->deadline != Clock::time_point{} && now >= stream->deadline)
             close(*stream);
         if (stream->is_dead) continue;
-        unread_total_ += stream->unread;
+        buffered_total_ += stream->unread;
         backlog_total_ += stream->backlog;
         if (!largest || stream->unread > largest->unread) largest = stream;
     }
-    if (unread_total_ > limits_.unread_total_max && largest) {
-        unread_total_ -= largest->unread;
+    if (buffered_total_ > limits_.buffered_total_max && largest) {
+        buffered_total_ -= largest->unread;
         cut(*largest,
             fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
                         largest->unread),
@@ -442,7 +442,7 @@ void ConnectionRelay::sweep(Clock::time_point now) {
         if (!stream->is_dead) update_interest(*stream, now);
 }
 
-void ConnectionRelay::cut_unread(Stream& stream, Clock::time_point now) {
+void ConnectionRelay::drop_largest_buffer(Stream& stream, Clock::time_point now) {
     cut(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
 }
 

@@ -34,7 +34,7 @@ namespace jostle::server {
 
 struct RelayLimits {
     double buffered_bytes_max = 8.0 * 1024 * 1024;   // of one connection, of which no message came
-    double unread_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
+    double buffered_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
     // Streams that were begun and that gRPC has not given us yet.
     double backlog_max = 100, backlog_total_max = 2000;
     double openings_per_second = 500;  // of connections towards gRPC, and at once
@@ -85,7 +85,7 @@ private:
     void update_interest(Stream& stream, Clock::time_point now);
     void sweep(Clock::time_point now);
     void measure(Stream& stream, Clock::time_point now) const;
-    void cut_unread(Stream& stream, Clock::time_point now);
+    void drop_largest_buffer(Stream& stream, Clock::time_point now);
     void cut(Stream& stream, const std::string& why, Clock::time_point now);
     void close(Stream& stream);
     void bury();
@@ -102,7 +102,7 @@ private:
     std::deque<Stream*> waiting_;          // to be opened; some may have gone
     std::vector<std::uint8_t> up_, down_;  // scratch of one move
     TokenBucket openings_;
-    double unread_total_ = 0, backlog_total_ = 0;
+    double buffered_total_ = 0, backlog_total_ = 0;
     std::atomic<std::uint64_t> cut_{0};
     std::atomic<Clock::rep> looked_{0};
     std::atomic<Clock::rep> stop_at_{0};  // 0: goes on

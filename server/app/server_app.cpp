@@ -204,8 +204,8 @@ std::filesystem::path find_web_root(const std::string& given) {
 }
 
 // What others type to reach a server that listens there.
-std::string reachable(const std::string& host, const std::string& advertise) {
-    if (!advertise.empty()) return advertise;
+std::string reachable(const std::string& host, const std::string& advertised_host) {
+    if (!advertised_host.empty()) return advertised_host;
     if (host == "0.0.0.0" || host == "::") {
         char name[256] = {};
         return gethostname(name, sizeof name - 1) == 0 ? name : "localhost";
@@ -353,9 +353,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     const int admin_port = admin ? admin->port() : 0;
     const std::string web =
-        fmt::format("{}:{}", reachable(http.host, config.advertise), gateway.port());
+        fmt::format("{}:{}", reachable(http.host, config.advertised_host), gateway.port());
     control.set_addresses(
-        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertise), grpc.port()),
+        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_host), grpc.port()),
          .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
     wakers.set(&grpc, &gateway);
     const int datagram_port = datagrams ? datagrams->port() : 0;

@@ -157,7 +157,7 @@ struct Config {
     std::string log_format = "text";                // text, json
     // The host name that clients are sent to, for a server that listens on all addresses; empty:
     // the name of the machine.
-    std::string advertise;
+    std::string advertised_host;
     double drain_timeout_seconds = 5;  // after SIGTERM, for clients to leave
     int network_threads = 1;   // gRPC play streams; each owns its clients
     ClientLimits client;

@@ -353,9 +353,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     const int admin_port = admin ? admin->port() : 0;
     const std::string web =
-        fmt::format("{}:{}", reachable(http.host, config.advertised_host), gateway.port());
+        fmt::format("{}:{}", reachable(http.host, config.advertised_hostd_host), gateway.port());
     control.set_addresses(
-        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_host), grpc.port()),
+        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_hostd_host), grpc.port()),
          .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
     wakers.set(&grpc, &gateway);
     const int datagram_port = datagrams ? datagrams->port() : 0;

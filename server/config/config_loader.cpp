@@ -66,7 +66,7 @@ Setters setters_of(Config& c) {
         {"insecure", into(c.insecure)},
         {"log_level", into(c.log_level)},
         {"log_format", into(c.log_format)},
-        {"advertised_host", into(c.advertised_host)},
+        {"advertised_host", into(c.advertised_hostd_host)},
         {"drain_timeout_seconds", into(c.drain_timeout_seconds)},
         {"network_threads", into(c.network_threads)},
         {"client.messages_per_second", into(c.client.messages_per_second)},

@@ -258,7 +258,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     WorldDirectory worlds(hosts, config.world.worlds_max, process_suffix());
     if (!config.development.link.empty())
-        log_warn("development.link makes the link to every client worse on purpose: {}",
+        log_warn("development.network_conditions makes the link to every client worse on purpose: {}",
                  config.development.link);
 
     const auto opened = Gate::open(config);

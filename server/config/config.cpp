@@ -128,7 +128,7 @@ Status check(const Config& c) {
         return invalid_argument("persistence.durability is \"" + c.persistence.durability +
                                 "\"; it must be none, process or machine");
     if (const auto link = read_link_settings(c.development.link); !link.ok())
-        return invalid_argument("development.link: " + link.error().message);
+        return invalid_argument("development.network_conditions: " + link.error().message);
     return check_access(c);
 }
 

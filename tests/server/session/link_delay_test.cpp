@@ -80,7 +80,7 @@ TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
     const Status refused = check(config);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().message,
-              "development.link: link setting 'delay=soon': after = comes a number from 0");
+              "development.network_conditions: link setting 'delay=soon': after = comes a number from 0");
 }
 
 TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {

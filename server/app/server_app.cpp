@@ -257,9 +257,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         sessions.use_ids(archive->first_client(), [&](ClientId next) { archive->on_client(next); });
     }
     WorldDirectory worlds(hosts, config.world.worlds_max, process_suffix());
-    if (!config.development.link.empty())
+    if (!config.development.network_conditions.empty())
         log_warn("development.network_conditions makes the link to every client worse on purpose: {}",
-                 config.development.link);
+                 config.development.network_conditions);
 
     const auto opened = Gate::open(config);
     if (!opened.ok()) return failed(opened.error());

@@ -120,7 +120,7 @@ struct ConnectionLimits {
 struct DevelopmentSettings {
     // A link that is worse than the real one, to every client and back, as in
     // "delay=80,jitter=20,stalls=250" (jostle/base/link_conditioner.h); empty: the real one.
-    std::string link;
+    std::string network_conditions;
     std::vector<std::string> link_worlds;  // names of the worlds that have it; empty: all
 };
 

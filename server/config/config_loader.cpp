@@ -77,7 +77,7 @@ Setters setters_of(Config& c) {
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
         {"client.retain_bodies_after_leave", into(c.client.retain_bodies_after_leave)},
         {"client.resume_timeout_seconds", into(c.client.resume_timeout_seconds)},
-        {"development.network_conditions", into(c.development.link)},
+        {"development.network_conditions", into(c.development.network_conditions)},
         {"development.link_worlds", into(c.development.link_worlds)},
         {"connection.total_max", into(c.connection.total_max)},
         {"connection.per_address_max", into(c.connection.per_address_max)},

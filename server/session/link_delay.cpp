@@ -53,7 +53,7 @@ std::optional<OutMessage> LinkDelay::take_said(Clock::time_point now, bool at_on
 
 std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number) {
-    const Result<LinkSettings> link = read_link_settings(settings.link);
+    const Result<LinkSettings> link = read_link_settings(settings.network_conditions);
     if (!link.ok() || !link->bad()) return nullptr;
     const auto& worlds = settings.link_worlds;
     if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end()) return nullptr;

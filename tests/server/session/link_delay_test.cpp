@@ -76,7 +76,7 @@ TEST(LinkDelay, is_for_the_worlds_that_are_named) {
 
 TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
     Config config;
-    config.development.link = "delay=soon";
+    config.development.network_conditions = "delay=soon";
     const Status refused = check(config);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().message,

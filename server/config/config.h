@@ -121,7 +121,7 @@ struct DevelopmentSettings {
     // A link that is worse than the real one, to every client and back, as in
     // "delay=80,jitter=20,stalls=250" (jostle/base/link_conditioner.h); empty: the real one.
     std::string network_conditions;
-    std::vector<std::string> link_worlds;  // names of the worlds that have it; empty: all
+    std::vector<std::string> network_conditions_worlds;  // names of the worlds that have it; empty: all
 };
 
 // Snapshots, acks and inputs as datagrams, for clients that ask for it (docs/protocol.md).

@@ -78,7 +78,7 @@ Setters setters_of(Config& c) {
         {"client.retain_bodies_after_leave", into(c.client.retain_bodies_after_leave)},
         {"client.resume_timeout_seconds", into(c.client.resume_timeout_seconds)},
         {"development.network_conditions", into(c.development.network_conditions)},
-        {"development.link_worlds", into(c.development.link_worlds)},
+        {"development.network_conditions_worlds", into(c.development.network_conditions_worlds)},
         {"connection.total_max", into(c.connection.total_max)},
         {"connection.per_address_max", into(c.connection.per_address_max)},
         {"connection.buffered_bytes_max", into(c.connection.buffered_bytes_max)},

@@ -55,7 +55,7 @@ std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number) {
     const Result<LinkSettings> link = read_link_settings(settings.network_conditions);
     if (!link.ok() || !link->bad()) return nullptr;
-    const auto& worlds = settings.link_worlds;
+    const auto& worlds = settings.network_conditions_worlds;
     if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end()) return nullptr;
     return std::make_unique<LinkDelay>(*link, number);
 }

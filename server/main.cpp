@@ -68,7 +68,7 @@ void add_flags(CLI::App& app, Flags& flags) {
 }
 
 // A flag that was given replaces what the file said.
-void overlay(jostle::server::Config& config, const Flags& flags) {
+void apply_flags(jostle::server::Config& config, const Flags& flags) {
     const auto take = [](std::string& setting, const std::string& flag) {
         if (!flag.empty()) setting = flag;
     };
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "jostle-server: %s\n", set.error().message.c_str());
         return 2;
     }
-    overlay(config, flags);
+    apply_flags(config, flags);
     jostle::Status checked = jostle::server::check(config);
     // A probe lets nobody in; its flags need not be all of the server's.
     if (checked.ok() && !flags.health) checked = jostle::server::check_exposure(config);

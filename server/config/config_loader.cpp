@@ -135,7 +135,7 @@ Setters setters_of(Config& c) {
     };
 }
 
-std::string place(const std::string& name, const toml::source_region& source) {
+std::string location_of(const std::string& name, const toml::source_region& source) {
     return name + ":" + std::to_string(source.begin.line) + ": ";
 }
 
@@ -149,11 +149,11 @@ Status apply_table(const Setters& setters, const toml::table& table, const std::
         }
         const auto at = setters.find(path);
         if (at == setters.end())
-            return Error{ErrorCode::invalid_argument, place(name, node.source()) +
+            return Error{ErrorCode::invalid_argument, location_of(name, node.source()) +
                                                           "there is no setting \"" + path +
                                                           "\"; docs/operations.md lists them"};
         if (!at->second(node))
-            return Error{ErrorCode::invalid_argument, place(name, node.source()) + "\"" + path +
+            return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" + path +
                                                           "\" has a value of the wrong type"};
     }
     return {};
@@ -167,7 +167,7 @@ Status load_config_text(Config& config, const std::string& text, const std::stri
         table = toml::parse(text, name);
     } catch (const toml::parse_error& error) {
         return Error{ErrorCode::invalid_argument,
-                     place(name, error.source()) + std::string(error.description())};
+                     location_of(name, error.source()) + std::string(error.description())};
     }
     Config changed = config;
     if (Status s = apply_table(setters_of(changed), table, "", name); !s.ok()) return s;

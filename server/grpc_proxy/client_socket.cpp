@@ -80,7 +80,7 @@ std::string ClientSocket::certificate() const {
     return tls_ ? verified_subject(tls_.get()) : std::string();
 }
 
-ClientSocket::Moved ClientSocket::read(std::span<std::uint8_t> room) {
+ClientSocket::IoResult ClientSocket::read(std::span<std::uint8_t> room) {
     if (tls_) {
         ERR_clear_error();
         std::size_t count = 0;
@@ -93,7 +93,7 @@ ClientSocket::Moved ClientSocket::read(std::span<std::uint8_t> room) {
     return {count == 0 ? State::closed : State::open, static_cast<std::size_t>(count)};
 }
 
-ClientSocket::Moved ClientSocket::write(std::span<const std::uint8_t> bytes) {
+ClientSocket::IoResult ClientSocket::write(std::span<const std::uint8_t> bytes) {
     if (tls_) {
         ERR_clear_error();
         std::size_t count = 0;

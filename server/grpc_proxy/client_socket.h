@@ -23,7 +23,7 @@ public:
         wants_write,  // likewise, to write
         closed,       // by the peer, or broken
     };
-    struct Moved {
+    struct IoResult {
         State state = State::open;
         std::size_t bytes = 0;
     };
@@ -44,9 +44,9 @@ public:
     std::string certificate() const;
 
     // At least 16 KiB of room, so that nothing that was decrypted stays behind.
-    Moved read(std::span<std::uint8_t> room);
+    IoResult read(std::span<std::uint8_t> room);
     // What was not written is to be given again, at the beginning of the next call.
-    Moved write(std::span<const std::uint8_t> bytes);
+    IoResult write(std::span<const std::uint8_t> bytes);
     // Tells the peer that nothing more comes.
     void finish();
 

@@ -78,7 +78,7 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
     return {};
 }
 
-void ConnectionAcceptor::start(HandOver hand_over) {
+void ConnectionAcceptor::start(Handler hand_over) {
     hand_over_ = std::move(hand_over);
     thread_ = std::thread([this] { run(); });
 }

@@ -24,7 +24,7 @@ namespace jostle::server {
 class ConnectionAcceptor {
 public:
     // A client that is let in. Called on the acceptor's thread.
-    using HandOver =
+    using Handler =
         std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
 
     // All outlive the acceptor. Null certificates: without TLS; null metrics: nobody counts.
@@ -40,7 +40,7 @@ public:
     // Binds. An error says which address and why. Port 0: any that is free.
     Status listen(const std::string& host, std::uint16_t port);
     std::uint16_t port() const { return port_; }  // the real one
-    void start(HandOver hand_over);
+    void start(Handler hand_over);
     // No new connections from now on.
     void stop();
 
@@ -72,7 +72,7 @@ private:
     TlsContexts tls_;
     const Clock::duration tcp_user_timeout_;
     const ListenerMetrics* const metrics_;
-    HandOver hand_over_;
+    Handler hand_over_;
     int listener_ = -1, epoll_ = -1;
     int wake_ = -1;  // an eventfd
     std::uint16_t port_ = 0;

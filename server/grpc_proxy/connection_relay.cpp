@@ -102,7 +102,7 @@ ConnectionRelay::~ConnectionRelay() {
     close_if_open(wake_);
 }
 
-Status ConnectionRelay::start(HandOver hand_over) {
+Status ConnectionRelay::start(Handler hand_over) {
     hand_over_ = std::move(hand_over);
     epoll_ = epoll_create1(EPOLL_CLOEXEC);
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);

@@ -45,14 +45,14 @@ struct RelayLimits {
 class ConnectionRelay {
 public:
     // Takes the descriptor over. Called on the relay's thread.
-    using HandOver = std::function<void(int descriptor)>;
+    using Handler = std::function<void(int descriptor)>;
 
     // Table and metrics outlive the relay; null metrics: nobody counts.
     ConnectionRelay(ConnectionTable& table, RelayLimits limits,
                     const ListenerMetrics* metrics = nullptr);
     ~ConnectionRelay();
 
-    Status start(HandOver hand_over);
+    Status start(Handler hand_over);
     void add(std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection);
     // Moves what gRPC has still to say to its clients, for so long at most, then closes all.
     void stop(Clock::duration timeout);
@@ -93,7 +93,7 @@ private:
     ConnectionTable& table_;
     const RelayLimits limits_;
     const ListenerMetrics* const metrics_;
-    HandOver hand_over_;
+    Handler hand_over_;
     int epoll_ = -1, wake_ = -1;
     std::mutex mutex_;  // of new_
     std::vector<std::unique_ptr<Stream>> new_;

@@ -78,8 +78,8 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
     return {};
 }
 
-void ConnectionAcceptor::start(Handler hand_over) {
-    hand_over_ = std::move(hand_over);
+void ConnectionAcceptor::start(Handler handler) {
+    handler_ = std::move(handler);
     thread_ = std::thread([this] { run(); });
 }
 
@@ -197,7 +197,7 @@ void ConnectionAcceptor::shake_hands(int descriptor) {
 void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
                                 const std::shared_ptr<Connection>& connection) {
     try {
-        hand_over_(std::move(socket), connection);
+        handler_(std::move(socket), connection);
     } catch (...) {
         table_.forget(*connection);
         throw;

@@ -40,7 +40,7 @@ public:
     // Binds. An error says which address and why. Port 0: any that is free.
     Status listen(const std::string& host, std::uint16_t port);
     std::uint16_t port() const { return port_; }  // the real one
-    void start(Handler hand_over);
+    void start(Handler handler);
     // No new connections from now on.
     void stop();
 
@@ -72,7 +72,7 @@ private:
     TlsContexts tls_;
     const Clock::duration tcp_user_timeout_;
     const ListenerMetrics* const metrics_;
-    Handler hand_over_;
+    Handler handler_;
     int listener_ = -1, epoll_ = -1;
     int wake_ = -1;  // an eventfd
     std::uint16_t port_ = 0;

@@ -102,8 +102,8 @@ ConnectionRelay::~ConnectionRelay() {
     close_if_open(wake_);
 }
 
-Status ConnectionRelay::start(Handler hand_over) {
-    hand_over_ = std::move(hand_over);
+Status ConnectionRelay::start(Handler handler) {
+    handler_ = std::move(handler);
     epoll_ = epoll_create1(EPOLL_CLOEXEC);
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     epoll_event event{.events = EPOLLIN, .data = {.ptr = nullptr}};
@@ -315,7 +315,7 @@ void ConnectionRelay::open_grpc(Stream& stream) {
     }
     stream.grpc = pair[0];
     stream.deadline = {};
-    hand_over_(pair[1]);
+    handler_(pair[1]);
 }
 
 void ConnectionRelay::flush_to_grpc(Stream& stream) {

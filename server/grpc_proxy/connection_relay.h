@@ -52,7 +52,7 @@ public:
                     const ListenerMetrics* metrics = nullptr);
     ~ConnectionRelay();
 
-    Status start(Handler hand_over);
+    Status start(Handler handler);
     void add(std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection);
     // Moves what gRPC has still to say to its clients, for so long at most, then closes all.
     void stop(Clock::duration timeout);
@@ -93,7 +93,7 @@ private:
     ConnectionTable& table_;
     const RelayLimits limits_;
     const ListenerMetrics* const metrics_;
-    Handler hand_over_;
+    Handler handler_;
     int epoll_ = -1, wake_ = -1;
     std::mutex mutex_;  // of new_
     std::vector<std::unique_ptr<Stream>> new_;

@@ -187,7 +187,7 @@ void ConnectionAcceptor::shake_hands(int descriptor) {
         return watch(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
                      EPOLL_CTL_MOD);
     watch(descriptor, 0, EPOLL_CTL_DEL);
-    Newcomer newcomer = std::move(at->second);
+    PendingHandshake newcomer = std::move(at->second);
     newcomers_.erase(at);
     if (state != ClientSocket::State::open) return turn_away(newcomer, newcomer.socket->failure());
     newcomer.connection->certificate = newcomer.socket->certificate();
@@ -204,7 +204,7 @@ void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
     }
 }
 
-void ConnectionAcceptor::turn_away(Newcomer& newcomer, const std::string& why) {
+void ConnectionAcceptor::turn_away(PendingHandshake& newcomer, const std::string& why) {
     log_debug("{}: no TLS: {}", newcomer.connection->peer, why);
     if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
     table_.forget(*newcomer.connection);

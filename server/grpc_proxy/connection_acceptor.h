@@ -50,7 +50,7 @@ public:
 
 private:
     // One that TLS is not agreed with yet.
-    struct Newcomer {
+    struct PendingHandshake {
         std::unique_ptr<ClientSocket> socket;
         std::shared_ptr<Connection> connection;
         Clock::time_point deadline;
@@ -64,7 +64,7 @@ private:
     void shake_hands(int descriptor);
     void let_in(std::unique_ptr<ClientSocket> socket,
                 const std::shared_ptr<Connection>& connection);
-    void turn_away(Newcomer& newcomer, const std::string& why);
+    void turn_away(PendingHandshake& newcomer, const std::string& why);
     void drop_the_slow(Clock::time_point now);
     void tell_refusals(Clock::time_point now);
 
@@ -76,7 +76,7 @@ private:
     int listener_ = -1, epoll_ = -1;
     int wake_ = -1;  // an eventfd
     std::uint16_t port_ = 0;
-    std::map<int, Newcomer> newcomers_;  // by descriptor
+    std::map<int, PendingHandshake> newcomers_;  // by descriptor
     std::atomic<bool> stopping_{false};
     std::atomic<Clock::rep> looked_{0}, starved_{0};  // when it did last, when it failed last
     std::uint64_t refused_ = 0, refused_told_ = 0;

@@ -139,7 +139,7 @@ Status GrpcServer::start() {
 std::optional<std::string> GrpcServer::trouble(Clock::time_point now) const {
     if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
         return "gRPC does not answer";
-    if (!relay_.is_moving(now)) return "gRPC's connections stand still";
+    if (!relay_.is_responsive(now)) return "gRPC's connections stand still";
     if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
     return std::nullopt;
 }

@@ -21,11 +21,11 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int look_period_ms = 50;
+constexpr int poll_period_ms = 50;
 constexpr int niceness = 5;
 constexpr auto handshake_max = std::chrono::seconds(5);
 constexpr int backlog = 1024;
-constexpr auto tell_period = std::chrono::seconds(5);
+constexpr auto log_period = std::chrono::seconds(5);
 // When no descriptor is left, trying again at once would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
@@ -72,8 +72,8 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     epoll_ = epoll_create1(EPOLL_CLOEXEC);
     if (wake_ < 0 || epoll_ < 0) return failed(std::strerror(errno));
-    watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
-    watch(listener_, EPOLLIN, EPOLL_CTL_ADD);
+    set_epoll_events(wake_, EPOLLIN, EPOLL_CTL_ADD);
+    set_epoll_events(listener_, EPOLLIN, EPOLL_CTL_ADD);
     port_ = port_of(listener_);
     return {};
 }
@@ -92,10 +92,10 @@ void ConnectionAcceptor::stop() {
 
 bool ConnectionAcceptor::is_listening(Clock::time_point now) const {
     const auto since = [&](Clock::rep at) { return now - Clock::time_point(Clock::duration(at)); };
-    return since(looked_) < std::chrono::seconds(1) && since(starved_) > 2 * accept_pause;
+    return since(polled_at_) < std::chrono::seconds(1) && since(failed_at_) > 2 * accept_pause;
 }
 
-void ConnectionAcceptor::watch(int descriptor, std::uint32_t events, int how) const {
+void ConnectionAcceptor::set_epoll_events(int descriptor, std::uint32_t events, int how) const {
     epoll_event event{.events = events, .data = {.fd = descriptor}};
     epoll_ctl(epoll_, how, descriptor, &event);
 }
@@ -106,29 +106,29 @@ void ConnectionAcceptor::run() {
     std::array<epoll_event, 64> events;
     while (!stopping_) {
         const int count =
-            epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), look_period_ms);
+            epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), poll_period_ms);
         const Clock::time_point now = Clock::now();
-        looked_ = now.time_since_epoch().count();
+        polled_at_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {
             const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
             try {
                 if (descriptor == listener_)
                     accept_all(now);
                 else if (descriptor != wake_)
-                    shake_hands(descriptor);
+                    continue_handshake(descriptor);
             } catch (const std::exception& error) {
                 // Memory has run out: this one is not let in.
                 log_error("gRPC: a connection failed: {}", error.what());
             }
         }
         // Without descriptors the listener would be ready for ever.
-        watch(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
-        drop_the_slow(now);
+        set_epoll_events(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
+        drop_timed_out(now);
         if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
-        tell_refusals(now);
+        log_refusals(now);
     }
-    for (auto& [descriptor, newcomer] : newcomers_) table_.forget(*newcomer.connection);
-    newcomers_.clear();
+    for (auto& [descriptor, pending] : pending_handshakes_) table_.forget(*pending.connection);
+    pending_handshakes_.clear();
 }
 
 // At most so many at once: those who shake hands have their turns, too.
@@ -144,7 +144,7 @@ void ConnectionAcceptor::accept_all(Clock::time_point now) {
         }
         if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) {
             log_warn("gRPC: cannot take a connection: {}", std::strerror(errno));
-            starved_ = now.time_since_epoch().count();
+            failed_at_ = now.time_since_epoch().count();
             accept_again_ = now + accept_pause;
         }
         if (errno != EINTR && errno != ECONNABORTED) return;
@@ -153,7 +153,7 @@ void ConnectionAcceptor::accept_all(Clock::time_point now) {
 
 void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer,
                                     Clock::time_point now) {
-    if (const auto why = table_.refuses(peer, now)) {
+    if (const auto why = table_.refusal_for(peer, now)) {
         count(*why);
         ::close(descriptor);  // the cheapest answer there is
         return;
@@ -163,9 +163,9 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     const auto tls = tls_.present();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);
-    if (!tls) return let_in(std::move(socket), connection);
-    newcomers_[descriptor] = {std::move(socket), connection, now + handshake_max};
-    watch(descriptor, EPOLLIN, EPOLL_CTL_ADD);
+    if (!tls) return hand_off(std::move(socket), connection);
+    pending_handshakes_[descriptor] = {std::move(socket), connection, now + handshake_max};
+    set_epoll_events(descriptor, EPOLLIN, EPOLL_CTL_ADD);
 }
 
 void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
@@ -179,22 +179,22 @@ void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
         .Increment();
 }
 
-void ConnectionAcceptor::shake_hands(int descriptor) {
-    const auto at = newcomers_.find(descriptor);
-    if (at == newcomers_.end()) return;
+void ConnectionAcceptor::continue_handshake(int descriptor) {
+    const auto at = pending_handshakes_.find(descriptor);
+    if (at == pending_handshakes_.end()) return;
     const ClientSocket::State state = at->second.socket->handshake();
     if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
-        return watch(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
+        return set_epoll_events(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
                      EPOLL_CTL_MOD);
-    watch(descriptor, 0, EPOLL_CTL_DEL);
-    PendingHandshake newcomer = std::move(at->second);
-    newcomers_.erase(at);
-    if (state != ClientSocket::State::open) return turn_away(newcomer, newcomer.socket->failure());
-    newcomer.connection->certificate = newcomer.socket->certificate();
-    let_in(std::move(newcomer.socket), newcomer.connection);
+    set_epoll_events(descriptor, 0, EPOLL_CTL_DEL);
+    PendingHandshake pending = std::move(at->second);
+    pending_handshakes_.erase(at);
+    if (state != ClientSocket::State::open) return reject(pending, pending.socket->failure());
+    pending.connection->certificate = pending.socket->certificate();
+    hand_off(std::move(pending.socket), pending.connection);
 }
 
-void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
+void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
                                 const std::shared_ptr<Connection>& connection) {
     try {
         handler_(std::move(socket), connection);
@@ -204,31 +204,31 @@ void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
     }
 }
 
-void ConnectionAcceptor::turn_away(PendingHandshake& newcomer, const std::string& why) {
-    log_debug("{}: no TLS: {}", newcomer.connection->peer, why);
+void ConnectionAcceptor::reject(PendingHandshake& pending, const std::string& why) {
+    log_debug("{}: no TLS: {}", pending.connection->peer, why);
     if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
-    table_.forget(*newcomer.connection);
+    table_.forget(*pending.connection);
 }
 
-void ConnectionAcceptor::drop_the_slow(Clock::time_point now) {
-    for (auto at = newcomers_.begin(); at != newcomers_.end();) {
+void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {
+    for (auto at = pending_handshakes_.begin(); at != pending_handshakes_.end();) {
         if (now < at->second.deadline) {
             ++at;
             continue;
         }
-        turn_away(at->second, "it took too long");
-        at = newcomers_.erase(at);
+        reject(at->second, "it took too long");
+        at = pending_handshakes_.erase(at);
     }
 }
 
-void ConnectionAcceptor::tell_refusals(Clock::time_point now) {
-    if (refused_ == refused_told_ || now - told_ < tell_period) return;
+void ConnectionAcceptor::log_refusals(Clock::time_point now) {
+    if (refused_ == refused_logged_ || now - logged_at_ < log_period) return;
     log_warn(
         "gRPC: {} connections were refused: {} are open, the most allowed in all or from one "
         "address, or others of their addresses were attacks",
-        refused_ - refused_told_, table_.size());
-    refused_told_ = refused_;
-    told_ = now;
+        refused_ - refused_logged_, table_.size());
+    refused_logged_ = refused_;
+    logged_at_ = now;
 }
 
 }  // namespace jostle::server

@@ -57,16 +57,16 @@ private:
     };
 
     void run();
-    void watch(int descriptor, std::uint32_t events, int how) const;
+    void set_epoll_events(int descriptor, std::uint32_t events, int how) const;
     void accept_all(Clock::time_point now);
     void accept_one(int descriptor, const sockaddr_storage& peer, Clock::time_point now);
     void count(ConnectionTable::Refusal why);
-    void shake_hands(int descriptor);
-    void let_in(std::unique_ptr<ClientSocket> socket,
+    void continue_handshake(int descriptor);
+    void hand_off(std::unique_ptr<ClientSocket> socket,
                 const std::shared_ptr<Connection>& connection);
-    void turn_away(PendingHandshake& newcomer, const std::string& why);
-    void drop_the_slow(Clock::time_point now);
-    void tell_refusals(Clock::time_point now);
+    void reject(PendingHandshake& pending, const std::string& why);
+    void drop_timed_out(Clock::time_point now);
+    void log_refusals(Clock::time_point now);
 
     ConnectionTable& table_;
     TlsContexts tls_;
@@ -76,11 +76,11 @@ private:
     int listener_ = -1, epoll_ = -1;
     int wake_ = -1;  // an eventfd
     std::uint16_t port_ = 0;
-    std::map<int, PendingHandshake> newcomers_;  // by descriptor
+    std::map<int, PendingHandshake> pending_handshakes_;  // by descriptor
     std::atomic<bool> stopping_{false};
-    std::atomic<Clock::rep> looked_{0}, starved_{0};  // when it did last, when it failed last
-    std::uint64_t refused_ = 0, refused_told_ = 0;
-    Clock::time_point told_{}, accept_again_{};
+    std::atomic<Clock::rep> polled_at_{0}, failed_at_{0};  // when it did last, when it failed last
+    std::uint64_t refused_ = 0, refused_logged_ = 0;
+    Clock::time_point logged_at_{}, accept_again_{};
     std::thread thread_;
 };
 

@@ -110,7 +110,7 @@ Status ConnectionRelay::start(Handler handler) {
     if (epoll_ < 0 || wake_ < 0 || epoll_ctl(epoll_, EPOLL_CTL_ADD, wake_, &event) != 0)
         return Error{ErrorCode::unavailable,
                      fmt::format("cannot watch connections: {}", std::strerror(errno))};
-    looked_ = Clock::now().time_since_epoch().count();
+    polled_at_ = Clock::now().time_since_epoch().count();
     thread_ = std::thread([this] { run(); });
     return {};
 }
@@ -132,8 +132,8 @@ void ConnectionRelay::stop(Clock::duration timeout) {
     thread_.join();
 }
 
-bool ConnectionRelay::is_moving(Clock::time_point now) const {
-    return now - Clock::time_point(Clock::duration(looked_)) < std::chrono::seconds(1);
+bool ConnectionRelay::is_responsive(Clock::time_point now) const {
+    return now - Clock::time_point(Clock::duration(polled_at_)) < std::chrono::seconds(1);
 }
 
 void ConnectionRelay::run() {
@@ -144,33 +144,33 @@ void ConnectionRelay::run() {
         const int count =
             epoll_wait(epoll_, events.data(), events_max, static_cast<int>(sweep_period.count()));
         const Clock::time_point now = Clock::now();
-        looked_ = now.time_since_epoch().count();
+        polled_at_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {
             const epoll_event& event = events[static_cast<std::size_t>(i)];
             if (!event.data.ptr) {
-                take_new(now);
+                add_new(now);
                 continue;
             }
             End& end = *static_cast<End*>(event.data.ptr);
             guarded(*end.stream, [&] { on_event(end, event.events, now); });
         }
-        bury();
+        delete_closed();
         open_waiting(now);
         if (now - swept >= sweep_period) {
             sweep(now);
-            bury();
+            delete_closed();
             swept = now;
         }
         if (count > 0) std::this_thread::sleep_for(gathering);
         const Clock::rep stop_at = stop_at_;
         if (stop_at != 0 && (streams_.empty() || now.time_since_epoch().count() >= stop_at)) break;
     }
-    take_new(Clock::now());
+    add_new(Clock::now());
     for (const auto& [stream, owned] : streams_) close(*stream);
-    bury();
+    delete_closed();
 }
 
-void ConnectionRelay::take_new(Clock::time_point now) {
+void ConnectionRelay::add_new(Clock::time_point now) {
     eventfd_t ignored = 0;
     eventfd_read(wake_, &ignored);
     std::vector<std::unique_ptr<Stream>> taken;
@@ -181,7 +181,7 @@ void ConnectionRelay::take_new(Clock::time_point now) {
     for (auto& owned : taken) {
         Stream& stream = *owned;
         streams_.emplace(&stream, std::move(owned));
-        stream.deadline = now + limits_.introduction_max;
+        stream.deadline = now + limits_.preface_timeout;
         guarded(stream, [&] {
             // The client may have spoken already, and TLS have read it.
             read_client(stream, now);
@@ -212,7 +212,7 @@ void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point
             // epoll would say so again and again.
             epoll_ctl(epoll_, EPOLL_CTL_DEL, stream.grpc, nullptr);
             stream.grpc_hung_up = true;
-            stream.deadline = now + limits_.farewell_max;
+            stream.deadline = now + limits_.close_timeout;
         }
         read_grpc(stream, now);
     }
@@ -255,7 +255,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     if (stream.unread > limits_.buffered_bytes_max) return drop_largest_buffer(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
-        if (stream.guard.has_preface()) return cut(stream, allowed.error().message, now);
+        if (stream.guard.has_preface()) return drop(stream, allowed.error().message, now);
         // A browser, or TLS where there is none: a mistake, and no attack.
         log_debug("{}: {}", stream.connection->peer, allowed.error().message);
         return close(stream);
@@ -368,7 +368,7 @@ void ConnectionRelay::on_grpc_ended(Stream& stream, Clock::time_point now) {
     stream.grpc_ended = stream.grpc_deaf = true;
     stream.for_grpc.clear();
     if (stream.client_ended) return close(stream);
-    stream.deadline = now + limits_.farewell_max;
+    stream.deadline = now + limits_.close_timeout;
     if (stream.for_client.empty()) stream.client->finish();
 }
 
@@ -391,13 +391,13 @@ void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
     };
     const bool reads = !stream.client_ended && may_read(stream, now);
     const bool writes = !stream.for_client.empty() && !stream.write_wants_read;
-    watch(stream.client_end, stream.client->descriptor(),
+    set_epoll_events(stream.client_end, stream.client->descriptor(),
           (reads || stream.write_wants_read ? EPOLLIN : 0u) | (stream.waits ? EPOLLRDHUP : 0u) |
               (writes || stream.read_wants_write ? EPOLLOUT : 0u));
     if (stream.is_dead || stream.grpc < 0) return;
     if (stream.grpc_ended) return close_if_open(stream.grpc);
     if (!stream.grpc_hung_up)
-        watch(
+        set_epoll_events(
             stream.grpc_end, stream.grpc,
             (stream.for_client.empty() ? EPOLLIN : 0u) | (stream.for_grpc.empty() ? 0u : EPOLLOUT));
 }
@@ -433,7 +433,7 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     }
     if (buffered_total_ > limits_.buffered_total_max && largest) {
         buffered_total_ -= largest->unread;
-        cut(*largest,
+        drop(*largest,
             fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
                         largest->unread),
             now);
@@ -443,13 +443,13 @@ void ConnectionRelay::sweep(Clock::time_point now) {
 }
 
 void ConnectionRelay::drop_largest_buffer(Stream& stream, Clock::time_point now) {
-    cut(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
+    drop(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
 }
 
-void ConnectionRelay::cut(Stream& stream, const std::string& why, Clock::time_point now) {
+void ConnectionRelay::drop(Stream& stream, const std::string& why, Clock::time_point now) {
     log_warn("{} was cut: {}", stream.connection->peer, why);
     table_.punish(*stream.connection, now);
-    cut_++;
+    dropped_++;
     if (metrics_) metrics_->refused(ConnectionRefusal::attack).Increment();
     close(stream);
 }
@@ -460,7 +460,7 @@ void ConnectionRelay::close(Stream& stream) {
 }
 
 // After the events of one round: one of them may name a stream that another one has closed.
-void ConnectionRelay::bury() {
+void ConnectionRelay::delete_closed() {
     for (Stream* stream : dead_) {
         table_.forget(*stream->connection);
         close_if_open(stream->grpc);

@@ -38,8 +38,8 @@ struct RelayLimits {
     // Streams that were begun and that gRPC has not given us yet.
     double backlog_max = 100, backlog_total_max = 2000;
     double openings_per_second = 500;  // of connections towards gRPC, and at once
-    Clock::duration introduction_max = std::chrono::seconds(5);  // until HTTP/2's preface is there
-    Clock::duration farewell_max = std::chrono::seconds(2);      // from gRPC's end to the client's
+    Clock::duration preface_timeout = std::chrono::seconds(5);  // until HTTP/2's preface is there
+    Clock::duration close_timeout = std::chrono::seconds(2);      // from gRPC's end to the client's
 };
 
 class ConnectionRelay {
@@ -58,15 +58,15 @@ public:
     void stop(Clock::duration timeout);
 
     // Any thread.
-    std::uint64_t cut() const { return cut_.load(std::memory_order_relaxed); }
-    bool is_moving(Clock::time_point now) const;  // its thread has looked within a second
+    std::uint64_t drop() const { return dropped_.load(std::memory_order_relaxed); }
+    bool is_responsive(Clock::time_point now) const;  // its thread has looked within a second
 
 private:
     struct Stream;
     struct End;
 
     void run();
-    void take_new(Clock::time_point now);
+    void add_new(Clock::time_point now);
     template <class Work>
     void guarded(Stream& stream, const Work& work);
     void on_event(End& end, std::uint32_t events, Clock::time_point now);
@@ -86,9 +86,9 @@ private:
     void sweep(Clock::time_point now);
     void measure(Stream& stream, Clock::time_point now) const;
     void drop_largest_buffer(Stream& stream, Clock::time_point now);
-    void cut(Stream& stream, const std::string& why, Clock::time_point now);
+    void drop(Stream& stream, const std::string& why, Clock::time_point now);
     void close(Stream& stream);
-    void bury();
+    void delete_closed();
 
     ConnectionTable& table_;
     const RelayLimits limits_;
@@ -103,8 +103,8 @@ private:
     std::vector<std::uint8_t> up_, down_;  // scratch of one move
     TokenBucket openings_;
     double buffered_total_ = 0, backlog_total_ = 0;
-    std::atomic<std::uint64_t> cut_{0};
-    std::atomic<Clock::rep> looked_{0};
+    std::atomic<std::uint64_t> dropped_{0};
+    std::atomic<Clock::rep> polled_at_{0};
     std::atomic<Clock::rep> stop_at_{0};  // 0: goes on
     std::thread thread_;
 };

@@ -48,7 +48,7 @@ public:
     explicit ConnectionTable(ConnectionTableLimits limits) : limits_(limits) {}
 
     // Somebody has connected: why he is to be turned away; nothing: he is not.
-    std::optional<Refusal> refuses(const sockaddr_storage& peer, Clock::time_point now) const;
+    std::optional<Refusal> refusal_for(const sockaddr_storage& peer, Clock::time_point now) const;
     // Counts it until forget().
     std::shared_ptr<Connection> admit(const sockaddr_storage& peer);
     void forget(const Connection& connection);

@@ -154,7 +154,7 @@ protected:
     std::vector<Owned> handed;
     ConnectionTable table{{}};
     ConnectionRelay relay{
-        table, {.buffered_bytes_max = 1e6, .introduction_max = 300ms, .farewell_max = 300ms}};
+        table, {.buffered_bytes_max = 1e6, .preface_timeout = 300ms, .close_timeout = 300ms}};
     ConnectionRelay* door = &relay;
     std::shared_ptr<Connection> connection;
     sockaddr_storage peer{};
@@ -187,7 +187,7 @@ TEST_F(ConnectionRelayTest, grpc_hears_of_nobody_who_does_not_speak_http2) {
     const Owned browser = connect();
     browser.write("GET / HTTP/1.1\r\n\r\n");
     EXPECT_TRUE(browser.is_closed()) << "at once";
-    EXPECT_FALSE(table.refuses(peer, Clock::now())) << "a mistake, and no attack";
+    EXPECT_FALSE(table.refusal_for(peer, Clock::now())) << "a mistake, and no attack";
     EXPECT_EQ(handed.size(), 0u);
     EXPECT_TRUE(forgotten());
 }
@@ -235,8 +235,8 @@ TEST_F(ConnectionRelayTest, who_sends_a_megabyte_that_becomes_no_message_is_cut_
     int frames = 0;
     while (frames < 2000 && client.write(data_frame(16'384))) frames++;
     EXPECT_LT(frames, 2000) << "of 16 KiB each";
-    EXPECT_EQ(relay.cut(), 1u);
-    EXPECT_EQ(table.refuses(peer, Clock::now()), ConnectionTable::Refusal::address_waits);
+    EXPECT_EQ(relay.drop(), 1u);
+    EXPECT_EQ(table.refusal_for(peer, Clock::now()), ConnectionTable::Refusal::address_waits);
 }
 
 TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {
@@ -250,7 +250,7 @@ TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {
         }
     });
     for (int i = 0; i < 1000; i++) ASSERT_TRUE(client.write(data_frame(16'384)));
-    EXPECT_EQ(relay.cut(), 0u);
+    EXPECT_EQ(relay.drop(), 0u);
     shutdown(client.descriptor, SHUT_WR);
 }
 

@@ -28,15 +28,15 @@ TEST(ConnectionTable, more_than_the_limit_of_one_address_are_refused_until_one_g
     ConnectionTable table({.total_max = 4, .per_address_max = 3});
     std::vector<std::shared_ptr<Connection>> open;
     for (std::uint16_t port = 1; port <= 3; port++) {
-        ASSERT_FALSE(table.refuses(from("192.0.2.1", port), now));
+        ASSERT_FALSE(table.refusal_for(from("192.0.2.1", port), now));
         open.push_back(table.admit(from("192.0.2.1", port)));
     }
-    EXPECT_EQ(table.refuses(from("192.0.2.1", 4), now), Refusal::address_full);
-    EXPECT_FALSE(table.refuses(from("192.0.2.2", 4), now));
+    EXPECT_EQ(table.refusal_for(from("192.0.2.1", 4), now), Refusal::address_full);
+    EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 4), now));
     open.push_back(table.admit(from("192.0.2.2", 4)));
-    EXPECT_EQ(table.refuses(from("192.0.2.3", 5), now), Refusal::full);
+    EXPECT_EQ(table.refusal_for(from("192.0.2.3", 5), now), Refusal::full);
     table.forget(*open[1]);
-    EXPECT_FALSE(table.refuses(from("192.0.2.1", 4), now));
+    EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 4), now));
     EXPECT_EQ(table.size(), 3u);
 }
 
@@ -57,14 +57,14 @@ TEST(ConnectionTable, an_attackers_address_waits_a_second_then_two_then_four_up_
     for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
         table.punish(*attacker, t);
         table.punish(*attacker, t + wait / 2);  // its other connections: the same attack
-        EXPECT_EQ(table.refuses(from("192.0.2.1", 2), t + wait - 1ms), Refusal::address_waits);
-        EXPECT_FALSE(table.refuses(from("192.0.2.2", 2), t)) << "nobody else does";
+        EXPECT_EQ(table.refusal_for(from("192.0.2.1", 2), t + wait - 1ms), Refusal::address_waits);
+        EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 2), t)) << "nobody else does";
         t += wait;
-        EXPECT_FALSE(table.refuses(from("192.0.2.1", 2), t));
+        EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t));
     }
     t += 11min;
     table.punish(*attacker, t);
-    EXPECT_FALSE(table.refuses(from("192.0.2.1", 2), t + 1s)) << "long ago is forgotten";
+    EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t + 1s)) << "long ago is forgotten";
 }
 
 }  // namespace

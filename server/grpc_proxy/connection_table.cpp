@@ -27,7 +27,7 @@ std::optional<ConnectionTable::Refusal> ConnectionTable::refusal_for(const socka
         return Refusal::address_full;
     if (const auto known = penalties_.find(network);
         known != penalties_.end() && now < known->second.until)
-        return Refusal::address_waits;
+        return Refusal::address_penalized;
     return std::nullopt;
 }
 

@@ -43,7 +43,7 @@ struct ConnectionTableLimits {
 
 class ConnectionTable {
 public:
-    enum class Refusal { full, address_full, address_waits };
+    enum class Refusal { full, address_full, address_penalized };
 
     explicit ConnectionTable(ConnectionTableLimits limits) : limits_(limits) {}
 

@@ -236,7 +236,7 @@ TEST_F(ConnectionRelayTest, who_sends_a_megabyte_that_becomes_no_message_is_cut_
     while (frames < 2000 && client.write(data_frame(16'384))) frames++;
     EXPECT_LT(frames, 2000) << "of 16 KiB each";
     EXPECT_EQ(relay.drop(), 1u);
-    EXPECT_EQ(table.refusal_for(peer, Clock::now()), ConnectionTable::Refusal::address_waits);
+    EXPECT_EQ(table.refusal_for(peer, Clock::now()), ConnectionTable::Refusal::address_penalized);
 }
 
 TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {

@@ -141,7 +141,7 @@ void CallFront::forget(Call& call) {
     if (call.begun) {
         open_--;
         call.connection->calls--;
-        call.connection->questions--;
+        call.connection->unary_calls--;
         if (call.method && call.method->stays_open()) staying_--;
     }
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
@@ -150,7 +150,7 @@ void CallFront::forget(Call& call) {
 Status CallFront::admit(Call& call) const {
     if (open_ > limits_.calls_max && !call.method->is_probe)
         return too_much("too many calls are open");
-    if (call.connection->questions > limits_.calls_per_peer_max)
+    if (call.connection->unary_calls > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
     if (call.method->stays_open() && staying_ > limits_.staying_max)
         return too_much("too many streams of this kind are open");
@@ -179,9 +179,9 @@ void CallFront::begin(Call& call) {
     call.begun = true;
     call.since = Clock::now();
     call.connection = connections_->of(call.context.peer());
-    call.connection->calls_taken++;
+    call.connection->calls_accepted++;
     call.connection->calls++;
-    call.connection->questions++;
+    call.connection->unary_calls++;
     open_++;
     const auto known = methods_.find(call.context.method());
     if (known != methods_.end()) call.method = &known->second;

@@ -33,7 +33,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                        std::function<void()> wake, Clock::time_point now) {
     connection_ = connections.of(context_.peer());
     network_ = network_of(connection_->address);
-    connection_->calls_taken++;
+    connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
     link_ = std::make_unique<ClientLink>(context,

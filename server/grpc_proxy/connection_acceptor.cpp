@@ -127,7 +127,7 @@ void ConnectionAcceptor::run() {
         if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
         log_refusals(now);
     }
-    for (auto& [descriptor, pending] : pending_handshakes_) table_.forget(*pending.connection);
+    for (auto& [descriptor, pending] : pending_handshakes_) table_.remove(*pending.connection);
     pending_handshakes_.clear();
 }
 
@@ -199,7 +199,7 @@ void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
     try {
         handler_(std::move(socket), connection);
     } catch (...) {
-        table_.forget(*connection);
+        table_.remove(*connection);
         throw;
     }
 }
@@ -207,7 +207,7 @@ void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
 void ConnectionAcceptor::reject(PendingHandshake& pending, const std::string& why) {
     log_debug("{}: no TLS: {}", pending.connection->peer, why);
     if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
-    table_.forget(*pending.connection);
+    table_.remove(*pending.connection);
 }
 
 void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {

@@ -406,7 +406,7 @@ void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
     const double seconds = std::chrono::duration<double>(now - stream.measured).count();
     stream.measured = now;
     const std::uint64_t consumed = stream.connection->consumed.load(std::memory_order_relaxed);
-    const std::uint64_t taken = stream.connection->calls_taken.load(std::memory_order_relaxed);
+    const std::uint64_t taken = stream.connection->calls_accepted.load(std::memory_order_relaxed);
     const auto calls =
         static_cast<double>(stream.connection->calls.load(std::memory_order_relaxed));
     stream.unread -= static_cast<double>(consumed - std::exchange(stream.consumed, consumed)) +
@@ -448,7 +448,7 @@ void ConnectionRelay::drop_largest_buffer(Stream& stream, Clock::time_point now)
 
 void ConnectionRelay::drop(Stream& stream, const std::string& why, Clock::time_point now) {
     log_warn("{} was cut: {}", stream.connection->peer, why);
-    table_.punish(*stream.connection, now);
+    table_.penalize(*stream.connection, now);
     dropped_++;
     if (metrics_) metrics_->refused(ConnectionRefusal::attack).Increment();
     close(stream);
@@ -462,7 +462,7 @@ void ConnectionRelay::close(Stream& stream) {
 // After the events of one round: one of them may name a stream that another one has closed.
 void ConnectionRelay::delete_closed() {
     for (Stream* stream : dead_) {
-        table_.forget(*stream->connection);
+        table_.remove(*stream->connection);
         close_if_open(stream->grpc);
         streams_.erase(stream);
     }

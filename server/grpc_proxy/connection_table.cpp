@@ -44,14 +44,14 @@ std::shared_ptr<Connection> ConnectionTable::admit(const sockaddr_storage& peer)
     return connection;
 }
 
-void ConnectionTable::forget(const Connection& connection) {
+void ConnectionTable::remove(const Connection& connection) {
     const std::lock_guard lock(mutex_);
     const auto count = of_network_.find(connection.network);
     if (--count->second == 0) of_network_.erase(count);
     connections_.erase(connection.grpc_name());
 }
 
-void ConnectionTable::punish(const Connection& connection, Clock::time_point now) {
+void ConnectionTable::penalize(const Connection& connection, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     if (penalties_.size() >= penalties_max) forget_penalties(now);
     Penalty& penalty = penalties_[connection.network];

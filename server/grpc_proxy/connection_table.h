@@ -29,9 +29,9 @@ struct Connection {
 
     // Written by who answers.
     std::atomic<std::uint64_t> consumed{0};     // bytes of messages that arrived
-    std::atomic<std::uint64_t> calls_taken{0};  // that gRPC gave us
+    std::atomic<std::uint64_t> calls_accepted{0};  // that gRPC gave us
     std::atomic<int> calls{0};                  // that are open
-    std::atomic<int> questions{0};              // ... and are no play streams
+    std::atomic<int> unary_calls{0};              // ... and are no play streams
 
     std::string grpc_name() const { return "unix-abstract:" + name; }
 };
@@ -51,11 +51,11 @@ public:
     std::optional<Refusal> refusal_for(const sockaddr_storage& peer, Clock::time_point now) const;
     // Counts it until forget().
     std::shared_ptr<Connection> admit(const sockaddr_storage& peer);
-    void forget(const Connection& connection);
+    void remove(const Connection& connection);
 
     // It did what no client does: its address gets no new connection for a second, and each time
     // that happens again for twice as long, up to a minute.
-    void punish(const Connection& connection, Clock::time_point now);
+    void penalize(const Connection& connection, Clock::time_point now);
 
     // By gRPC's name of a peer. One that is gone, or that the process has with itself, is a
     // connection from nowhere.

@@ -35,7 +35,7 @@ TEST(ConnectionTable, more_than_the_limit_of_one_address_are_refused_until_one_g
     EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 4), now));
     open.push_back(table.admit(from("192.0.2.2", 4)));
     EXPECT_EQ(table.refusal_for(from("192.0.2.3", 5), now), Refusal::full);
-    table.forget(*open[1]);
+    table.remove(*open[1]);
     EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 4), now));
     EXPECT_EQ(table.size(), 3u);
 }
@@ -45,7 +45,7 @@ TEST(ConnectionTable, finds_a_connection_by_the_name_that_grpc_gives_it) {
     const auto one = table.admit(from("192.0.2.1", 4711)), two = table.admit(from("192.0.2.1", 1));
     EXPECT_EQ(table.of("unix-abstract:" + one->name), one);
     EXPECT_EQ(table.of(two->grpc_name())->peer, "192.0.2.1:1");
-    table.forget(*two);
+    table.remove(*two);
     EXPECT_EQ(table.of(two->grpc_name())->address, "") << "gone: from nowhere";
     EXPECT_EQ(table.of("inproc")->peer, "inproc");
 }
@@ -55,15 +55,15 @@ TEST(ConnectionTable, an_attackers_address_waits_a_second_then_two_then_four_up_
     const auto attacker = table.admit(from("192.0.2.1", 1));
     Clock::time_point t = now;
     for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
-        table.punish(*attacker, t);
-        table.punish(*attacker, t + wait / 2);  // its other connections: the same attack
+        table.penalize(*attacker, t);
+        table.penalize(*attacker, t + wait / 2);  // its other connections: the same attack
         EXPECT_EQ(table.refusal_for(from("192.0.2.1", 2), t + wait - 1ms), Refusal::address_penalized);
         EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 2), t)) << "nobody else does";
         t += wait;
         EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t));
     }
     t += 11min;
-    table.punish(*attacker, t);
+    table.penalize(*attacker, t);
     EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t + 1s)) << "long ago is forgotten";
 }
 

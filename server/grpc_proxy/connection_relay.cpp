@@ -67,7 +67,7 @@ struct ConnectionRelay::Stream {
 
     std::unique_ptr<ClientSocket> client;
     std::shared_ptr<Connection> connection;
-    FrameGuard guard;
+    Http2FrameGuard guard;
     int grpc = -1;  // our end of the pair; -1: not yet
     End client_end{this, 0, true, false}, grpc_end{this, 0, false, false};
     // What one side has sent and the other has not taken yet.

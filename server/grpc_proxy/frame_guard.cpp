@@ -46,7 +46,7 @@ constexpr double unusual_per_second = 10, unusual_burst = 100;
 
 }  // namespace
 
-FrameGuard::FrameGuard(Clock::time_point now)
+Http2FrameGuard::Http2FrameGuard(Clock::time_point now)
     : work_(work_per_second, work_burst, now),
       resets_(resets_per_second, resets_burst, now),
       settings_(settings_per_second, settings_burst, now),
@@ -54,7 +54,7 @@ FrameGuard::FrameGuard(Clock::time_point now)
       empty_(empty_per_second, empty_burst, now),
       unusual_(unusual_per_second, unusual_burst, now) {}
 
-Status FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point now) {
+Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point now) {
     work_.spend(static_cast<double>(bytes.size()) * work_of_byte, now);
     while (!bytes.empty()) {
         if (!has_preface()) {
@@ -87,7 +87,7 @@ Status FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point n
     return {};
 }
 
-Status FrameGuard::on_head(const Head& head, Clock::time_point now) {
+Status Http2FrameGuard::on_head(const Head& head, Clock::time_point now) {
     work_.spend(1, now);
     if (head.length > frame_bytes_max)
         return Error{ErrorCode::invalid_argument,
@@ -122,7 +122,7 @@ Status FrameGuard::on_head(const Head& head, Clock::time_point now) {
     }
 }
 
-Status FrameGuard::on_headers(const Head& head) {
+Status Http2FrameGuard::on_headers(const Head& head) {
     if (head.stream > last_stream_) {
         streams_opened_++;
         last_stream_ = head.stream;
@@ -134,7 +134,7 @@ Status FrameGuard::on_headers(const Head& head) {
     return {};
 }
 
-Status FrameGuard::on_continuation(const Head& head) {
+Status Http2FrameGuard::on_continuation(const Head& head) {
     if (head.type != continuation || head.stream != block_stream_)
         return Error{ErrorCode::invalid_argument, "a header block with other frames in it"};
     block_bytes_ += head.length;
@@ -147,7 +147,7 @@ Status FrameGuard::on_continuation(const Head& head) {
     return {};
 }
 
-Status FrameGuard::allow(TokenBucket& bucket, const char* what, Clock::time_point now) {
+Status Http2FrameGuard::allow(TokenBucket& bucket, const char* what, Clock::time_point now) {
     if (bucket.take(1, now)) return {};
     return Error{ErrorCode::resource_exhausted, fmt::format("too many {} frames", what)};
 }

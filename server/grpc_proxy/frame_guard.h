@@ -20,9 +20,9 @@
 
 namespace jostle::server {
 
-class FrameGuard {
+class Http2FrameGuard {
 public:
-    explicit FrameGuard(Clock::time_point now);
+    explicit Http2FrameGuard(Clock::time_point now);
 
     // What came next, cut anywhere. An error says which frame no client may send; the connection is
     // to be cut before gRPC gets these bytes.

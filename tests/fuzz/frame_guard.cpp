@@ -22,7 +22,7 @@ struct Verdict {
 // depend on the pieces.
 Verdict judge(Bytes input, std::size_t piece) {
     const server::Clock::time_point began{};
-    server::FrameGuard guard(began);
+    server::Http2FrameGuard guard(began);
     Verdict verdict;
     for (std::size_t at = 0; at < input.size() && verdict.let_in;) {
         const bool second_half = at >= input.size() / 2;

@@ -42,7 +42,7 @@ protected:
     }
 
     Clock::time_point now = Clock::now();
-    FrameGuard guard{now};
+    Http2FrameGuard guard{now};
 };
 
 TEST_F(FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
@@ -70,7 +70,7 @@ TEST_F(FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {
 
 TEST_F(FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
     EXPECT_EQ(take("GET / HTTP/1.1\r\n").error().message, "this is not HTTP/2");
-    FrameGuard other(now);
+    Http2FrameGuard other(now);
     guard = other;
     EXPECT_TRUE(take(client_preface.substr(0, 23)).ok());
     EXPECT_FALSE(guard.has_preface());
@@ -105,19 +105,19 @@ TEST_F(FrameGuardTest, a_header_block_ends_within_eight_frames_and_32_kilobytes)
     greet();
     ASSERT_TRUE(take(frame(headers, 0, 1, 16000) + frame(more, 0, 1, 16000)).ok());
     EXPECT_FALSE(take(frame(more, 0, 1, 16000)).ok());
-    guard = FrameGuard(now);
+    guard = Http2FrameGuard(now);
     greet();
     std::string sent = frame(headers, 0, 1, 1);
     for (int i = 0; i < 7; i++) sent += frame(more, 0, 1, 0);
     ASSERT_TRUE(take(sent).ok());
     EXPECT_EQ(take(frame(more, 0, 1, 0)).error().message,
               "a header block of more than 32768 bytes or 8 frames");
-    guard = FrameGuard(now);
+    guard = Http2FrameGuard(now);
     greet();
     ASSERT_TRUE(take(frame(headers, 0, 1, 9) + frame(more, end_headers, 1, 9)).ok());
     EXPECT_TRUE(take(frame(data, 0, 1, 9)).ok()) << "the block has ended";
     EXPECT_FALSE(take(frame(more, 0, 1, 9)).ok());
-    guard = FrameGuard(now);
+    guard = Http2FrameGuard(now);
     greet();
     EXPECT_FALSE(take(frame(headers, 0, 1, 9) + frame(data, 0, 1, 9)).ok());
 }

@@ -15,7 +15,7 @@
 #include <exception>
 #include <utility>
 
-#include "server/grpc_proxy/frame_guard.h"
+#include "server/grpc_proxy/http2_frame_guard.h"
 #include "server/util/log.h"
 
 namespace jostle::server {

@@ -5,7 +5,7 @@
 // and how much of it may wait are ours to decide, and gRPC sees only connections that have begun
 // to speak HTTP/2.
 //
-// A client that does what none does is cut, and its address punished (frame_guard.h). One that is
+// A client that does what none does is cut, and its address punished (http2_frame_guard.h). One that is
 // only fast, or ahead of those who answer it, is read more slowly: TCP holds it back.
 //
 // Has a thread of its own. add() from any thread; start() and stop() once, from one.

@@ -2,7 +2,7 @@
 //
 // What clients of the gRPC port send, frame by frame: however the bytes are cut, the guard says the
 // same, and it never lets a connection owe more than a few seconds of work.
-#include "server/grpc_proxy/frame_guard.h"
+#include "server/grpc_proxy/http2_frame_guard.h"
 #include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc_proxy/frame_guard.h"
+#include "server/grpc_proxy/http2_frame_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -76,7 +76,7 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
                 for (std::size_t i = at; i < at + count; i++) value = value << 8 | head_[i];
                 return value;
             };
-            const Head head{.length = big_endian(0, 3),
+            const FrameHeader head{.length = big_endian(0, 3),
                             .stream = big_endian(5, 4) & 0x7fff'ffff,
                             .type = head_[3],
                             .flags = head_[4]};
@@ -87,7 +87,7 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
     return {};
 }
 
-Status Http2FrameGuard::on_head(const Head& head, Clock::time_point now) {
+Status Http2FrameGuard::on_head(const FrameHeader& head, Clock::time_point now) {
     work_.spend(1, now);
     if (head.length > frame_bytes_max)
         return Error{ErrorCode::invalid_argument,
@@ -122,7 +122,7 @@ Status Http2FrameGuard::on_head(const Head& head, Clock::time_point now) {
     }
 }
 
-Status Http2FrameGuard::on_headers(const Head& head) {
+Status Http2FrameGuard::on_headers(const FrameHeader& head) {
     if (head.stream > last_stream_) {
         streams_opened_++;
         last_stream_ = head.stream;
@@ -134,7 +134,7 @@ Status Http2FrameGuard::on_headers(const Head& head) {
     return {};
 }
 
-Status Http2FrameGuard::on_continuation(const Head& head) {
+Status Http2FrameGuard::on_continuation(const FrameHeader& head) {
     if (head.type != continuation || head.stream != block_stream_)
         return Error{ErrorCode::invalid_argument, "a header block with other frames in it"};
     block_bytes_ += head.length;

@@ -36,16 +36,16 @@ public:
     std::uint64_t streams_opened() const { return streams_opened_; }
 
 private:
-    struct Head {
+    struct FrameHeader {
         std::uint32_t length = 0, stream = 0;
         std::uint8_t type = 0, flags = 0;
     };
 
     static constexpr std::size_t preface_size = 24, head_size = 9;
 
-    Status on_head(const Head& head, Clock::time_point now);
-    Status on_headers(const Head& head);
-    Status on_continuation(const Head& head);
+    Status on_head(const FrameHeader& head, Clock::time_point now);
+    Status on_headers(const FrameHeader& head);
+    Status on_continuation(const FrameHeader& head);
     Status allow(TokenBucket& bucket, const char* what, Clock::time_point now);
 
     std::size_t preface_bytes_ = 0, header_bytes_ = 0;

@@ -33,7 +33,7 @@ constexpr std::size_t up_bytes = 16 * 1024, down_bytes = 64 * 1024;
 // and the frames around acks take a few kB/s of each call.
 constexpr double slack_bytes_per_second = 16 * 1024, slack_of_call = 4 * 1024;
 // Streams that gRPC itself turns away never reach us.
-constexpr double streams_forgiven_per_second = 50;
+constexpr double streams_tolerated_per_second = 50;
 // When much waits in all, who has this little still goes on.
 constexpr double small_buffer = 64 * 1024, small_backlog = 8;
 
@@ -264,7 +264,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     const double streams = static_cast<double>(opened - std::exchange(stream.opened, opened));
     stream.backlog += streams;
     backlog_total_ += streams;
-    stream.read_again = now + stream.guard.pause(now);
+    stream.read_again = now + stream.guard.throttle_delay(now);
     to_grpc(stream, bytes);
 }
 
@@ -413,7 +413,7 @@ void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
                      seconds * (slack_bytes_per_second + slack_of_call * calls);
     stream.unread = std::max(0.0, stream.unread);
     stream.backlog -= static_cast<double>(taken - std::exchange(stream.taken, taken)) +
-                      seconds * streams_forgiven_per_second;
+                      seconds * streams_tolerated_per_second;
     stream.backlog = std::max(0.0, stream.backlog);
 }
 

@@ -67,27 +67,27 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
             payload_left_ -= static_cast<std::uint32_t>(skipped);
             bytes = bytes.subspan(skipped);
         } else {
-            head_[header_bytes_++] = bytes[0];
+            header_[header_bytes_++] = bytes[0];
             bytes = bytes.subspan(1);
-            if (header_bytes_ < head_size) continue;
+            if (header_bytes_ < header_size) continue;
             header_bytes_ = 0;
             const auto big_endian = [&](std::size_t at, std::size_t count) {
                 std::uint32_t value = 0;
-                for (std::size_t i = at; i < at + count; i++) value = value << 8 | head_[i];
+                for (std::size_t i = at; i < at + count; i++) value = value << 8 | header_[i];
                 return value;
             };
             const FrameHeader head{.length = big_endian(0, 3),
                             .stream = big_endian(5, 4) & 0x7fff'ffff,
-                            .type = head_[3],
-                            .flags = head_[4]};
-            if (Status s = on_head(head, now); !s.ok()) return s;
+                            .type = header_[3],
+                            .flags = header_[4]};
+            if (Status s = on_header(head, now); !s.ok()) return s;
             payload_left_ = head.length;
         }
     }
     return {};
 }
 
-Status Http2FrameGuard::on_head(const FrameHeader& head, Clock::time_point now) {
+Status Http2FrameGuard::on_header(const FrameHeader& head, Clock::time_point now) {
     work_.spend(1, now);
     if (head.length > frame_bytes_max)
         return Error{ErrorCode::invalid_argument,

@@ -31,7 +31,7 @@ public:
     // The client has introduced itself as one of HTTP/2: before, nothing concerns gRPC.
     bool has_preface() const { return preface_bytes_ == preface_size; }
     // Zero, or how long nothing more should be read from this client.
-    Clock::duration pause(Clock::time_point now) { return work_.wait_for(0, now); }
+    Clock::duration throttle_delay(Clock::time_point now) { return work_.wait_for(0, now); }
 
     std::uint64_t streams_opened() const { return streams_opened_; }
 
@@ -41,15 +41,15 @@ private:
         std::uint8_t type = 0, flags = 0;
     };
 
-    static constexpr std::size_t preface_size = 24, head_size = 9;
+    static constexpr std::size_t preface_size = 24, header_size = 9;
 
-    Status on_head(const FrameHeader& head, Clock::time_point now);
+    Status on_header(const FrameHeader& head, Clock::time_point now);
     Status on_headers(const FrameHeader& head);
     Status on_continuation(const FrameHeader& head);
     Status allow(TokenBucket& bucket, const char* what, Clock::time_point now);
 
     std::size_t preface_bytes_ = 0, header_bytes_ = 0;
-    std::array<std::uint8_t, head_size> head_{};
+    std::array<std::uint8_t, header_size> header_{};
     std::uint32_t payload_left_ = 0;
     std::uint32_t last_stream_ = 0;
     std::uint32_t block_stream_ = 0;  // whose header block goes on; 0: none does

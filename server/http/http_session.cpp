@@ -64,7 +64,7 @@ void HttpSession::read(std::chrono::seconds timeout) {
     stream_.tcp().expires_after(timeout);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
-                                self->on_head(error);
+                                self->on_header(error);
                             });
 }
 
@@ -82,7 +82,7 @@ bool HttpSession::failed(beast::error_code error) {
     return static_cast<bool>(error);
 }
 
-void HttpSession::on_head(beast::error_code error) {
+void HttpSession::on_header(beast::error_code error) {
     if (failed(error)) return;
     HttpRequest request = request_of_peer();
     if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {

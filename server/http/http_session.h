@@ -47,7 +47,7 @@ private:
     using Response = boost::beast::http::response<Body>;
 
     void read(std::chrono::seconds timeout);
-    void on_head(boost::beast::error_code error);
+    void on_header(boost::beast::error_code error);
     void read_body();
     void on_body(boost::beast::error_code error);
     bool failed(boost::beast::error_code error);

@@ -55,7 +55,7 @@ TEST_F(Http2FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
                                  frame(window, 0, 1, 4) + frame(ping, 1, 0, 8);
         const std::size_t cut = static_cast<std::size_t>(tick) % sent.size();
         ASSERT_TRUE(take(sent.substr(0, cut)).ok() && take(sent.substr(cut)).ok());
-        ASSERT_EQ(guard.pause(now), Clock::duration::zero());
+        ASSERT_EQ(guard.throttle_delay(now), Clock::duration::zero());
     }
     EXPECT_EQ(guard.streams_opened(), 1u);
 }
@@ -65,7 +65,7 @@ TEST_F(Http2FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {
     std::string sent = frame(headers, end_headers, 1, 300);
     for (int i = 0; i < 256; i++) sent += frame(data, 0, 1, 16384);
     ASSERT_TRUE(take(sent).ok());
-    EXPECT_EQ(guard.pause(now), Clock::duration::zero());
+    EXPECT_EQ(guard.throttle_delay(now), Clock::duration::zero());
 }
 
 TEST_F(Http2FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
@@ -144,7 +144,7 @@ TEST_F(Http2FrameGuardTest, who_floods_with_window_updates_gets_four_thousand_a_
     std::string many;
     for (int i = 0; i < 1000; i++) many += frame(window, 0, 0, 4);
     int taken = 0;
-    for (const auto end = now + 10s; now < end; now += guard.pause(now)) {
+    for (const auto end = now + 10s; now < end; now += guard.throttle_delay(now)) {
         ASSERT_TRUE(take(many).ok());
         taken += 1000;
     }

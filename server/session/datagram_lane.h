@@ -25,14 +25,14 @@ public:
     // Of a snapshot; with 2 % loss a fifth of those would not arrive whole.
     static constexpr std::size_t fragments_max = 12;
 
-    DatagramLane(DatagramPort& port, std::shared_ptr<DatagramPath> path)
+    DatagramLane(DatagramPort& port, std::shared_ptr<DatagramConnection> path)
         : port_(port), path_(std::move(path)) {}
     ~DatagramLane() { port_.close(*path_); }
     DatagramLane(const DatagramLane&) = delete;
     DatagramLane& operator=(const DatagramLane&) = delete;
 
     bool has_mail() const { return path_->has_mail(); }
-    std::vector<DatagramPath::Mail> take_mail() { return path_->take_mail(); }
+    std::vector<DatagramConnection::Mail> take_mail() { return path_->take_mail(); }
 
     // Whether the snapshot of that tick goes by datagrams, if it fits.
     bool carries(std::uint32_t tick, Clock::time_point now);
@@ -51,7 +51,7 @@ public:
 
 private:
     DatagramPort& port_;
-    const std::shared_ptr<DatagramPath> path_;
+    const std::shared_ptr<DatagramConnection> path_;
     AckedFrames frames_;
     std::uint32_t last_sent_ = 0;                     // by datagram
     std::optional<Clock::time_point> unacked_since_;  // of these; nothing: all are acknowledged

@@ -75,7 +75,7 @@ void DatagramPort::stop() {
     if (thread_.joinable()) thread_.join();
 }
 
-Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
+Result<std::shared_ptr<DatagramConnection>> DatagramPort::open(
     std::function<void(std::string_view)> on_message) {
     datagram::Credentials credentials;
     if (getentropy(&credentials.id, sizeof credentials.id) != 0 ||
@@ -83,7 +83,7 @@ Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
         return Error{ErrorCode::internal, "the operating system gave no random bytes"};
     auto cipher = datagram::PacketCipher::make(credentials, datagram::Side::server);
     if (!cipher.ok()) return cipher.error();
-    auto path = std::make_shared<DatagramPath>(*std::move(cipher), socket_, std::move(on_message),
+    auto path = std::make_shared<DatagramConnection>(*std::move(cipher), socket_, std::move(on_message),
                                                settings_.metrics);
     const std::lock_guard lock(mutex_);
     if (!paths_.try_emplace(credentials.id, path).second)
@@ -91,7 +91,7 @@ Result<std::shared_ptr<DatagramPath>> DatagramPort::open(
     return path;
 }
 
-void DatagramPort::close(const DatagramPath& path) {
+void DatagramPort::close(const DatagramConnection& path) {
     const std::lock_guard lock(mutex_);
     paths_.erase(path.credentials().id);
 }
@@ -101,7 +101,7 @@ std::size_t DatagramPort::paths() const {
     return paths_.size();
 }
 
-std::shared_ptr<DatagramPath> DatagramPort::find(std::uint64_t credentials) const {
+std::shared_ptr<DatagramConnection> DatagramPort::find(std::uint64_t credentials) const {
     const std::lock_guard lock(mutex_);
     const auto at = paths_.find(credentials);
     return at == paths_.end() ? nullptr : at->second;

@@ -18,7 +18,7 @@
 #include <unordered_map>
 
 #include "jostle/base/result.h"
-#include "server/udp/datagram_path.h"
+#include "server/udp/datagram_connection.h"
 
 namespace jostle::server {
 
@@ -45,22 +45,22 @@ public:
         return settings_.advertised_port != 0 ? settings_.advertised_port : port_;
     }
 
-    // A new way, with a ticket of its own. `on_message` as of DatagramPath.
-    Result<std::shared_ptr<DatagramPath>> open(std::function<void(std::string_view)> on_message);
+    // A new way, with a ticket of its own. `on_message` as of DatagramConnection.
+    Result<std::shared_ptr<DatagramConnection>> open(std::function<void(std::string_view)> on_message);
     // Packets with this ticket are dropped from now on. One that is being handed over may still be.
-    void close(const DatagramPath& path);
+    void close(const DatagramConnection& path);
     std::size_t paths() const;
 
 private:
     void run();
     void take_packets();
-    std::shared_ptr<DatagramPath> find(std::uint64_t credentials) const;
+    std::shared_ptr<DatagramConnection> find(std::uint64_t credentials) const;
 
     const DatagramPortSettings settings_;
     int socket_ = -1, wake_ = -1;
     std::uint16_t port_ = 0;
     mutable std::mutex mutex_;
-    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramPath>> paths_;  // by ticket
+    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>> paths_;  // by ticket
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

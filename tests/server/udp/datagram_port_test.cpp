@@ -79,7 +79,7 @@ struct DatagramPortTest : testing::Test {
     void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
 
     DatagramPort port{{.host = "127.0.0.1", .port = 0}};
-    std::shared_ptr<DatagramPath> path;
+    std::shared_ptr<DatagramConnection> path;
     std::unique_ptr<PacketCipher> client;
     std::unique_ptr<End> end;
     std::atomic<int> messages{0};
@@ -178,13 +178,13 @@ TEST_F(DatagramPortTest, a_client_that_hears_nothing_else_is_asked_now_and_then)
 }
 
 TEST_F(DatagramPortTest, mail_that_nobody_takes_is_bounded) {
-    for (std::size_t i = 0; i < DatagramPath::mail_max + 50; i++) {
+    for (std::size_t i = 0; i < DatagramConnection::mail_max + 50; i++) {
         end->send(client->close(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
     }
-    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramPath::mail_max); }));
+    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramConnection::mail_max); }));
     std::this_thread::sleep_for(50ms);
-    EXPECT_EQ(path->take_mail().size(), DatagramPath::mail_max);
+    EXPECT_EQ(path->take_mail().size(), DatagramConnection::mail_max);
 }
 
 TEST_F(DatagramPortTest, a_closed_path_is_forgotten) {

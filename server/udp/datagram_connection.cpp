@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/udp/datagram_path.h"
+#include "server/udp/datagram_connection.h"
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -37,25 +37,25 @@ bool DatagramAddress::operator==(const DatagramAddress& other) const {
            std::memcmp(&a.sin6_addr, &b.sin6_addr, sizeof a.sin6_addr) == 0;
 }
 
-DatagramPath::DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
+DatagramConnection::DatagramConnection(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
                            std::function<void(std::string_view)> on_message, Metrics* metrics)
     : cipher_(std::move(cipher)),
       socket_(socket),
       on_message_(std::move(on_message)),
       metrics_(metrics) {}
 
-bool DatagramPath::is_open(Clock::time_point now) const {
+bool DatagramConnection::is_open(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
     return address_ && now - heard_ < receive_timeout;
 }
 
-void DatagramPath::ask_anew() {
+void DatagramConnection::ask_anew() {
     const std::lock_guard lock(mutex_);
     address_.reset();
     asked_.reset();
 }
 
-void DatagramPath::send(std::span<const std::string_view> pieces, Clock::time_point now) {
+void DatagramConnection::send(std::span<const std::string_view> pieces, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     if (!address_) return;
     std::vector<std::string> packets = datagram::encode_message(pieces, ++messages_);
@@ -63,20 +63,20 @@ void DatagramPath::send(std::span<const std::string_view> pieces, Clock::time_po
     transmit(packets, *address_, now);
 }
 
-std::vector<DatagramPath::Mail> DatagramPath::take_mail() {
+std::vector<DatagramConnection::Mail> DatagramConnection::take_mail() {
     const std::lock_guard lock(mutex_);
     has_mail_.store(false, std::memory_order_release);
     return std::exchange(mail_, {});
 }
 
-void DatagramPath::receive(std::string_view packet, const DatagramAddress& from,
+void DatagramConnection::receive(std::string_view packet, const DatagramAddress& from,
                            Clock::time_point now) {
     std::string message;
     if (take_packet(packet, from, now, message)) on_message_(message);
 }
 
 // True: a message was put into the mail.
-bool DatagramPath::take_packet(std::string_view packet, const DatagramAddress& from,
+bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddress& from,
                                Clock::time_point now, std::string& message) {
     const std::lock_guard lock(mutex_);
     const auto opened = cipher_->decrypt(packet);
@@ -95,7 +95,7 @@ bool DatagramPath::take_packet(std::string_view packet, const DatagramAddress& f
     return true;
 }
 
-void DatagramPath::look_at_address(const datagram::Content& content, const DatagramAddress& from,
+void DatagramConnection::look_at_address(const datagram::Content& content, const DatagramAddress& from,
                                    bool newest, Clock::time_point now) {
     if (address_ && *address_ == from) {
         if (now - sent_ > quiet_max)
@@ -119,13 +119,13 @@ void DatagramPath::look_at_address(const datagram::Content& content, const Datag
     ask(from, asked_->token, now);
 }
 
-void DatagramPath::ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
+void DatagramConnection::ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
     const std::string packet = cipher_->encrypt(datagram::encode(datagram::PathChallenge{token}));
     transmit(std::span(&packet, 1), where, now);
 }
 
 // What the system does not take is lost, as on the way.
-void DatagramPath::transmit(std::span<const std::string> packets, const DatagramAddress& to,
+void DatagramConnection::transmit(std::span<const std::string> packets, const DatagramAddress& to,
                             Clock::time_point now) {
     DatagramAddress address = to;
     std::array<mmsghdr, datagram::fragments_max> messages{};

@@ -36,14 +36,14 @@ struct DatagramAddress {
     bool operator==(const DatagramAddress& other) const;
 };
 
-class DatagramPath {
+class DatagramConnection {
 public:
     static constexpr std::size_t mail_max = 256;  // not taken yet; more is dropped
     // Who has not been heard for so long is not sent to.
     static constexpr auto receive_timeout = std::chrono::seconds(2);
 
     // `on_message`: any thread, for each message that was put into the mail; it must be quick.
-    DatagramPath(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
+    DatagramConnection(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
                  std::function<void(std::string_view)> on_message, Metrics* metrics);
 
     const datagram::Credentials& credentials() const { return cipher_->credentials(); }

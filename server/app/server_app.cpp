@@ -270,7 +270,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         if (!store.ok()) return failed(store.error());
         certificates = *std::move(store);
     }
-    std::optional<DatagramPort> datagrams;
+    std::optional<DatagramServer> datagrams;
     if (!config.datagrams.listen.empty()) {
         datagrams.emplace(datagram_settings(config, metrics));
         if (Status s = datagrams->start(); !s.ok()) return failed(s.error());

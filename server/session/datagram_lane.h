@@ -25,7 +25,7 @@ public:
     // Of a snapshot; with 2 % loss a fifth of those would not arrive whole.
     static constexpr std::size_t fragments_max = 12;
 
-    DatagramLane(DatagramPort& port, std::shared_ptr<DatagramConnection> path)
+    DatagramLane(DatagramServer& port, std::shared_ptr<DatagramConnection> path)
         : port_(port), path_(std::move(path)) {}
     ~DatagramLane() { port_.close(*path_); }
     DatagramLane(const DatagramLane&) = delete;
@@ -50,7 +50,7 @@ public:
     std::optional<BaselineTracker> take_stream_bases();
 
 private:
-    DatagramPort& port_;
+    DatagramServer& port_;
     const std::shared_ptr<DatagramConnection> path_;
     AckedFrames frames_;
     std::uint32_t last_sent_ = 0;                     // by datagram

@@ -26,7 +26,7 @@ struct PlayContext {
     Gate& gate;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
-    DatagramPort* datagrams = nullptr;  // null: all goes by streams
+    DatagramServer* datagrams = nullptr;  // null: all goes by streams
     WorldFeeds feeds{};
     ClientRecords records{};
     ResumeDesk resumes{};

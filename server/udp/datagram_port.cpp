@@ -34,13 +34,13 @@ std::uint16_t bound_port(int descriptor) {
 
 }  // namespace
 
-DatagramPort::~DatagramPort() {
+DatagramServer::~DatagramServer() {
     stop();
     if (wake_ >= 0) ::close(wake_);
     if (socket_ >= 0) ::close(socket_);
 }
 
-Status DatagramPort::start() {
+Status DatagramServer::start() {
     const auto failed = [&](const std::string& why) {
         return Error{ErrorCode::unavailable,
                      fmt::format("cannot take datagrams at {}:{}: {}; choose another with "
@@ -69,13 +69,13 @@ Status DatagramPort::start() {
     return {};
 }
 
-void DatagramPort::stop() {
+void DatagramServer::stop() {
     stopping_ = true;
     if (wake_ >= 0) eventfd_write(wake_, 1);
     if (thread_.joinable()) thread_.join();
 }
 
-Result<std::shared_ptr<DatagramConnection>> DatagramPort::open(
+Result<std::shared_ptr<DatagramConnection>> DatagramServer::open(
     std::function<void(std::string_view)> on_message) {
     datagram::Credentials credentials;
     if (getentropy(&credentials.id, sizeof credentials.id) != 0 ||
@@ -91,23 +91,23 @@ Result<std::shared_ptr<DatagramConnection>> DatagramPort::open(
     return path;
 }
 
-void DatagramPort::close(const DatagramConnection& path) {
+void DatagramServer::close(const DatagramConnection& path) {
     const std::lock_guard lock(mutex_);
     paths_.erase(path.credentials().id);
 }
 
-std::size_t DatagramPort::paths() const {
+std::size_t DatagramServer::paths() const {
     const std::lock_guard lock(mutex_);
     return paths_.size();
 }
 
-std::shared_ptr<DatagramConnection> DatagramPort::find(std::uint64_t credentials) const {
+std::shared_ptr<DatagramConnection> DatagramServer::find(std::uint64_t credentials) const {
     const std::lock_guard lock(mutex_);
     const auto at = paths_.find(credentials);
     return at == paths_.end() ? nullptr : at->second;
 }
 
-void DatagramPort::run() {
+void DatagramServer::run() {
     std::array<pollfd, 2> watched{pollfd{.fd = socket_, .events = POLLIN, .revents = 0},
                                   pollfd{.fd = wake_, .events = POLLIN, .revents = 0}};
     while (!stopping_) {
@@ -122,7 +122,7 @@ void DatagramPort::run() {
 }
 
 // All that have come.
-void DatagramPort::take_packets() {
+void DatagramServer::take_packets() {
     // A byte more than a packet may have, so that one that was cut is seen to be too long.
     static thread_local std::array<std::array<char, datagram::packet_bytes_max + 1>,
                                    packets_at_once>

@@ -29,12 +29,12 @@ struct DatagramPortSettings {
     Metrics* metrics = nullptr;         // null: nobody counts
 };
 
-class DatagramPort {
+class DatagramServer {
 public:
-    explicit DatagramPort(DatagramPortSettings settings) : settings_(std::move(settings)) {}
-    ~DatagramPort();
-    DatagramPort(const DatagramPort&) = delete;
-    DatagramPort& operator=(const DatagramPort&) = delete;
+    explicit DatagramServer(DatagramPortSettings settings) : settings_(std::move(settings)) {}
+    ~DatagramServer();
+    DatagramServer(const DatagramServer&) = delete;
+    DatagramServer& operator=(const DatagramServer&) = delete;
 
     // An error says which address and why.
     Status start();

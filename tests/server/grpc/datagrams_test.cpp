@@ -78,7 +78,7 @@ protected:
     Config config;
     SessionDirectory sessions{4};
     test::UdpProxy proxy;
-    DatagramPort port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
+    DatagramServer port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
     const std::unique_ptr<Gate> gate = *Gate::open(config);

@@ -78,7 +78,7 @@ struct DatagramPortTest : testing::Test {
     }
     void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
 
-    DatagramPort port{{.host = "127.0.0.1", .port = 0}};
+    DatagramServer port{{.host = "127.0.0.1", .port = 0}};
     std::shared_ptr<DatagramConnection> path;
     std::unique_ptr<PacketCipher> client;
     std::unique_ptr<End> end;
@@ -196,10 +196,10 @@ TEST_F(DatagramPortTest, a_closed_path_is_forgotten) {
     EXPECT_EQ(messages, 0);
 }
 
-TEST(DatagramPort, says_which_address_it_cannot_have) {
-    DatagramPort first{{.host = "127.0.0.1", .port = 0}};
+TEST(DatagramServer, says_which_address_it_cannot_have) {
+    DatagramServer first{{.host = "127.0.0.1", .port = 0}};
     ASSERT_TRUE(first.start().ok());
-    DatagramPort second{{.host = "127.0.0.1", .port = first.port()}};
+    DatagramServer second{{.host = "127.0.0.1", .port = first.port()}};
     const Status taken = second.start();
     ASSERT_FALSE(taken.ok());
     EXPECT_NE(taken.error().message.find("127.0.0.1:" + std::to_string(first.port())),

@@ -122,7 +122,7 @@ GatewaySettings admin_settings(const Config& config, const Metrics& metrics,
             .asking_threads = AdminControl::waiting_max};
 }
 
-DatagramPortSettings datagram_settings(const Config& config, Metrics& metrics) {
+DatagramServerSettings datagram_settings(const Config& config, Metrics& metrics) {
     const HostPort address = *parse_host_port(config.datagrams.listen);
     return {.host = address.host,
             .port = address.port,

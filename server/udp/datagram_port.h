@@ -22,7 +22,7 @@
 
 namespace jostle::server {
 
-struct DatagramPortSettings {
+struct DatagramServerSettings {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;             // 0: any that is free
     std::uint16_t advertised_port = 0;  // 0: the real one
@@ -31,7 +31,7 @@ struct DatagramPortSettings {
 
 class DatagramServer {
 public:
-    explicit DatagramServer(DatagramPortSettings settings) : settings_(std::move(settings)) {}
+    explicit DatagramServer(DatagramServerSettings settings) : settings_(std::move(settings)) {}
     ~DatagramServer();
     DatagramServer(const DatagramServer&) = delete;
     DatagramServer& operator=(const DatagramServer&) = delete;
@@ -56,7 +56,7 @@ private:
     void take_packets();
     std::shared_ptr<DatagramConnection> find(std::uint64_t credentials) const;
 
-    const DatagramPortSettings settings_;
+    const DatagramServerSettings settings_;
     int socket_ = -1, wake_ = -1;
     std::uint16_t port_ = 0;
     mutable std::mutex mutex_;

@@ -56,7 +56,7 @@ std::string message(std::string_view text) {
     return datagram::encode_message(std::span(&text, 1), 1)[0];
 }
 
-struct DatagramPortTest : testing::Test {
+struct DatagramServerTest : testing::Test {
     void SetUp() override {
         ASSERT_TRUE(port.start().ok());
         path = *port.open([this](std::string_view) { messages++; });
@@ -87,7 +87,7 @@ struct DatagramPortTest : testing::Test {
 
 }  // namespace
 
-TEST_F(DatagramPortTest, nothing_is_sent_before_the_client_answered_from_where_it_is) {
+TEST_F(DatagramServerTest, nothing_is_sent_before_the_client_answered_from_where_it_is) {
     say("lost");
     EXPECT_FALSE(path->is_open(Clock::now()));
     end->send(client->close(message("hello")));
@@ -105,7 +105,7 @@ TEST_F(DatagramPortTest, nothing_is_sent_before_the_client_answered_from_where_i
     EXPECT_EQ(client->open(*packet)->content, message("now"));
 }
 
-TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
+TEST_F(DatagramServerTest, what_a_client_sends_is_mail_once_with_its_time) {
     const std::string packet = client->close(message("push"));
     end->send(packet);
     end->send(packet);
@@ -121,7 +121,7 @@ TEST_F(DatagramPortTest, what_a_client_sends_is_mail_once_with_its_time) {
     EXPECT_FALSE(path->has_mail());
 }
 
-TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
+TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
     datagram::Credentials guessed = path->credentials();
     guessed.key[0] ^= 1;
     end->send((*PacketCipher::make(guessed, Side::client))->close(message("let me in")));
@@ -134,7 +134,7 @@ TEST_F(DatagramPortTest, packets_without_the_key_get_no_answer) {
     EXPECT_EQ(path->take_mail().size(), 1u) << "of be_known() alone";
 }
 
-TEST_F(DatagramPortTest, a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
+TEST_F(DatagramServerTest, a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const End elsewhere(port.port());
@@ -150,7 +150,7 @@ TEST_F(DatagramPortTest, a_client_that_moves_is_asked_there_and_gets_all_where_i
     }));
 }
 
-TEST_F(DatagramPortTest, one_that_was_recorded_and_sent_from_elsewhere_moves_nobody) {
+TEST_F(DatagramServerTest, one_that_was_recorded_and_sent_from_elsewhere_moves_nobody) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const std::string held_back = client->close(message("old"));
@@ -162,14 +162,14 @@ TEST_F(DatagramPortTest, one_that_was_recorded_and_sent_from_elsewhere_moves_nob
     EXPECT_FALSE(elsewhere.receive(100ms)) << "not even a question: a newer packet came before";
 }
 
-TEST_F(DatagramPortTest, who_says_nothing_for_two_seconds_is_no_longer_sent_to) {
+TEST_F(DatagramServerTest, who_says_nothing_for_two_seconds_is_no_longer_sent_to) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     EXPECT_TRUE(path->is_open(Clock::now() + 1900ms));
     EXPECT_FALSE(path->is_open(Clock::now() + 2100ms));
 }
 
-TEST_F(DatagramPortTest, a_client_that_hears_nothing_else_is_asked_now_and_then) {
+TEST_F(DatagramServerTest, a_client_that_hears_nothing_else_is_asked_now_and_then) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     std::this_thread::sleep_for(300ms);
@@ -177,7 +177,7 @@ TEST_F(DatagramPortTest, a_client_that_hears_nothing_else_is_asked_now_and_then)
     EXPECT_TRUE(end->receive()) << "the way back is open";
 }
 
-TEST_F(DatagramPortTest, mail_that_nobody_takes_is_bounded) {
+TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
     for (std::size_t i = 0; i < DatagramConnection::mail_max + 50; i++) {
         end->send(client->close(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
@@ -187,7 +187,7 @@ TEST_F(DatagramPortTest, mail_that_nobody_takes_is_bounded) {
     EXPECT_EQ(path->take_mail().size(), DatagramConnection::mail_max);
 }
 
-TEST_F(DatagramPortTest, a_closed_path_is_forgotten) {
+TEST_F(DatagramServerTest, a_closed_path_is_forgotten) {
     EXPECT_EQ(port.paths(), 1u);
     port.close(*path);
     EXPECT_EQ(port.paths(), 0u);

@@ -16,7 +16,7 @@
 
 #include "server/messages/out_message.h"
 #include "server/replication/acked_frames.h"
-#include "server/udp/datagram_port.h"
+#include "server/udp/datagram_server.h"
 
 namespace jostle::server {
 

@@ -14,7 +14,7 @@
 #include "server/metrics/rpc_metrics.h"
 #include "server/session/resume_desk.h"
 #include "server/session/world_feed.h"
-#include "server/udp/datagram_port.h"
+#include "server/udp/datagram_server.h"
 #include "server/world/world_directory.h"
 
 namespace jostle::server {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Real sockets on the loopback device, and a client made of a seal.
-#include "server/udp/datagram_port.h"
+#include "server/udp/datagram_server.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/udp/datagram_port.h"
+#include "server/udp/datagram_server.h"
 
 #include <netdb.h>
 #include <poll.h>

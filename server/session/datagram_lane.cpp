@@ -20,9 +20,9 @@ constexpr auto large_pause = 1s;
 bool DatagramLane::carries(std::uint32_t tick, Clock::time_point now) {
     if (unacked_since_ && now - *unacked_since_ > unacked_max) {
         unacked_since_.reset();
-        path_->ask_anew();
+        connection_->restart_path_validation();
     }
-    return now >= by_stream_until_ && path_->is_open(now) && frames_.bases_for(tick).baseline != 0;
+    return now >= by_stream_until_ && connection_->is_open(now) && frames_.bases_for(tick).baseline != 0;
 }
 
 void DatagramLane::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
@@ -40,7 +40,7 @@ bool DatagramLane::fits(std::size_t bytes, Clock::time_point now) {
 void DatagramLane::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
     const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
     const std::array pieces{std::string_view(snapshot.head), shared};
-    path_->send(pieces, now);
+    connection_->send(pieces, now);
     frames_.on_sent(frame, true);
     last_sent_ = frame;
     if (!unacked_since_) unacked_since_ = now;

@@ -26,13 +26,13 @@ public:
     static constexpr std::size_t fragments_max = 12;
 
     DatagramLane(DatagramServer& port, std::shared_ptr<DatagramConnection> path)
-        : port_(port), path_(std::move(path)) {}
-    ~DatagramLane() { port_.close(*path_); }
+        : port_(port), connection_(std::move(path)) {}
+    ~DatagramLane() { port_.close(*connection_); }
     DatagramLane(const DatagramLane&) = delete;
     DatagramLane& operator=(const DatagramLane&) = delete;
 
-    bool has_mail() const { return path_->has_mail(); }
-    std::vector<DatagramConnection::Mail> take_mail() { return path_->take_mail(); }
+    bool has_mail() const { return connection_->has_mail(); }
+    std::vector<DatagramConnection::Mail> take_mail() { return connection_->take_mail(); }
 
     // Whether the snapshot of that tick goes by datagrams, if it fits.
     bool carries(std::uint32_t tick, Clock::time_point now);
@@ -51,7 +51,7 @@ public:
 
 private:
     DatagramServer& port_;
-    const std::shared_ptr<DatagramConnection> path_;
+    const std::shared_ptr<DatagramConnection> connection_;
     AckedFrames frames_;
     std::uint32_t last_sent_ = 0;                     // by datagram
     std::optional<Clock::time_point> unacked_since_;  // of these; nothing: all are acknowledged

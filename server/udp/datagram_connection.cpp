@@ -49,7 +49,7 @@ bool DatagramConnection::is_open(Clock::time_point now) const {
     return address_ && now - heard_ < receive_timeout;
 }
 
-void DatagramConnection::ask_anew() {
+void DatagramConnection::restart_path_validation() {
     const std::lock_guard lock(mutex_);
     address_.reset();
     asked_.reset();
@@ -99,7 +99,7 @@ void DatagramConnection::look_at_address(const datagram::Content& content, const
                                    bool newest, Clock::time_point now) {
     if (address_ && *address_ == from) {
         if (now - sent_ > quiet_max)
-            if (const auto token = random_token()) ask(from, *token, now);
+            if (const auto token = random_token()) send_challenge(from, *token, now);
         return;
     }
     if (asked_ && asked_->where == from)
@@ -116,10 +116,10 @@ void DatagramConnection::look_at_address(const datagram::Content& content, const
         if (!token) return;
         asked_ = {from, *token};
     }
-    ask(from, asked_->token, now);
+    send_challenge(from, asked_->token, now);
 }
 
-void DatagramConnection::ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
+void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
     const std::string packet = cipher_->encrypt(datagram::encode(datagram::PathChallenge{token}));
     transmit(std::span(&packet, 1), where, now);
 }

@@ -51,7 +51,7 @@ public:
     // Somebody answered with the key, and was heard lately.
     bool is_open(Clock::time_point now) const;
     // Nothing is sent until the client has answered again: it seems not to get what it is sent.
-    void ask_anew();
+    void restart_path_validation();
     // A message, given in pieces; lost without a word when there is nobody, when it needs more than
     // datagram::fragments_max parts, or when the system's buffer is full.
     void send(std::span<const std::string_view> pieces, Clock::time_point now);
@@ -69,7 +69,7 @@ public:
 private:
     bool take_packet(std::string_view packet, const DatagramAddress& from, Clock::time_point now,
                      std::string& message);
-    void ask(const DatagramAddress& where, std::uint64_t token, Clock::time_point now);
+    void send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now);
     void look_at_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
                          Clock::time_point now);
     void transmit(std::span<const std::string> packets, const DatagramAddress& to,

@@ -86,25 +86,25 @@ Result<std::shared_ptr<DatagramConnection>> DatagramServer::open(
     auto path = std::make_shared<DatagramConnection>(*std::move(cipher), socket_, std::move(on_message),
                                                settings_.metrics);
     const std::lock_guard lock(mutex_);
-    if (!paths_.try_emplace(credentials.id, path).second)
+    if (!connections_.try_emplace(credentials.id, path).second)
         return Error{ErrorCode::internal, "a ticket for datagrams came twice"};
     return path;
 }
 
 void DatagramServer::close(const DatagramConnection& path) {
     const std::lock_guard lock(mutex_);
-    paths_.erase(path.credentials().id);
+    connections_.erase(path.credentials().id);
 }
 
-std::size_t DatagramServer::paths() const {
+std::size_t DatagramServer::connections() const {
     const std::lock_guard lock(mutex_);
-    return paths_.size();
+    return connections_.size();
 }
 
 std::shared_ptr<DatagramConnection> DatagramServer::find(std::uint64_t credentials) const {
     const std::lock_guard lock(mutex_);
-    const auto at = paths_.find(credentials);
-    return at == paths_.end() ? nullptr : at->second;
+    const auto at = connections_.find(credentials);
+    return at == connections_.end() ? nullptr : at->second;
 }
 
 void DatagramServer::run() {

@@ -49,7 +49,7 @@ public:
     Result<std::shared_ptr<DatagramConnection>> open(std::function<void(std::string_view)> on_message);
     // Packets with this ticket are dropped from now on. One that is being handed over may still be.
     void close(const DatagramConnection& path);
-    std::size_t paths() const;
+    std::size_t connections() const;
 
 private:
     void run();
@@ -60,7 +60,7 @@ private:
     int socket_ = -1, wake_ = -1;
     std::uint16_t port_ = 0;
     mutable std::mutex mutex_;
-    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>> paths_;  // by ticket
+    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>> connections_;  // by ticket
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

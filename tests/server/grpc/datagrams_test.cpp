@@ -246,11 +246,11 @@ TEST_F(DatagramsTest, who_does_not_ask_gets_no_ticket_and_nobody_who_sees_a_part
                                .datagrams = true});
     ASSERT_TRUE(
         wait_until([&] { return plain->stats().snapshots > 3 && partial->stats().snapshots > 3; }));
-    EXPECT_EQ(port.paths(), 0u);
+    EXPECT_EQ(port.connections(), 0u);
     const auto taker = join();
-    EXPECT_TRUE(wait_until([&] { return port.paths() == 1; }));
+    EXPECT_TRUE(wait_until([&] { return port.connections() == 1; }));
     taker->leave();
-    EXPECT_TRUE(wait_until([&] { return port.paths() == 0; }));
+    EXPECT_TRUE(wait_until([&] { return port.connections() == 0; }));
 }
 
 }  // namespace jostle::server

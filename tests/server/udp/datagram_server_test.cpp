@@ -188,9 +188,9 @@ TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
 }
 
 TEST_F(DatagramServerTest, a_closed_path_is_forgotten) {
-    EXPECT_EQ(port.paths(), 1u);
+    EXPECT_EQ(port.connections(), 1u);
     port.close(*path);
-    EXPECT_EQ(port.paths(), 0u);
+    EXPECT_EQ(port.connections(), 0u);
     end->send(client->close(message("hello")));
     EXPECT_FALSE(end->receive(100ms));
     EXPECT_EQ(messages, 0);

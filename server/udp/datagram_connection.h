@@ -75,7 +75,7 @@ private:
     void transmit(std::span<const std::string> packets, const DatagramAddress& to,
                   Clock::time_point now);
 
-    struct Asked {
+    struct PendingChallenge {
         DatagramAddress where;
         std::uint64_t token = 0;  // secret: only who is there can answer
     };
@@ -86,7 +86,7 @@ private:
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;
     std::optional<DatagramAddress> address_;  // that answered
-    std::optional<Asked> asked_;              // another, that has not yet
+    std::optional<PendingChallenge> asked_;              // another, that has not yet
     Clock::time_point heard_{}, sent_{};
     std::uint32_t messages_ = 0;  // sent
     std::vector<Mail> mail_;

@@ -52,7 +52,7 @@ bool DatagramConnection::is_open(Clock::time_point now) const {
 void DatagramConnection::restart_path_validation() {
     const std::lock_guard lock(mutex_);
     address_.reset();
-    asked_.reset();
+    pending_challenge_.reset();
 }
 
 void DatagramConnection::send(std::span<const std::string_view> pieces, Clock::time_point now) {
@@ -86,7 +86,7 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
         (content.ok() ? metrics_->datagrams_received : metrics_->datagrams_refused).Increment();
     if (!content.ok()) return false;
     heard_ = std::max(heard_, now);
-    look_at_address(*content, from, opened->newest, now);
+    validate_address(*content, from, opened->newest, now);
     const auto* whole = std::get_if<datagram::Message>(&*content);
     if (!whole || mail_.size() == mail_max) return false;
     message = whole->bytes;
@@ -95,28 +95,28 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
     return true;
 }
 
-void DatagramConnection::look_at_address(const datagram::Content& content, const DatagramAddress& from,
+void DatagramConnection::validate_address(const datagram::Content& content, const DatagramAddress& from,
                                    bool newest, Clock::time_point now) {
     if (address_ && *address_ == from) {
         if (now - sent_ > quiet_max)
             if (const auto token = random_token()) send_challenge(from, *token, now);
         return;
     }
-    if (asked_ && asked_->where == from)
+    if (pending_challenge_ && pending_challenge_->where == from)
         if (const auto* answer = std::get_if<datagram::PathResponse>(&content);
-            answer && answer->token == asked_->token) {
+            answer && answer->token == pending_challenge_->token) {
             address_ = from;
-            asked_.reset();
+            pending_challenge_.reset();
             return;
         }
     // One that was overtaken may come from where the client was before.
     if (!newest) return;
-    if (!asked_ || !(asked_->where == from)) {
+    if (!pending_challenge_ || !(pending_challenge_->where == from)) {
         const auto token = random_token();
         if (!token) return;
-        asked_ = {from, *token};
+        pending_challenge_ = {from, *token};
     }
-    send_challenge(from, asked_->token, now);
+    send_challenge(from, pending_challenge_->token, now);
 }
 
 void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {

@@ -70,7 +70,7 @@ private:
     bool take_packet(std::string_view packet, const DatagramAddress& from, Clock::time_point now,
                      std::string& message);
     void send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now);
-    void look_at_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
+    void validate_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
                          Clock::time_point now);
     void transmit(std::span<const std::string> packets, const DatagramAddress& to,
                   Clock::time_point now);
@@ -86,7 +86,7 @@ private:
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;
     std::optional<DatagramAddress> address_;  // that answered
-    std::optional<PendingChallenge> asked_;              // another, that has not yet
+    std::optional<PendingChallenge> pending_challenge_;              // another, that has not yet
     Clock::time_point heard_{}, sent_{};
     std::uint32_t messages_ = 0;  // sent
     std::vector<Mail> mail_;

@@ -32,7 +32,7 @@ public:
     DatagramLane& operator=(const DatagramLane&) = delete;
 
     bool has_mail() const { return connection_->has_mail(); }
-    std::vector<DatagramConnection::Mail> take_mail() { return connection_->take_mail(); }
+    std::vector<DatagramConnection::ReceivedMessage> take_mail() { return connection_->take_mail(); }
 
     // Whether the snapshot of that tick goes by datagrams, if it fits.
     bool carries(std::uint32_t tick, Clock::time_point now);

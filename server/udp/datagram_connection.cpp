@@ -63,7 +63,7 @@ void DatagramConnection::send(std::span<const std::string_view> pieces, Clock::t
     transmit(packets, *address_, now);
 }
 
-std::vector<DatagramConnection::Mail> DatagramConnection::take_mail() {
+std::vector<DatagramConnection::ReceivedMessage> DatagramConnection::take_mail() {
     const std::lock_guard lock(mutex_);
     has_mail_.store(false, std::memory_order_release);
     return std::exchange(mail_, {});

@@ -56,12 +56,12 @@ public:
     // datagram::fragments_max parts, or when the system's buffer is full.
     void send(std::span<const std::string_view> pieces, Clock::time_point now);
 
-    struct Mail {
+    struct ReceivedMessage {
         std::string message;
         Clock::time_point at;
     };
     bool has_mail() const { return has_mail_.load(std::memory_order_acquire); }
-    std::vector<Mail> take_mail();
+    std::vector<ReceivedMessage> take_mail();
 
     // A packet that names the ticket; anybody may have sent it.
     void receive(std::string_view packet, const DatagramAddress& from, Clock::time_point now);
@@ -89,7 +89,7 @@ private:
     std::optional<PendingChallenge> pending_challenge_;              // another, that has not yet
     Clock::time_point heard_{}, sent_{};
     std::uint32_t messages_ = 0;  // sent
-    std::vector<Mail> mail_;
+    std::vector<ReceivedMessage> mail_;
     std::atomic<bool> has_mail_{false};
 };
 

@@ -49,7 +49,7 @@ public:
     // What came by datagrams since, and the snapshot that is to go so. Call it before the stream is
     // written, whether the stream can be written or not.
     void take_datagrams(Clock::time_point now);
-    bool has_datagrams() const { return lane_ && lane_->has_mail(); }
+    bool has_datagrams() const { return lane_ && lane_->has_messages(); }
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now, bool lost = false);
     // A message could not be read or made by a fault of ours: nothing is sent any more.

@@ -38,7 +38,7 @@ void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
 
 void ClientLink::take_datagrams(Clock::time_point now) {
     if (!lane_ || end_) return;
-    for (const DatagramConnection::ReceivedMessage& mail : lane_->take_mail()) {
+    for (const DatagramConnection::ReceivedMessage& mail : lane_->take_messages()) {
         receive_datagram(mail.message, mail.at, now);
         if (end_) return;
     }

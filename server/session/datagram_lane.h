@@ -31,8 +31,8 @@ public:
     DatagramLane(const DatagramLane&) = delete;
     DatagramLane& operator=(const DatagramLane&) = delete;
 
-    bool has_mail() const { return connection_->has_mail(); }
-    std::vector<DatagramConnection::ReceivedMessage> take_mail() { return connection_->take_mail(); }
+    bool has_messages() const { return connection_->has_messages(); }
+    std::vector<DatagramConnection::ReceivedMessage> take_messages() { return connection_->take_messages(); }
 
     // Whether the snapshot of that tick goes by datagrams, if it fits.
     bool carries(std::uint32_t tick, Clock::time_point now);

@@ -13,7 +13,7 @@ namespace jostle::server {
 namespace {
 
 // A client that hears nothing takes the way for blocked: it is asked something now and then.
-constexpr auto quiet_max = std::chrono::milliseconds(250);
+constexpr auto challenge_interval = std::chrono::milliseconds(250);
 
 std::optional<std::uint64_t> random_token() {
     std::uint64_t token = 0;
@@ -46,7 +46,7 @@ DatagramConnection::DatagramConnection(std::unique_ptr<datagram::PacketCipher> c
 
 bool DatagramConnection::is_open(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
-    return address_ && now - heard_ < receive_timeout;
+    return address_ && now - received_at_ < receive_timeout;
 }
 
 void DatagramConnection::restart_path_validation() {
@@ -63,10 +63,10 @@ void DatagramConnection::send(std::span<const std::string_view> pieces, Clock::t
     transmit(packets, *address_, now);
 }
 
-std::vector<DatagramConnection::ReceivedMessage> DatagramConnection::take_mail() {
+std::vector<DatagramConnection::ReceivedMessage> DatagramConnection::take_messages() {
     const std::lock_guard lock(mutex_);
-    has_mail_.store(false, std::memory_order_release);
-    return std::exchange(mail_, {});
+    has_messages_.store(false, std::memory_order_release);
+    return std::exchange(received_, {});
 }
 
 void DatagramConnection::receive(std::string_view packet, const DatagramAddress& from,
@@ -85,20 +85,20 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
     if (metrics_)
         (content.ok() ? metrics_->datagrams_received : metrics_->datagrams_refused).Increment();
     if (!content.ok()) return false;
-    heard_ = std::max(heard_, now);
+    received_at_ = std::max(received_at_, now);
     validate_address(*content, from, opened->newest, now);
     const auto* whole = std::get_if<datagram::Message>(&*content);
-    if (!whole || mail_.size() == mail_max) return false;
+    if (!whole || received_.size() == received_max) return false;
     message = whole->bytes;
-    mail_.push_back({message, now});
-    has_mail_.store(true, std::memory_order_release);
+    received_.push_back({message, now});
+    has_messages_.store(true, std::memory_order_release);
     return true;
 }
 
 void DatagramConnection::validate_address(const datagram::Content& content, const DatagramAddress& from,
                                    bool newest, Clock::time_point now) {
     if (address_ && *address_ == from) {
-        if (now - sent_ > quiet_max)
+        if (now - sent_ > challenge_interval)
             if (const auto token = random_token()) send_challenge(from, *token, now);
         return;
     }

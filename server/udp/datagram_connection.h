@@ -38,7 +38,7 @@ struct DatagramAddress {
 
 class DatagramConnection {
 public:
-    static constexpr std::size_t mail_max = 256;  // not taken yet; more is dropped
+    static constexpr std::size_t received_max = 256;  // not taken yet; more is dropped
     // Who has not been heard for so long is not sent to.
     static constexpr auto receive_timeout = std::chrono::seconds(2);
 
@@ -60,8 +60,8 @@ public:
         std::string message;
         Clock::time_point at;
     };
-    bool has_mail() const { return has_mail_.load(std::memory_order_acquire); }
-    std::vector<ReceivedMessage> take_mail();
+    bool has_messages() const { return has_messages_.load(std::memory_order_acquire); }
+    std::vector<ReceivedMessage> take_messages();
 
     // A packet that names the ticket; anybody may have sent it.
     void receive(std::string_view packet, const DatagramAddress& from, Clock::time_point now);
@@ -87,10 +87,10 @@ private:
     Metrics* const metrics_;
     std::optional<DatagramAddress> address_;  // that answered
     std::optional<PendingChallenge> pending_challenge_;              // another, that has not yet
-    Clock::time_point heard_{}, sent_{};
+    Clock::time_point received_at_{}, sent_{};
     std::uint32_t messages_ = 0;  // sent
-    std::vector<ReceivedMessage> mail_;
-    std::atomic<bool> has_mail_{false};
+    std::vector<ReceivedMessage> received_;
+    std::atomic<bool> has_messages_{false};
 };
 
 }  // namespace jostle::server

@@ -21,7 +21,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t packets_at_once = 64;
+constexpr std::size_t receive_batch_size = 64;
 // A tick's snapshots to a thousand clients, and what they send meanwhile.
 constexpr int buffer_bytes = 4 << 20;
 
@@ -125,13 +125,13 @@ void DatagramServer::run() {
 void DatagramServer::take_packets() {
     // A byte more than a packet may have, so that one that was cut is seen to be too long.
     static thread_local std::array<std::array<char, datagram::packet_bytes_max + 1>,
-                                   packets_at_once>
+                                   receive_batch_size>
         bytes;
-    std::array<DatagramAddress, packets_at_once> from;
-    std::array<iovec, packets_at_once> pieces{};
-    std::array<mmsghdr, packets_at_once> messages{};
-    for (std::size_t count = packets_at_once; count == packets_at_once && !stopping_;) {
-        for (std::size_t k = 0; k < packets_at_once; k++) {
+    std::array<DatagramAddress, receive_batch_size> from;
+    std::array<iovec, receive_batch_size> pieces{};
+    std::array<mmsghdr, receive_batch_size> messages{};
+    for (std::size_t count = receive_batch_size; count == receive_batch_size && !stopping_;) {
+        for (std::size_t k = 0; k < receive_batch_size; k++) {
             pieces[k] = {bytes[k].data(), bytes[k].size()};
             messages[k].msg_hdr = {.msg_name = &from[k].bytes,
                                    .msg_namelen = sizeof from[k].bytes,
@@ -139,7 +139,7 @@ void DatagramServer::take_packets() {
                                    .msg_iovlen = 1};
         }
         const int taken =
-            recvmmsg(socket_, messages.data(), packets_at_once, MSG_DONTWAIT, nullptr);
+            recvmmsg(socket_, messages.data(), receive_batch_size, MSG_DONTWAIT, nullptr);
         if (taken <= 0) return;
         count = static_cast<std::size_t>(taken);
         const Clock::time_point now = Clock::now();

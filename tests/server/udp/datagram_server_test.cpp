@@ -112,13 +112,13 @@ TEST_F(DatagramServerTest, what_a_client_sends_is_mail_once_with_its_time) {
     ASSERT_TRUE(wait_until([&] { return messages == 1; }));
     end->send(client->close(message("pull")));
     ASSERT_TRUE(wait_until([&] { return messages == 2; }));
-    EXPECT_TRUE(path->has_mail());
-    const auto mail = path->take_mail();
+    EXPECT_TRUE(path->has_messages());
+    const auto mail = path->take_messages();
     ASSERT_EQ(mail.size(), 2u);
     EXPECT_EQ(mail[0].message, "push");
     EXPECT_EQ(mail[1].message, "pull");
     EXPECT_GE(mail[1].at, mail[0].at);
-    EXPECT_FALSE(path->has_mail());
+    EXPECT_FALSE(path->has_messages());
 }
 
 TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
@@ -131,7 +131,7 @@ TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
     EXPECT_FALSE(end->receive(100ms));
     be_known(*end);
     EXPECT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
-    EXPECT_EQ(path->take_mail().size(), 1u) << "of be_known() alone";
+    EXPECT_EQ(path->take_messages().size(), 1u) << "of be_known() alone";
 }
 
 TEST_F(DatagramServerTest, a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
@@ -178,13 +178,13 @@ TEST_F(DatagramServerTest, a_client_that_hears_nothing_else_is_asked_now_and_the
 }
 
 TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
-    for (std::size_t i = 0; i < DatagramConnection::mail_max + 50; i++) {
+    for (std::size_t i = 0; i < DatagramConnection::received_max + 50; i++) {
         end->send(client->close(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
     }
-    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramConnection::mail_max); }));
+    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramConnection::received_max); }));
     std::this_thread::sleep_for(50ms);
-    EXPECT_EQ(path->take_mail().size(), DatagramConnection::mail_max);
+    EXPECT_EQ(path->take_messages().size(), DatagramConnection::received_max);
 }
 
 TEST_F(DatagramServerTest, a_closed_path_is_forgotten) {

@@ -11,7 +11,7 @@
 #include "bench/result_file.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/lab.h"
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/storage/compressed.h"
 
 namespace jostle::bench {
@@ -71,7 +71,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
         moment.image = world.image(tick);
         moment.bodies.keep(world.world());
     });
-    server::CheckpointImage image;
+    server::CheckpointData image;
     time(times.encode, [&] { image = must(server::encode_checkpoint(moment)); });
     spare = std::move(moment.bodies);
     std::vector<std::byte> saved;

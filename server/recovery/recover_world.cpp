@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/storage/compressed.h"
 
 namespace jostle::server {

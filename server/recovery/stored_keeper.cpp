@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/storage/compressed.h"
 #include "server/storage/journal_chain.h"
 #include "server/util/log.h"
@@ -191,7 +191,7 @@ void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) 
     checkpoint_waits_ = true;
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
         std::optional<WorldMoment> moment = taker->take();
-        Result<CheckpointImage> image =
+        Result<CheckpointData> image =
             moment ? encode_checkpoint(*moment)
                    : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
         if (moment) {

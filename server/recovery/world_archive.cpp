@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/recovery/copied_world.h"
 #include "server/recovery/journal_codec.h"
 #include "server/storage/compressed.h"
@@ -50,7 +50,7 @@ WorldMoment moment_of(const HostedWorld& world, std::uint32_t tick) {
 
 Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                                  std::uint64_t sequence) {
-    Result<CheckpointImage> image = encode_checkpoint(moment_of(world, tick));
+    Result<CheckpointData> image = encode_checkpoint(moment_of(world, tick));
     if (!image.ok()) return image.error();
     return Checkpoint{.tick = tick,
                       .hash = image->hash,

@@ -3,7 +3,7 @@
 // What is kept of a hosted world: an image of what it is beside its bodies, a journal of commands,
 // what it is made of, a checkpoint. What is read is the same when it is written and read again; all
 // else is refused.
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_record.h"
 #include "server/storage/compressed.h"

@@ -23,7 +23,7 @@
 #include "jostle/v1/play.pb.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_record.h"
 #include "server/session/client_link.h"

@@ -13,12 +13,12 @@
 
 namespace jostle::server {
 
-struct CheckpointImage {
+struct CheckpointData {
     std::uint64_t hash = 0;  // of the state of the bodies
     std::string bytes;
 };
 // Takes tens of milliseconds for thousands of bodies: not for a tick's thread.
-Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment);
+Result<CheckpointData> encode_checkpoint(const WorldMoment& moment);
 
 struct SavedMoment {
     physics::World bodies;

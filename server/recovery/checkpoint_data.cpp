@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/recovery/checkpoint_image.h"
+#include "server/recovery/checkpoint_data.h"
 
 #include <span>
 #include <utility>
@@ -22,7 +22,7 @@ Error not_a_checkpoint(const std::string& why) {
 
 }  // namespace
 
-Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment) {
+Result<CheckpointData> encode_checkpoint(const WorldMoment& moment) {
     const Result<physics::RestorePoint::Saved> saved = moment.bodies.save();
     if (!saved.ok()) return saved.error();
     ByteWriter head;
@@ -32,7 +32,7 @@ Result<CheckpointImage> encode_checkpoint(const WorldMoment& moment) {
     const std::string first = head.take();
     const std::string_view pieces[] = {
         first, {reinterpret_cast<const char*>(saved->bytes.data()), saved->bytes.size()}};
-    return CheckpointImage{saved->hash, compress(pieces)};
+    return CheckpointData{saved->hash, compress(pieces)};
 }
 
 Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {

@@ -35,7 +35,7 @@ Result<CheckpointData> encode_checkpoint(const WorldMoment& moment) {
     return CheckpointData{saved->hash, compress(pieces)};
 }
 
-Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {
+Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {
     const Result<std::string> whole = decompress(bytes, checkpoint_bytes_max);
     if (!whole.ok()) return whole.error();
     ByteReader from(*whole);
@@ -50,7 +50,7 @@ Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash
     Result<physics::World> world = physics::load(std::as_bytes(std::span(saved)));
     if (!world.ok()) return world.error();
     if (physics::state_hash(*world) != hash) return not_a_checkpoint("has another hash");
-    return SavedMoment{*std::move(world), *std::move(image)};
+    return DecodedCheckpoint{*std::move(world), *std::move(image)};
 }
 
 }  // namespace jostle::server

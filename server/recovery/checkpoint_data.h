@@ -20,11 +20,11 @@ struct CheckpointData {
 // Takes tens of milliseconds for thousands of bodies: not for a tick's thread.
 Result<CheckpointData> encode_checkpoint(const WorldMoment& moment);
 
-struct SavedMoment {
+struct DecodedCheckpoint {
     physics::World bodies;
     HostImage image;
 };
 // corrupt_data: the bytes are no such image, or their hash is another one.
-Result<SavedMoment> decode_checkpoint(std::string_view bytes, std::uint64_t hash);
+Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_t hash);
 
 }  // namespace jostle::server

@@ -47,7 +47,7 @@ private:
     Result<RecoveredWorld> from_checkpoint(std::uint32_t tick) {
         const Result<Checkpoint> kept = store_.checkpoint(stored_.id, tick);
         if (!kept.ok()) return kept.error();
-        Result<SavedMoment> saved = decode_checkpoint(kept->exact, kept->hash);
+        Result<DecodedCheckpoint> saved = decode_checkpoint(kept->exact, kept->hash);
         if (!saved.ok()) return saved.error();
         if (Status s = saved->bodies.set_threads(options_.threads); !s.ok()) return s.error();
         Result<HostedWorld> world =

@@ -66,7 +66,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
         if (Status s = world.step(1.0 / 60, tick); !s.ok())
             throw std::runtime_error(s.error().message);
     });
-    server::WorldMoment moment{.tick = tick, .bodies = std::move(spare), .image = {}};
+    server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .image = {}};
     time(times.moment, [&] {
         moment.image = world.image(tick);
         moment.bodies.keep(world.world());

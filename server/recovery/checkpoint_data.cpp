@@ -22,7 +22,7 @@ Error not_a_checkpoint(const std::string& why) {
 
 }  // namespace
 
-Result<CheckpointData> encode_checkpoint(const WorldMoment& moment) {
+Result<CheckpointData> encode_checkpoint(const CheckpointCopy& moment) {
     const Result<physics::RestorePoint::Saved> saved = moment.bodies.save();
     if (!saved.ok()) return saved.error();
     ByteWriter head;

@@ -190,7 +190,7 @@ void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) 
     taken_at_ = taken.at;
     checkpoint_waits_ = true;
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
-        std::optional<WorldMoment> moment = taker->take();
+        std::optional<CheckpointCopy> moment = taker->take();
         Result<CheckpointData> image =
             moment ? encode_checkpoint(*moment)
                    : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
@@ -223,10 +223,10 @@ physics::RestorePoint StoredKeeper::spare_point() {
     return std::move(spare_point_);
 }
 
-void StoredKeeper::end(std::optional<WorldMoment> moment) {
+void StoredKeeper::end(std::optional<CheckpointCopy> moment) {
     flush();
     if (!moment || trouble()) return;
-    auto kept = std::make_shared<WorldMoment>(*std::move(moment));
+    auto kept = std::make_shared<CheckpointCopy>(*std::move(moment));
     keep(kept->tick, std::make_shared<MomentTaker>([kept] { return std::move(*kept); }));
 }
 

@@ -70,7 +70,7 @@ public:
     void on_interrupted() override { interrupted_ = true; }
     bool wants_moment() const override;
     void keep(std::uint32_t tick, std::shared_ptr<MomentTaker> moment) override;
-    void end(std::optional<WorldMoment> moment) override;
+    void end(std::optional<CheckpointCopy> moment) override;
     physics::RestorePoint spare_point() override;
 
 private:

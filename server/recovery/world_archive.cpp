@@ -42,8 +42,8 @@ Error slow() {
     return {ErrorCode::unavailable, "the store does not answer; try again in a moment"};
 }
 
-WorldMoment moment_of(const HostedWorld& world, std::uint32_t tick) {
-    WorldMoment moment{.tick = tick, .bodies = {}, .image = world.image(tick)};
+CheckpointCopy moment_of(const HostedWorld& world, std::uint32_t tick) {
+    CheckpointCopy moment{.tick = tick, .bodies = {}, .image = world.image(tick)};
     moment.bodies.keep(world.world());
     return moment;
 }

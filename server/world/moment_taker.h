@@ -10,13 +10,13 @@
 #include <optional>
 #include <utility>
 
-#include "server/world/world_moment.h"
+#include "server/world/checkpoint_copy.h"
 
 namespace jostle::server {
 
 class MomentTaker {
 public:
-    explicit MomentTaker(std::function<WorldMoment()> copy) : copy_(std::move(copy)) {}
+    explicit MomentTaker(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {}
 
     // Copies, or waits for who does; what it is copied of may change afterwards.
     void finish() {
@@ -24,7 +24,7 @@ public:
         copy_now();
     }
     // Once. Nothing: there was no memory for it.
-    std::optional<WorldMoment> take() {
+    std::optional<CheckpointCopy> take() {
         const std::lock_guard lock(mutex_);
         copy_now();
         return std::exchange(moment_, std::nullopt);
@@ -41,8 +41,8 @@ private:
     }
 
     std::mutex mutex_;
-    std::function<WorldMoment()> copy_;  // empty: it was called
-    std::optional<WorldMoment> moment_;
+    std::function<CheckpointCopy()> copy_;  // empty: it was called
+    std::optional<CheckpointCopy> moment_;
 };
 
 }  // namespace jostle::server

@@ -355,8 +355,8 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     if (settings_.on_frame) settings_.on_frame(news);
 }
 
-WorldMoment WorldHost::moment() const {
-    WorldMoment now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
+CheckpointCopy WorldHost::moment() const {
+    CheckpointCopy now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
     now.bodies.keep(world_.world());
     return now;
 }

@@ -50,7 +50,7 @@ public:
     virtual physics::RestorePoint spare_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut
     // short by that, and is to be done again as a whole.
-    virtual void end(std::optional<WorldMoment> moment) = 0;
+    virtual void end(std::optional<CheckpointCopy> moment) = 0;
 };
 
 class HostedWorld;

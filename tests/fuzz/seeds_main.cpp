@@ -543,7 +543,7 @@ void write_kept(const fs::path& folder) {
     }
     seeds.add(server::encode_journal(journal));
     seeds.add(server::encode_journal({.ticks = {}, .stood = {}, .rewind = server::Rewind{90, 30}}));
-    server::WorldMoment moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
+    server::CheckpointCopy moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
     moment.bodies.keep(world->world());
     seeds.add(server::encode_checkpoint(moment).value().bytes);
     seeds.add(server::encode_world_record(

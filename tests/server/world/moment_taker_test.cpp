@@ -18,7 +18,7 @@ TEST(MomentTaker, is_copied_by_who_wants_it_while_the_world_waits) {
     MomentTaker taker([&] {
         begun = true;
         std::this_thread::sleep_for(20ms);
-        return WorldMoment{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
+        return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
     });
     std::uint32_t taken = 0;
     std::jthread other([&] { taken = taker.take()->tick; });
@@ -33,7 +33,7 @@ TEST(MomentTaker, is_copied_by_the_world_if_nobody_came_in_time) {
     int world = 7, copies = 0;
     MomentTaker taker([&] {
         copies++;
-        return WorldMoment{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
+        return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
     });
     taker.finish();
     world = 8;
@@ -44,7 +44,7 @@ TEST(MomentTaker, is_copied_by_the_world_if_nobody_came_in_time) {
 }
 
 TEST(MomentTaker, without_memory_there_is_none) {
-    MomentTaker taker([]() -> WorldMoment { throw std::bad_alloc(); });
+    MomentTaker taker([]() -> CheckpointCopy { throw std::bad_alloc(); });
     taker.finish();
     EXPECT_FALSE(taker.take());
 }

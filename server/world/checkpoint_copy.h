@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-struct WorldMoment {
+struct CheckpointCopy {
     std::uint32_t tick = 0;
     physics::RestorePoint bodies;
     HostImage image;

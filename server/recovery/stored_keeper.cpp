@@ -180,7 +180,7 @@ bool StoredKeeper::wants_moment() const {
            Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 
-void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<MomentTaker> taker) {
+void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
     const Taken taken{tick, Clock::now()};
@@ -227,7 +227,7 @@ void StoredKeeper::end(std::optional<CheckpointCopy> moment) {
     flush();
     if (!moment || trouble()) return;
     auto kept = std::make_shared<CheckpointCopy>(*std::move(moment));
-    keep(kept->tick, std::make_shared<MomentTaker>([kept] { return std::move(*kept); }));
+    keep(kept->tick, std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
 }
 
 // On the writer's thread.

@@ -69,7 +69,7 @@ public:
     void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_moment() const override;
-    void keep(std::uint32_t tick, std::shared_ptr<MomentTaker> moment) override;
+    void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> moment) override;
     void end(std::optional<CheckpointCopy> moment) override;
     physics::RestorePoint spare_point() override;
 

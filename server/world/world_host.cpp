@@ -372,7 +372,7 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
 // The last thing in a tick: from here on others read the world, until the next one begins.
 void WorldHost::hand_over_moment() {
     if (!keeper_ || cut_short_ || !keeper_->wants_moment()) return;
-    auto taken = std::make_shared<MomentTaker>([this] { return moment(); });
+    auto taken = std::make_shared<CheckpointCopier>([this] { return moment(); });
     keeper_->keep(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now
     if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between

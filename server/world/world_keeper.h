@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "server/world/journaled_command.h"
-#include "server/world/moment_taker.h"
+#include "server/world/checkpoint_copier.h"
 #include "server/world/result_queue.h"
 
 namespace jostle::server {
@@ -45,7 +45,7 @@ public:
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.
     virtual bool wants_moment() const = 0;
-    virtual void keep(std::uint32_t tick, std::shared_ptr<MomentTaker> moment) = 0;
+    virtual void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> moment) = 0;
     // Any thread: one that was used before, if there is one: it takes a quarter of the time.
     virtual physics::RestorePoint spare_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut

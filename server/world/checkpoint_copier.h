@@ -14,9 +14,9 @@
 
 namespace jostle::server {
 
-class MomentTaker {
+class CheckpointCopier {
 public:
-    explicit MomentTaker(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {}
+    explicit CheckpointCopier(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {}
 
     // Copies, or waits for who does; what it is copied of may change afterwards.
     void finish() {

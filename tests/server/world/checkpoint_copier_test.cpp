@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/moment_taker.h"
+#include "server/world/checkpoint_copier.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(MomentTaker, is_copied_by_who_wants_it_while_the_world_waits) {
+TEST(CheckpointCopier, is_copied_by_who_wants_it_while_the_world_waits) {
     std::atomic<bool> begun = false;
     std::atomic<int> world = 7;
-    MomentTaker taker([&] {
+    CheckpointCopier taker([&] {
         begun = true;
         std::this_thread::sleep_for(20ms);
         return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
@@ -29,9 +29,9 @@ TEST(MomentTaker, is_copied_by_who_wants_it_while_the_world_waits) {
     EXPECT_EQ(taken, 7u);
 }
 
-TEST(MomentTaker, is_copied_by_the_world_if_nobody_came_in_time) {
+TEST(CheckpointCopier, is_copied_by_the_world_if_nobody_came_in_time) {
     int world = 7, copies = 0;
-    MomentTaker taker([&] {
+    CheckpointCopier taker([&] {
         copies++;
         return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .image = {}};
     });
@@ -43,8 +43,8 @@ TEST(MomentTaker, is_copied_by_the_world_if_nobody_came_in_time) {
     EXPECT_EQ(copies, 1);
 }
 
-TEST(MomentTaker, without_memory_there_is_none) {
-    MomentTaker taker([]() -> CheckpointCopy { throw std::bad_alloc(); });
+TEST(CheckpointCopier, without_memory_there_is_none) {
+    CheckpointCopier taker([]() -> CheckpointCopy { throw std::bad_alloc(); });
     taker.finish();
     EXPECT_FALSE(taker.take());
 }

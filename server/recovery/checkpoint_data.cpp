@@ -22,12 +22,12 @@ Error not_a_checkpoint(const std::string& why) {
 
 }  // namespace
 
-Result<CheckpointData> encode_checkpoint(const CheckpointCopy& moment) {
-    const Result<physics::RestorePoint::Saved> saved = moment.bodies.save();
+Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy) {
+    const Result<physics::RestorePoint::Saved> saved = checkpoint_copy.bodies.save();
     if (!saved.ok()) return saved.error();
     ByteWriter head;
     head.number(checkpoint_version);
-    head.text(encode_host_image(moment.image));
+    head.text(encode_host_image(checkpoint_copy.image));
     head.number(saved->bytes.size());
     const std::string first = head.take();
     const std::string_view pieces[] = {

@@ -18,7 +18,7 @@ struct CheckpointData {
     std::string bytes;
 };
 // Takes tens of milliseconds for thousands of bodies: not for a tick's thread.
-Result<CheckpointData> encode_checkpoint(const CheckpointCopy& moment);
+Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy);
 
 struct DecodedCheckpoint {
     physics::World bodies;

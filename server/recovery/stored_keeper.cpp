@@ -172,7 +172,7 @@ void StoredKeeper::on_unwritten(const Error& error) {
     broken_ = why;
 }
 
-bool StoredKeeper::wants_moment() const {
+bool StoredKeeper::wants_checkpoint() const {
     if (checkpoint_waits_ || trouble()) return false;
     if (interrupted_) return true;
     if (!changed_ && replay_ms_ < worth_ms) return false;
@@ -190,13 +190,13 @@ void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> ta
     taken_at_ = taken.at;
     checkpoint_waits_ = true;
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
-        std::optional<CheckpointCopy> moment = taker->take();
+        std::optional<CheckpointCopy> checkpoint_copy = taker->take();
         Result<CheckpointData> image =
-            moment ? encode_checkpoint(*moment)
+            moment ? encode_checkpoint(*checkpoint_copy)
                    : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
-        if (moment) {
+        if (checkpoint_copy) {
             const std::lock_guard lock(self->mutex_);
-            self->spare_point_ = std::move(moment->bodies);
+            self->spare_point_ = std::move(checkpoint_copy->bodies);
         }
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
@@ -223,10 +223,10 @@ physics::RestorePoint StoredKeeper::spare_point() {
     return std::move(spare_point_);
 }
 
-void StoredKeeper::end(std::optional<CheckpointCopy> moment) {
+void StoredKeeper::end(std::optional<CheckpointCopy> checkpoint_copy) {
     flush();
     if (!moment || trouble()) return;
-    auto kept = std::make_shared<CheckpointCopy>(*std::move(moment));
+    auto kept = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
     keep(kept->tick, std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
 }
 

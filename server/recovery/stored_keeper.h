@@ -68,9 +68,9 @@ public:
     void keep(KeptTick tick) override;
     void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
-    bool wants_moment() const override;
-    void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> moment) override;
-    void end(std::optional<CheckpointCopy> moment) override;
+    bool wants_checkpoint() const override;
+    void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
+    void end(std::optional<CheckpointCopy> checkpoint_copy) override;
     physics::RestorePoint spare_point() override;
 
 private:

@@ -42,15 +42,15 @@ Error slow() {
     return {ErrorCode::unavailable, "the store does not answer; try again in a moment"};
 }
 
-CheckpointCopy moment_of(const HostedWorld& world, std::uint32_t tick) {
-    CheckpointCopy moment{.tick = tick, .bodies = {}, .image = world.image(tick)};
-    moment.bodies.keep(world.world());
-    return moment;
+CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
+    CheckpointCopy checkpoint_copy{.tick = tick, .bodies = {}, .image = world.image(tick)};
+    checkpoint_copy.bodies.keep(world.world());
+    return checkpoint_copy;
 }
 
 Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                                  std::uint64_t sequence) {
-    Result<CheckpointData> image = encode_checkpoint(moment_of(world, tick));
+    Result<CheckpointData> image = encode_checkpoint(checkpoint_copy_of(world, tick));
     if (!image.ok()) return image.error();
     return Checkpoint{.tick = tick,
                       .hash = image->hash,

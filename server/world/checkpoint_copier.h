@@ -27,22 +27,22 @@ public:
     std::optional<CheckpointCopy> take() {
         const std::lock_guard lock(mutex_);
         copy_now();
-        return std::exchange(moment_, std::nullopt);
+        return std::exchange(copy_result_, std::nullopt);
     }
 
 private:
     void copy_now() {
         if (!copy_) return;
         try {
-            moment_ = std::exchange(copy_, nullptr)();
+            copy_result_ = std::exchange(copy_, nullptr)();
         } catch (const std::bad_alloc&) {
-            moment_.reset();
+            copy_result_.reset();
         }
     }
 
     std::mutex mutex_;
     std::function<CheckpointCopy()> copy_;  // empty: it was called
-    std::optional<CheckpointCopy> moment_;
+    std::optional<CheckpointCopy> copy_result_;
 };
 
 }  // namespace jostle::server

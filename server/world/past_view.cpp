@@ -24,8 +24,8 @@ const EntityPose* find(const PoseList& poses, EntityId entity) {
     return low < poses.size() && poses[low].id == entity ? &poses[low] : nullptr;
 }
 
-double seconds_between(const PastMoment& moment) {
-    return std::chrono::duration<double>(moment.after->due - moment.before->due).count();
+double seconds_between(const PastMoment& checkpoint_copy) {
+    return std::chrono::duration<double>(checkpoint_copy.after->due - checkpoint_copy.before->due).count();
 }
 
 // Walks one list beside another that rises as well.

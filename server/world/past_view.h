@@ -19,7 +19,7 @@ namespace jostle::server {
 
 class PastView {
 public:
-    explicit PastView(PastMoment moment) : moment_(std::move(moment)) {}
+    explicit PastView(PastMoment checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
 
     std::uint32_t tick() const { return moment_.before->tick; }
     bool clamped() const { return moment_.clamped; }

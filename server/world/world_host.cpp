@@ -87,7 +87,7 @@ void WorldHost::stop() {
     if (thread_.joinable()) thread_.join();
     if (taken_) taken_->finish();
     if (keeper_ && !failed() && !forgotten_ && !ended_)
-        keeper_->end(cut_short_ ? std::nullopt : std::optional(moment()));
+        keeper_->end(cut_short_ ? std::nullopt : std::optional(checkpoint_copy()));
     ended_ = true;
 }
 
@@ -218,7 +218,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     steps_.end_tick();
     visits_.admit(world_);
     watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
-    hand_over_moment();
+    hand_over_checkpoint();
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
@@ -355,7 +355,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     if (settings_.on_frame) settings_.on_frame(news);
 }
 
-CheckpointCopy WorldHost::moment() const {
+CheckpointCopy WorldHost::checkpoint_copy() const {
     CheckpointCopy now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
     now.bodies.keep(world_.world());
     return now;
@@ -370,9 +370,9 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
 }
 
 // The last thing in a tick: from here on others read the world, until the next one begins.
-void WorldHost::hand_over_moment() {
-    if (!keeper_ || cut_short_ || !keeper_->wants_moment()) return;
-    auto taken = std::make_shared<CheckpointCopier>([this] { return moment(); });
+void WorldHost::hand_over_checkpoint() {
+    if (!keeper_ || cut_short_ || !keeper_->wants_checkpoint()) return;
+    auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
     keeper_->keep(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now
     if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between

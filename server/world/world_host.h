@@ -167,8 +167,8 @@ private:
     void publish(std::shared_ptr<Frame> frame, bool answers);
     // Hands the results of this tick, and now and then the world, to who keeps it.
     void keep_shown(double step_ms, bool answered);
-    CheckpointCopy moment() const;
-    void hand_over_moment();
+    CheckpointCopy checkpoint_copy() const;
+    void hand_over_checkpoint();
     std::int64_t late_us(Clock::time_point due) const;
     void measure(Frame& frame, Clock::time_point began);
     void record_events();

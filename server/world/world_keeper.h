@@ -44,13 +44,13 @@ public:
     // A step was cut short: what it came to cannot be computed again.
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.
-    virtual bool wants_moment() const = 0;
-    virtual void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> moment) = 0;
+    virtual bool wants_checkpoint() const = 0;
+    virtual void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) = 0;
     // Any thread: one that was used before, if there is one: it takes a quarter of the time.
     virtual physics::RestorePoint spare_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut
     // short by that, and is to be done again as a whole.
-    virtual void end(std::optional<CheckpointCopy> moment) = 0;
+    virtual void end(std::optional<CheckpointCopy> checkpoint_copy) = 0;
 };
 
 class HostedWorld;

@@ -35,10 +35,10 @@ TEST(FrameRing, what_is_too_long_ago_is_the_oldest_frame_and_says_so) {
     FrameRing ring(400, 60);
     for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
     for (const std::uint32_t tick : {75u, 1u, 0u}) {
-        const auto moment = ring.at({tick, 0.9});
-        EXPECT_EQ(moment->before->tick, 76u);
-        EXPECT_EQ(moment->after->tick, 76u);
-        EXPECT_TRUE(moment->clamped) << tick;
+        const auto checkpoint_copy = ring.at({tick, 0.9});
+        EXPECT_EQ(checkpoint_copy->before->tick, 76u);
+        EXPECT_EQ(checkpoint_copy->after->tick, 76u);
+        EXPECT_TRUE(checkpoint_copy->clamped) << tick;
     }
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "server/recovery/checkpoint_data.h"
-#include "server/recovery/copied_world.h"
+#include "server/recovery/world_storage_copy.h"
 #include "server/recovery/journal_codec.h"
 #include "server/storage/compressed.h"
 #include "server/storage/journal_chain.h"
@@ -302,8 +302,8 @@ void WorldArchive::drop(const std::string& id) {
 
 Result<std::unique_ptr<WorldStore>> WorldArchive::copy_of(const std::string& id,
                                                           std::uint32_t last_tick) {
-    Result<std::unique_ptr<CopiedWorld>> copy = slow();
-    writer_->visit([&](WorldStore& store) { copy = CopiedWorld::of(store, id, 2, last_tick); },
+    Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
+    writer_->visit([&](WorldStore& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
                    timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStore>(*std::move(copy));
@@ -329,11 +329,11 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
 
 Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
     checkpoints_->wait(timeout);
-    Result<std::unique_ptr<CopiedWorld>> copy = slow();
+    Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
     writer_->visit(
         [&](WorldStore& store) {
-            copy = CopiedWorld::of(store, id, 2);
+            copy = WorldStorageCopy::of(store, id, 2);
             ticks = store.checkpoint_ticks(id);
         },
         timeout);

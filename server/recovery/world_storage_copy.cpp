@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "server/recovery/copied_world.h"
+#include "server/recovery/world_storage_copy.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace jostle::server {
 
-Result<std::unique_ptr<CopiedWorld>> CopiedWorld::of(WorldStore& store, const std::string& id,
+Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStore& store, const std::string& id,
                                                      std::size_t checkpoints_max,
                                                      std::uint32_t last_tick) {
     constexpr std::size_t bytes_at_once = 8 << 20;
-    auto copy = std::make_unique<CopiedWorld>();
+    auto copy = std::make_unique<WorldStorageCopy>();
     const Result<std::vector<StoredWorld>> all = store.worlds();
     if (!all.ok()) return all.error();
     const auto at = std::ranges::find(*all, id, &StoredWorld::id);
@@ -42,31 +42,31 @@ Result<std::unique_ptr<CopiedWorld>> CopiedWorld::of(WorldStore& store, const st
     return copy;
 }
 
-Status CopiedWorld::write(std::span<const StoreChange>) {
+Status WorldStorageCopy::write(std::span<const StoreChange>) {
     return Error{ErrorCode::unavailable, "this is a copy of what was kept"};
 }
 
-Result<std::vector<std::uint32_t>> CopiedWorld::checkpoint_ticks(const std::string&) {
+Result<std::vector<std::uint32_t>> WorldStorageCopy::checkpoint_ticks(const std::string&) {
     std::vector<std::uint32_t> ticks;
     for (const Checkpoint& checkpoint : checkpoints_) ticks.push_back(checkpoint.tick);
     return ticks;
 }
 
-Result<Checkpoint> CopiedWorld::checkpoint(const std::string&, std::uint32_t tick) {
+Result<Checkpoint> WorldStorageCopy::checkpoint(const std::string&, std::uint32_t tick) {
     const auto at = std::ranges::find(checkpoints_, tick, &Checkpoint::tick);
     if (at == checkpoints_.end())
         return Error{ErrorCode::not_found, "no checkpoint of tick " + std::to_string(tick)};
     return *at;
 }
 
-Result<std::vector<JournalEntry>> CopiedWorld::entries(const std::string&, std::uint64_t after,
+Result<std::vector<JournalEntry>> WorldStorageCopy::entries(const std::string&, std::uint64_t after,
                                                        std::size_t) {
     const auto begin = std::ranges::upper_bound(entries_, after, {}, &JournalEntry::sequence);
     if (begin == entries_.end() && !damage_.ok()) return damage_.error();
     return std::vector<JournalEntry>(begin, entries_.end());
 }
 
-Result<std::optional<std::string>> CopiedWorld::note(const std::string&) {
+Result<std::optional<std::string>> WorldStorageCopy::note(const std::string&) {
     return std::optional<std::string>();
 }
 

@@ -12,11 +12,11 @@
 
 namespace jostle::server {
 
-class CopiedWorld : public WorldStore {
+class WorldStorageCopy : public WorldStore {
 public:
     // The world, its checkpoints up to that tick, newest first and at most so many, and what came
     // after the oldest of them.
-    static Result<std::unique_ptr<CopiedWorld>> of(WorldStore& store, const std::string& id,
+    static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStore& store, const std::string& id,
                                                    std::size_t checkpoints_max,
                                                    std::uint32_t last_tick = 0xffffffff);
 

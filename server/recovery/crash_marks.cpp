@@ -58,7 +58,7 @@ Result<std::unique_ptr<CrashMarks>> CrashMarks::open(const std::string& path) {
     }
     // What ran when the process was killed did not crash.
     for (CrashMark::Slot& slot : mapped->slots) {
-        slot.runs.store(0);
+        slot.running_tick.store(0);
         slot.world[sizeof slot.world - 1] = '\0';
     }
     return std::unique_ptr<CrashMarks>(new CrashMarks(mapped));
@@ -90,11 +90,11 @@ void CrashMarks::drop(const std::string& world) {
 
 void CrashMarks::on_crash() {
     for (CrashMark::Slot& slot : file_->slots) {
-        const std::uint32_t tick = slot.runs.load(std::memory_order_relaxed);
+        const std::uint32_t tick = slot.running_tick.load(std::memory_order_relaxed);
         if (tick == 0) continue;
         slot.crashes = slot.tick == tick ? slot.crashes + 1 : 1;
         slot.tick = tick;
-        slot.runs.store(0);
+        slot.running_tick.store(0);
     }
 }
 

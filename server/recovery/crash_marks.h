@@ -19,7 +19,7 @@ class CrashMark {
 public:
     struct Slot {
         char world[40];                   // its id; empty: free
-        std::atomic<std::uint32_t> runs;  // the tick that runs now; 0: none
+        std::atomic<std::uint32_t> running_tick;  // the tick that runs now; 0: none
         std::uint32_t tick;               // the one that crashed last
         std::uint32_t crashes;            // in a row, in that tick
     };
@@ -28,7 +28,7 @@ public:
     explicit CrashMark(Slot* slot) : slot_(slot) {}
 
     void begin(std::uint32_t tick) const {
-        if (slot_) slot_->runs.store(tick, std::memory_order_relaxed);
+        if (slot_) slot_->running_tick.store(tick, std::memory_order_relaxed);
     }
     void end() const { begin(0); }
     // How often in a row it crashed in that tick; 0: in none.

@@ -12,7 +12,7 @@
 
 namespace jostle::server {
 
-struct CrashMarks::File {
+struct CrashMarkers::File {
     static constexpr char written_mark[8] = {'J', 's', 't', 'M', 'r', 'k', '0', '1'};
     char mark[8];
     CrashMark::Slot slots[worlds_max];
@@ -23,10 +23,10 @@ namespace {
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 static_assert(sizeof(CrashMark::Slot) == 52);
 
-std::atomic<CrashMarks*> counted{nullptr};
+std::atomic<CrashMarkers*> counted{nullptr};
 
 void on_fatal_signal(int number) {
-    if (CrashMarks* const marks = counted.load()) marks->on_crash();
+    if (CrashMarkers* const marks = counted.load()) marks->on_crash();
     std::signal(number, SIG_DFL);
     raise(number);
 }
@@ -37,7 +37,7 @@ void CrashMark::forget() const {
     if (slot_) slot_->tick = slot_->crashes = 0;
 }
 
-Result<std::unique_ptr<CrashMarks>> CrashMarks::open(const std::string& path) {
+Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path) {
     const auto failed = [&] {
         return Error{ErrorCode::unavailable, path + ": " + std::strerror(errno)};
     };
@@ -61,16 +61,16 @@ Result<std::unique_ptr<CrashMarks>> CrashMarks::open(const std::string& path) {
         slot.running_tick.store(0);
         slot.world[sizeof slot.world - 1] = '\0';
     }
-    return std::unique_ptr<CrashMarks>(new CrashMarks(mapped));
+    return std::unique_ptr<CrashMarkers>(new CrashMarkers(mapped));
 }
 
-CrashMarks::~CrashMarks() {
-    CrashMarks* self = this;
+CrashMarkers::~CrashMarkers() {
+    CrashMarkers* self = this;
     counted.compare_exchange_strong(self, nullptr);
     munmap(file_, sizeof(File));
 }
 
-CrashMark CrashMarks::of(const std::string& world) {
+CrashMark CrashMarkers::of(const std::string& world) {
     if (world.empty() || world.size() >= sizeof(CrashMark::Slot::world)) return {};
     CrashMark::Slot* unused = nullptr;
     for (CrashMark::Slot& slot : file_->slots) {
@@ -83,12 +83,12 @@ CrashMark CrashMarks::of(const std::string& world) {
     return CrashMark(unused);
 }
 
-void CrashMarks::drop(const std::string& world) {
+void CrashMarkers::drop(const std::string& world) {
     for (CrashMark::Slot& slot : file_->slots)
         if (world == slot.world) slot.world[0] = '\0';
 }
 
-void CrashMarks::on_crash() {
+void CrashMarkers::on_crash() {
     for (CrashMark::Slot& slot : file_->slots) {
         const std::uint32_t tick = slot.running_tick.load(std::memory_order_relaxed);
         if (tick == 0) continue;
@@ -98,7 +98,7 @@ void CrashMarks::on_crash() {
     }
 }
 
-void CrashMarks::count_fatal_signals(CrashMarks* marks) {
+void CrashMarkers::count_fatal_signals(CrashMarkers* marks) {
     counted.store(marks);
     struct sigaction action {};
     action.sa_handler = marks ? on_fatal_signal : SIG_DFL;

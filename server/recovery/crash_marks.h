@@ -40,15 +40,15 @@ private:
     Slot* slot_ = nullptr;
 };
 
-class CrashMarks {
+class CrashMarkers {
 public:
     static constexpr std::size_t worlds_max = 1024;  // the others are not marked
 
     // Makes the file, mode 0600, if there is none or what is there is no such file.
-    static Result<std::unique_ptr<CrashMarks>> open(const std::string& path);
-    ~CrashMarks();
-    CrashMarks(const CrashMarks&) = delete;
-    CrashMarks& operator=(const CrashMarks&) = delete;
+    static Result<std::unique_ptr<CrashMarkers>> open(const std::string& path);
+    ~CrashMarkers();
+    CrashMarkers(const CrashMarkers&) = delete;
+    CrashMarkers& operator=(const CrashMarkers&) = delete;
 
     // The world's mark, a new one if it has none. One thread at a time.
     CrashMark of(const std::string& world);
@@ -57,11 +57,11 @@ public:
     void on_crash();
 
     // From now on a fatal signal is counted in these before it ends the process; null: in none.
-    static void count_fatal_signals(CrashMarks* marks);
+    static void count_fatal_signals(CrashMarkers* marks);
 
 private:
     struct File;
-    explicit CrashMarks(File* file) : file_(file) {}
+    explicit CrashMarkers(File* file) : file_(file) {}
 
     File* file_;
 };

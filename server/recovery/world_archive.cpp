@@ -79,7 +79,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
       checkpoints_(std::make_unique<CheckpointWriter>()) {}
 
 WorldArchive::~WorldArchive() {
-    CrashMarks::count_fatal_signals(nullptr);
+    CrashMarkers::count_fatal_signals(nullptr);
     checkpoints_.reset();
     writer_.reset();
 }
@@ -98,7 +98,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     const auto failed = [&](const Error& error) {
         return Error{error.code, settings.store + ": " + error.message};
     };
-    Result<std::unique_ptr<CrashMarks>> marks = CrashMarks::open(settings.store + ".marks");
+    Result<std::unique_ptr<CrashMarkers>> marks = CrashMarkers::open(settings.store + ".marks");
     if (!marks.ok()) return marks.error();
     archive->marks_ = *std::move(marks);
     if (Status s = archive->read_notes(**store); !s.ok()) return failed(s.error());
@@ -107,7 +107,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     // Keepers of worlds that are taken up know the writer: it comes first, and has nothing to do.
     WorldStore& there = **store;
     archive->writer_ = std::make_unique<StoreWriter>(*std::move(store), StoreWriterSettings{});
-    CrashMarks::count_fatal_signals(archive->marks_.get());
+    CrashMarkers::count_fatal_signals(archive->marks_.get());
     if (Status s = archive->take_up_all(there, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }

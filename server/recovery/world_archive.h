@@ -90,7 +90,7 @@ private:
     const HostLimits limits_;
     const int threads_;
     const KeeperSettings keeper_settings_;
-    std::unique_ptr<CrashMarks> marks_;
+    std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
     std::vector<KeptWorld> kept_;

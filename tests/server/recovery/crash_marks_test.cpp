@@ -16,8 +16,8 @@ namespace {
 void end_by(const std::string& path, int signal) {
     const pid_t child = fork();
     if (child == 0) {
-        auto marks = CrashMarks::open(path).value();
-        CrashMarks::count_fatal_signals(marks.get());
+        auto marks = CrashMarkers::open(path).value();
+        CrashMarkers::count_fatal_signals(marks.get());
         marks->of("field").begin(7);
         marks->of("field").end();
         marks->of("yard").begin(7);
@@ -30,23 +30,23 @@ void end_by(const std::string& path, int signal) {
     EXPECT_EQ(WTERMSIG(status), signal) << "the process ends as it would have";
 }
 
-TEST(CrashMarks, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
+TEST(CrashMarkers, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db.marks";
     end_by(path, SIGKILL);
-    EXPECT_EQ(CrashMarks::open(path).value()->of("yard").crashes(), 0u);
+    EXPECT_EQ(CrashMarkers::open(path).value()->of("yard").crashes(), 0u);
     end_by(path, SIGSEGV);
     end_by(path, SIGKILL);
     end_by(path, SIGABRT);
-    const auto marks = CrashMarks::open(path).value();
+    const auto marks = CrashMarkers::open(path).value();
     EXPECT_EQ(marks->of("yard").crashes(), 2u);
     EXPECT_EQ(marks->of("yard").crashed_tick(), 7u);
     EXPECT_EQ(marks->of("field").crashes(), 0u);
 }
 
-TEST(CrashMarks, a_crash_in_another_tick_is_the_first_one_in_a_row) {
+TEST(CrashMarkers, a_crash_in_another_tick_is_the_first_one_in_a_row) {
     const test::TempFolder folder;
-    const auto marks = CrashMarks::open(folder / "marks").value();
+    const auto marks = CrashMarkers::open(folder / "marks").value();
     const CrashMark mark = marks->of("yard");
     for (const std::uint32_t tick : {5u, 5u, 6u}) {
         mark.begin(tick);
@@ -58,11 +58,11 @@ TEST(CrashMarks, a_crash_in_another_tick_is_the_first_one_in_a_row) {
     EXPECT_EQ(marks->of("yard").crashes(), 0u);
 }
 
-TEST(CrashMarks, a_file_that_is_something_else_becomes_an_empty_one) {
+TEST(CrashMarkers, a_file_that_is_something_else_becomes_an_empty_one) {
     const test::TempFolder folder;
     const std::string path = folder.write("marks", "not of ours");
-    EXPECT_EQ(CrashMarks::open(path).value()->of("yard").crashes(), 0u);
-    EXPECT_FALSE(CrashMarks::open(folder / "no/such/folder").ok());
+    EXPECT_EQ(CrashMarkers::open(path).value()->of("yard").crashes(), 0u);
+    EXPECT_FALSE(CrashMarkers::open(folder / "no/such/folder").ok());
 }
 
 }  // namespace

@@ -319,7 +319,7 @@ TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands)
         process.die();
     }
     {
-        const auto marks = CrashMarks::open(path + ".marks").value();
+        const auto marks = CrashMarkers::open(path + ".marks").value();
         for (int crash = 0; crash < 2; crash++) {
             marks->of(id).begin(15);
             marks->on_crash();

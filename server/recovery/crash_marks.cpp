@@ -15,13 +15,13 @@ namespace jostle::server {
 struct CrashMarkers::File {
     static constexpr char written_mark[8] = {'J', 's', 't', 'M', 'r', 'k', '0', '1'};
     char mark[8];
-    CrashMark::Slot slots[worlds_max];
+    CrashMarker::Slot slots[worlds_max];
 };
 
 namespace {
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
-static_assert(sizeof(CrashMark::Slot) == 52);
+static_assert(sizeof(CrashMarker::Slot) == 52);
 
 std::atomic<CrashMarkers*> counted{nullptr};
 
@@ -33,7 +33,7 @@ void on_fatal_signal(int number) {
 
 }  // namespace
 
-void CrashMark::forget() const {
+void CrashMarker::forget() const {
     if (slot_) slot_->tick = slot_->crashes = 0;
 }
 
@@ -57,7 +57,7 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
         std::memcpy(mapped->mark, File::written_mark, sizeof mapped->mark);
     }
     // What ran when the process was killed did not crash.
-    for (CrashMark::Slot& slot : mapped->slots) {
+    for (CrashMarker::Slot& slot : mapped->slots) {
         slot.running_tick.store(0);
         slot.world[sizeof slot.world - 1] = '\0';
     }
@@ -70,26 +70,26 @@ CrashMarkers::~CrashMarkers() {
     munmap(file_, sizeof(File));
 }
 
-CrashMark CrashMarkers::of(const std::string& world) {
-    if (world.empty() || world.size() >= sizeof(CrashMark::Slot::world)) return {};
-    CrashMark::Slot* unused = nullptr;
-    for (CrashMark::Slot& slot : file_->slots) {
-        if (world == slot.world) return CrashMark(&slot);
+CrashMarker CrashMarkers::of(const std::string& world) {
+    if (world.empty() || world.size() >= sizeof(CrashMarker::Slot::world)) return {};
+    CrashMarker::Slot* unused = nullptr;
+    for (CrashMarker::Slot& slot : file_->slots) {
+        if (world == slot.world) return CrashMarker(&slot);
         if (!unused && slot.world[0] == '\0') unused = &slot;
     }
     if (!unused) return {};
     std::memcpy(unused->world, world.c_str(), world.size() + 1);
     unused->tick = unused->crashes = 0;
-    return CrashMark(unused);
+    return CrashMarker(unused);
 }
 
 void CrashMarkers::drop(const std::string& world) {
-    for (CrashMark::Slot& slot : file_->slots)
+    for (CrashMarker::Slot& slot : file_->slots)
         if (world == slot.world) slot.world[0] = '\0';
 }
 
 void CrashMarkers::on_crash() {
-    for (CrashMark::Slot& slot : file_->slots) {
+    for (CrashMarker::Slot& slot : file_->slots) {
         const std::uint32_t tick = slot.running_tick.load(std::memory_order_relaxed);
         if (tick == 0) continue;
         slot.crashes = slot.tick == tick ? slot.crashes + 1 : 1;

@@ -15,7 +15,7 @@
 namespace jostle::server {
 
 // Of one world, of one thread at a time.
-class CrashMark {
+class CrashMarker {
 public:
     struct Slot {
         char world[40];                   // its id; empty: free
@@ -24,8 +24,8 @@ public:
         std::uint32_t crashes;            // in a row, in that tick
     };
 
-    CrashMark() = default;  // marks nothing
-    explicit CrashMark(Slot* slot) : slot_(slot) {}
+    CrashMarker() = default;  // marks nothing
+    explicit CrashMarker(Slot* slot) : slot_(slot) {}
 
     void begin(std::uint32_t tick) const {
         if (slot_) slot_->running_tick.store(tick, std::memory_order_relaxed);
@@ -51,7 +51,7 @@ public:
     CrashMarkers& operator=(const CrashMarkers&) = delete;
 
     // The world's mark, a new one if it has none. One thread at a time.
-    CrashMark of(const std::string& world);
+    CrashMarker of(const std::string& world);
     void drop(const std::string& world);
     // Every tick that runs now crashed. Safe in a signal handler.
     void on_crash();

@@ -66,7 +66,7 @@ void CheckpointWriter::run() {
 // --- StoredKeeper ---
 
 StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& place,
-                           StoreWriter& writer, CheckpointWriter& checkpoints, CrashMark mark,
+                           StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
                            KeeperSettings settings)
     : world_(std::move(world)),
       hz_(hz),

@@ -61,7 +61,7 @@ private:
 class StoredKeeper : public WorldKeeper, public std::enable_shared_from_this<StoredKeeper> {
 public:
     StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
-                 CheckpointWriter& checkpoints, CrashMark mark, KeeperSettings settings);
+                 CheckpointWriter& checkpoints, CrashMarker mark, KeeperSettings settings);
 
     std::optional<std::string> trouble() const override;
     std::uint32_t oldest_tick() const override;
@@ -95,7 +95,7 @@ private:
     const double hz_;
     StoreWriter& writer_;
     CheckpointWriter& checkpoints_;
-    const CrashMark mark_;
+    const CrashMarker mark_;
     const KeeperSettings settings_;
 
     // The world's thread's.

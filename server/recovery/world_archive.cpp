@@ -229,7 +229,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
 // further back, each crash more takes twice as many ticks.
 Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorld& stored,
                                              const WorldRecord& record) {
-    const CrashMark mark = marks_->of(stored.id);
+    const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
     RecoveryOptions options{.threads = threads_};

@@ -47,7 +47,7 @@ TEST(CrashMarkers, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
 TEST(CrashMarkers, a_crash_in_another_tick_is_the_first_one_in_a_row) {
     const test::TempFolder folder;
     const auto marks = CrashMarkers::open(folder / "marks").value();
-    const CrashMark mark = marks->of("yard");
+    const CrashMarker mark = marks->of("yard");
     for (const std::uint32_t tick : {5u, 5u, 6u}) {
         mark.begin(tick);
         marks->on_crash();

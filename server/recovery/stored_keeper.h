@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "server/recovery/crash_marks.h"
+#include "server/recovery/crash_markers.h"
 #include "server/recovery/journal_codec.h"
 #include "server/storage/store_writer.h"
 #include "server/util/clock.h"

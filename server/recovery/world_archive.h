@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "server/config/config.h"
-#include "server/recovery/crash_marks.h"
+#include "server/recovery/crash_markers.h"
 #include "server/recovery/recover_world.h"
 #include "server/recovery/stored_keeper.h"
 #include "server/recovery/world_record.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/recovery/crash_marks.h"
+#include "server/recovery/crash_markers.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

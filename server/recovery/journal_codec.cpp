@@ -172,7 +172,7 @@ Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
     return {};
 }
 
-Status read_rewind(JournalReader& reader, JournalBatch& batch) {
+Status read_rewind(JournalReader& reader, JournalSegment& batch) {
     bool there = false;
     reader(there);
     if (!there) return {};
@@ -189,7 +189,7 @@ Status read_rewind(JournalReader& reader, JournalBatch& batch) {
 
 }  // namespace
 
-std::string encode_journal(const JournalBatch& batch) {
+std::string encode_journal(const JournalSegment& batch) {
     JournalWriter writer;
     writer.to.number(journal_version);
     write_ticks(writer, batch.ticks);
@@ -201,14 +201,14 @@ std::string encode_journal(const JournalBatch& batch) {
     return writer.to.take();
 }
 
-Result<JournalBatch> decode_journal(std::string_view bytes) {
+Result<JournalSegment> decode_journal(std::string_view bytes) {
     JournalReader reader{ByteReader(bytes), {}};
     const std::uint64_t version = reader.from.number();
     if (version < oldest_version || version > journal_version)
         return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
                              std::to_string(oldest_version) + " to " +
                              std::to_string(journal_version));
-    JournalBatch batch;
+    JournalSegment batch;
     if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
     if (Status s = read_stood(reader, batch.stood); !s.ok()) return s.error();
     if (version >= 3)

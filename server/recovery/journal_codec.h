@@ -28,7 +28,7 @@ struct Rewind {
     bool operator==(const Rewind&) const = default;
 };
 
-struct JournalBatch {
+struct JournalSegment {
     // In rising order; those in which nothing was done are left out.
     std::vector<JournaledTick> ticks;
     // In rising order: the world was not stepped in them, as when it is paused.
@@ -37,8 +37,8 @@ struct JournalBatch {
     std::optional<Rewind> rewind = {};
 };
 
-std::string encode_journal(const JournalBatch& batch);
+std::string encode_journal(const JournalSegment& batch);
 // corrupt_data: the bytes are no such batch.
-Result<JournalBatch> decode_journal(std::string_view bytes);
+Result<JournalSegment> decode_journal(std::string_view bytes);
 
 }  // namespace jostle::server

@@ -103,7 +103,7 @@ private:
         };
         const Result<std::string> data = decompress(entry.data, entry_bytes_max);
         if (!data.ok()) return lost(data.error());
-        const Result<JournalBatch> batch = decode_journal(*data);
+        const Result<JournalSegment> batch = decode_journal(*data);
         if (!batch.ok()) return lost(batch.error());
         if (entry.first_tick != world.tick + 1 || entry.last_tick < entry.first_tick)
             return lost({ErrorCode::corrupt_data, "entry " + std::to_string(entry.sequence) +

@@ -532,7 +532,7 @@ void write_kept(const fs::path& folder) {
                                       server::ControlCommand{},
                                       server::LoseCommand{},
                                       server::LeaveCommand{true}};
-    server::JournalBatch journal{{}, {{2, 4}}};
+    server::JournalSegment journal{{}, {{2, 4}}};
     std::uint32_t tick = 0;
     for (const server::Action& action : actions) {
         tick++;

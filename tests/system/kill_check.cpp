@@ -127,7 +127,7 @@ std::map<Numbered, int> inputs_in(server::WorldStore& store, const std::string& 
         if (entries.empty()) return kept;
         for (const server::JournalEntry& entry : entries) {
             const std::string data = server::decompress(entry.data, 1 << 28).value();
-            const server::JournalBatch batch = server::decode_journal(data).value();
+            const server::JournalSegment batch = server::decode_journal(data).value();
             for (const server::JournaledTick& tick : batch.ticks)
                 for (const server::JournaledCommand& command : tick.commands) {
                     if (command.sequence != 0) kept[{command.client, command.sequence}]++;

@@ -59,10 +59,10 @@ Action any_action(test::Random& random) {
 }
 
 // Four players for so many ticks; what they did, as it is kept.
-JournalBatch play(HostedWorld& world, std::uint32_t ticks) {
+JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
     world.keep_journal();
     test::Random random(77);
-    JournalBatch journal{{}, {{3, 3}, {90, 94}}};
+    JournalSegment journal{{}, {{3, 3}, {90, 94}}};
     for (std::uint32_t tick = 1; tick <= ticks; tick++) {
         for (ClientId client = 1; client <= 4; client++)
             world.apply(
@@ -76,7 +76,7 @@ JournalBatch play(HostedWorld& world, std::uint32_t ticks) {
 
 TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
     HostedWorld world = sandbox();
-    const JournalBatch journal = play(world, 150);
+    const JournalSegment journal = play(world, 150);
     const std::string bytes = encode_journal(journal);
     const auto kept = decode_journal(bytes);
     ASSERT_TRUE(kept.ok()) << kept.error().message;
@@ -111,7 +111,7 @@ TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_k
                   .code,
               ErrorCode::corrupt_data);
     const char before[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 stood still
-    const JournalBatch old = decode_journal({before, sizeof before}).value();
+    const JournalSegment old = decode_journal({before, sizeof before}).value();
     EXPECT_EQ(old.stood, (std::vector<TickRange>{{3, 4}}));
     EXPECT_FALSE(old.rewind);
 }

@@ -33,7 +33,7 @@ std::string cell(const std::string& text, int width) {
 }
 
 // What the reader must not miss, after the columns.
-std::string remarks(const SpeedRow& row) {
+std::string warnings(const SpeedRow& row) {
     std::string text;
     if (row.bodies_lost.value_or(0) > 0)
         text += "  " + std::to_string(*row.bodies_lost) + " bodies lost";
@@ -75,7 +75,7 @@ std::string speed_line(const SpeedRow& row) {
            cell(millimetres(row.joint_drift_m), 8) + cell(millimetres(row.peak_joint_drift_m), 8) +
            cell(count(row.asleep_at_step), 6) + cell(count(row.awake_at_end), 6) +
            cell(count(row.moving_at_end), 6) + print(" %8.3f", row.top_m) +
-           cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + remarks(row);
+           cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + warnings(row);
 }
 
 std::string growth_heading() {

@@ -159,7 +159,7 @@ Status read_ticks(JournalReader& reader, std::vector<JournaledTick>& ticks) {
     return {};
 }
 
-Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
+Status read_paused_ticks(JournalReader& reader, std::vector<TickRange>& paused_ticks) {
     std::uint32_t before = 0;
     for (std::size_t left = reader.from.count(); left > 0; left--) {
         const std::uint32_t first = reader.from.small(), last = reader.from.small();
@@ -167,7 +167,7 @@ Status read_stood(JournalReader& reader, std::vector<TickRange>& stood) {
         if (first <= before || last < first)
             return not_a_journal("has ticks " + std::to_string(first) + " to " +
                                  std::to_string(last) + " out of order");
-        stood.push_back({first, before = last});
+        paused_ticks.push_back({first, before = last});
     }
     return {};
 }
@@ -182,7 +182,7 @@ Status read_rewind(JournalReader& reader, JournalSegment& batch) {
     if (rewind.to >= rewind.tick)
         return not_a_journal("goes back from tick " + std::to_string(rewind.tick) + " to " +
                              std::to_string(rewind.to));
-    if (!batch.ticks.empty() || !batch.stood.empty())
+    if (!batch.ticks.empty() || !batch.paused_ticks.empty())
         return not_a_journal("goes back in the midst of other ticks");
     return {};
 }
@@ -193,8 +193,8 @@ std::string encode_journal(const JournalSegment& batch) {
     JournalWriter writer;
     writer.to.number(journal_version);
     write_ticks(writer, batch.ticks);
-    writer.to.number(batch.stood.size());
-    for (const TickRange& range : batch.stood)
+    writer.to.number(batch.paused_ticks.size());
+    for (const TickRange& range : batch.paused_ticks)
         writer.to.number(range.first), writer.to.number(range.last);
     writer(batch.rewind.has_value());
     if (batch.rewind) writer(batch.rewind->tick), writer(batch.rewind->to);
@@ -210,7 +210,7 @@ Result<JournalSegment> decode_journal(std::string_view bytes) {
                              std::to_string(journal_version));
     JournalSegment batch;
     if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
-    if (Status s = read_stood(reader, batch.stood); !s.ok()) return s.error();
+    if (Status s = read_paused_ticks(reader, batch.paused_ticks); !s.ok()) return s.error();
     if (version >= 3)
         if (Status s = read_rewind(reader, batch); !s.ok()) return s.error();
     if (!reader.from.ok()) return not_a_journal("ends too early");

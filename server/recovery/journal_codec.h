@@ -32,7 +32,7 @@ struct JournalSegment {
     // In rising order; those in which nothing was done are left out.
     std::vector<JournaledTick> ticks;
     // In rising order: the world was not stepped in them, as when it is paused.
-    std::vector<TickRange> stood;
+    std::vector<TickRange> paused_ticks;
     // Then it is all that the batch has.
     std::optional<Rewind> rewind = {};
 };

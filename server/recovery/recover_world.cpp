@@ -79,7 +79,7 @@ private:
             for (const JournalEntry& entry : *entries)
                 if (!more || !(more = apply(entry, world))) break;
         }
-        world.remarks = std::move(remarks_);
+        world.warnings = std::move(remarks_);
         return world;
     }
 
@@ -112,26 +112,26 @@ private:
                                                       std::to_string(entry.last_tick)});
         if (batch->rewind) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
-            if (Status s = go_back(*batch->rewind, entry, world); !s.ok()) return lost(s.error());
+            if (Status s = rewind_to(*batch->rewind, entry, world); !s.ok()) return lost(s.error());
         }
         auto tick = batch->ticks.begin();
-        auto stood = batch->stood.begin();
+        auto paused_ticks = batch->paused_ticks.begin();
         while (world.tick < entry.last_tick) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
             const std::uint32_t now = ++world.tick;
-            while (stood != batch->stood.end() && stood->last < now) ++stood;
-            const bool stands = stood != batch->stood.end() && stood->first <= now;
+            while (paused_ticks != batch->paused_ticks.end() && paused_ticks->last < now) ++paused_ticks;
+            const bool stands = paused_ticks != batch->paused_ticks.end() && paused_ticks->first <= now;
             const bool busy = tick != batch->ticks.end() && tick->tick == now;
             static const JournaledTick quiet;
             const JournaledTick& done = busy ? *tick++ : quiet;
-            do_again(world.world, {now, done.commands}, stands);
+            replay(world.world, {now, done.commands}, stands);
         }
         world.sequence = entry.sequence;
         world.chain = entry.chain;
         return true;
     }
 
-    Status go_back(const Rewind& rewind, const JournalEntry& entry, RecoveredWorld& world) {
+    Status rewind_to(const Rewind& rewind, const JournalEntry& entry, RecoveredWorld& world) {
         const std::string from_to = "tick " + std::to_string(rewind.tick) + " went back to tick " +
                                     std::to_string(rewind.to);
         if (rewind.tick != entry.first_tick || rewind.tick != entry.last_tick)
@@ -143,7 +143,7 @@ private:
                                                     {.last_tick = rewind.to,
                                                      .threads = options_.threads,
                                                      .rewinds_max = options_.rewinds_max - 1,
-                                                     .admits = options_.admits});
+                                                     .may_apply = options_.may_apply});
         if (!then.ok()) return Error{then.error().code, from_to + ": " + then.error().message};
         if (then->tick != rewind.to)
             return Error{ErrorCode::not_found, from_to + ", which is not kept any longer"};
@@ -154,8 +154,8 @@ private:
         return {};
     }
 
-    void do_again(HostedWorld& world, const JournaledTick& tick, bool stands) {
-        const bool admitted = !options_.admits || options_.admits(tick);
+    void replay(HostedWorld& world, const JournaledTick& tick, bool stands) {
+        const bool admitted = !options_.may_apply || options_.may_apply(tick);
         for (const JournaledCommand& command : tick.commands) {
             if (admitted)
                 world.apply_again(command);

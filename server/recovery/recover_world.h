@@ -23,7 +23,7 @@ struct RecoveredWorld {
     std::uint64_t sequence = 0;
     Chain chain{};
     // What was found to be damaged or done otherwise, each as a sentence.
-    std::vector<std::string> remarks;
+    std::vector<std::string> warnings;
 };
 
 struct RecoveryOptions {
@@ -32,7 +32,7 @@ struct RecoveryOptions {
     int threads = 1;
     int rewinds_max = 16;  // that lie within one another
     // Before each tick that is done again. False: its commands are counted and not done.
-    std::function<bool(const JournaledTick& tick)> admits = nullptr;
+    std::function<bool(const JournaledTick& tick)> may_apply = nullptr;
     std::function<void(const HostedWorld& world, std::uint32_t tick)> after_tick = nullptr;
 };
 

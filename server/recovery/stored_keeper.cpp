@@ -100,14 +100,14 @@ void StoredKeeper::keep(KeptTick tick) {
     }
     last_ = tick.tick;
     if (!tick.steps) {
-        if (!batch_.stood.empty() && batch_.stood.back().last + 1 == tick.tick)
-            batch_.stood.back().last = tick.tick;
+        if (!segment_.paused_ticks.empty() && segment_.paused_ticks.back().last + 1 == tick.tick)
+            segment_.paused_ticks.back().last = tick.tick;
         else
-            batch_.stood.push_back({tick.tick, tick.tick});
+            segment_.paused_ticks.push_back({tick.tick, tick.tick});
     }
     const bool urgent = !tick.commands.empty();
     if (urgent) {
-        batch_.ticks.push_back({tick.tick, std::move(tick.commands)});
+        segment_.ticks.push_back({tick.tick, std::move(tick.commands)});
         changed_ = true;
     }
     if (urgent || last_ - first_ + 1 >= client_timeout_seconds * hz_) flush();
@@ -142,7 +142,7 @@ void StoredKeeper::flush() {
                        .epoch = place_.epoch,
                        .first_tick = first_,
                        .last_tick = last_,
-                       .data = compress(encode_journal(batch_))};
+                       .data = compress(encode_journal(segment_))};
     const Chain chain = entry.chain = next_chain(place_.chain, entry.data);
     const bool pushed =
         writer_.push(AppendEntry{world_, std::move(entry)},
@@ -159,7 +159,7 @@ void StoredKeeper::flush() {
     if (!pushed) return;
     place_.sequence++;
     place_.chain = chain;
-    batch_ = {};
+    segment_ = {};
     first_ = 0;
 }
 

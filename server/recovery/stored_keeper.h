@@ -100,7 +100,7 @@ private:
 
     // The world's thread's.
     JournalPlace place_;
-    JournalSegment batch_;
+    JournalSegment segment_;
     std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
     // Of the newest entry; of the batch that is not handed over, if there is one.
     std::shared_ptr<Telling> telling_ = std::make_shared<Telling>();

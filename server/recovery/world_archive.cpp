@@ -233,7 +233,7 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorl
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
     RecoveryOptions options{.threads = threads_};
-    options.admits = [&](const JournaledTick& tick) {
+    options.may_apply = [&](const JournaledTick& tick) {
         mark.begin(tick.tick);
         const bool is_suspect = tick.tick <= last && last - tick.tick < ticks;
         if (is_suspect && !tick.commands.empty()) set_aside(stored, tick);
@@ -243,10 +243,10 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorl
     mark.end();
     if (!found.ok()) return found;
     if (ticks > 0)
-        found->remarks.push_back("it crashed " + std::to_string(crashes) + " times in tick " +
+        found->warnings.push_back("it crashed " + std::to_string(crashes) + " times in tick " +
                                  std::to_string(last) + ": what was done in the last " +
                                  std::to_string(ticks) + " ticks up to it is set aside");
-    for (const std::string& remark : found->remarks)
+    for (const std::string& remark : found->warnings)
         log_error("world {} \"{}\": {}", stored.id, stored.name, remark);
     return found;
 }
@@ -382,7 +382,7 @@ Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tic
         .first_tick = found.tick,
         .last_tick = found.tick,
         .data = compress(encode_journal(
-            {.ticks = {}, .stood = {}, .rewind = Rewind{.tick = found.tick, .to = tick}}))};
+            {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = found.tick, .to = tick}}))};
     found.chain = entry.chain = next_chain(found.chain, entry.data);
     Result<Checkpoint> checkpoint = checkpoint_of(found.world, found.tick, found.sequence);
     if (!checkpoint.ok()) return checkpoint.error();

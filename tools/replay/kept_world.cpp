@@ -111,7 +111,7 @@ Result<KeptWorld::Verified> KeptWorld::verify() {
     if (!world.ok()) return world.error();
     verified.first_tick = world->checkpoint;
     verified.last_tick = world->tick;
-    verified.faults.insert(verified.faults.end(), world->remarks.begin(), world->remarks.end());
+    verified.faults.insert(verified.faults.end(), world->warnings.begin(), world->warnings.end());
     return verified;
 }
 
@@ -137,7 +137,7 @@ Status KeptWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
     };
     const auto world = from_the_first({.after_tick = tell});
     if (!world.ok()) return world.error();
-    if (!world->remarks.empty()) return Error{ErrorCode::corrupt_data, world->remarks.back()};
+    if (!world->warnings.empty()) return Error{ErrorCode::corrupt_data, world->warnings.back()};
     return {};
 }
 

@@ -95,8 +95,8 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
         for (const JournaledCommand& command : tick.commands) kept.insert(command.sequence);
         return true;
     };
-    const auto found = recover_world(*store, stored, record, {.admits = collect}).value();
-    EXPECT_TRUE(found.remarks.empty());
+    const auto found = recover_world(*store, stored, record, {.may_apply = collect}).value();
+    EXPECT_TRUE(found.warnings.empty());
     EXPECT_TRUE(std::ranges::includes(kept, told_));
     for (const std::uint32_t sequence : refused_) EXPECT_FALSE(kept.contains(sequence));
 }

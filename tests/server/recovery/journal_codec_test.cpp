@@ -83,7 +83,7 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
 
     HostedWorld again = sandbox();
     std::size_t aimed = 0, missed = 0;
-    EXPECT_EQ(kept->stood, journal.stood);
+    EXPECT_EQ(kept->paused_ticks, journal.paused_ticks);
     for (const JournaledTick& tick : kept->ticks) {
         for (const JournaledCommand& command : tick.commands) {
             again.apply_again(command);
@@ -100,19 +100,19 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
 
 TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_knew_of_none) {
     const std::string bytes =
-        encode_journal({.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 90, .to = 30}});
+        encode_journal({.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 90, .to = 30}});
     EXPECT_EQ(decode_journal(bytes).value().rewind, (Rewind{.tick = 90, .to = 30}));
     EXPECT_EQ(error_of(decode_journal(encode_journal(
-                           {.ticks = {}, .stood = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
+                           {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
                   .message,
               "what is kept of the commands of a world goes back from tick 9 to 9");
     EXPECT_EQ(error_of(decode_journal(encode_journal(
-                           {.ticks = {}, .stood = {{8, 9}}, .rewind = Rewind{9, 3}})))
+                           {.ticks = {}, .paused_ticks = {{8, 9}}, .rewind = Rewind{9, 3}})))
                   .code,
               ErrorCode::corrupt_data);
     const char before[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 stood still
     const JournalSegment old = decode_journal({before, sizeof before}).value();
-    EXPECT_EQ(old.stood, (std::vector<TickRange>{{3, 4}}));
+    EXPECT_EQ(old.paused_ticks, (std::vector<TickRange>{{3, 4}}));
     EXPECT_FALSE(old.rewind);
 }
 

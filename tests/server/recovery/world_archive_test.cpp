@@ -108,7 +108,7 @@ Ended kept_in(const std::string& path, std::uint32_t tick) {
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldRecord record = decode_world_record(stored.settings).value();
     RecoveredWorld found = recover_world(*store, stored, record, {.last_tick = tick}).value();
-    EXPECT_TRUE(found.remarks.empty());
+    EXPECT_TRUE(found.warnings.empty());
     return {found.tick, state_hash(found.world.world())};
 }
 
@@ -272,7 +272,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
     for (const std::uint32_t checkpoint : store->checkpoint_ticks(stored.id).value()) {
         const RecoveredWorld found =
             recover_world(*store, stored, record, {.checkpoint = checkpoint}).value();
-        EXPECT_TRUE(found.remarks.empty()) << found.remarks.front();
+        EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
         EXPECT_EQ(state_hash(found.world.world()), at_the_end) << "from " << checkpoint;
     }
 }
@@ -365,8 +365,8 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
         const auto record = decode_world_record(stored.settings).value();
         RecoveredWorld found = recover_world(*store, stored, record, {}).value();
         EXPECT_EQ(state_hash(found.world.world()), whole.hash);
-        ASSERT_EQ(found.remarks.size(), 1u);
-        EXPECT_NE(found.remarks[0].find("the checkpoint of tick"), std::string::npos);
+        ASSERT_EQ(found.warnings.size(), 1u);
+        EXPECT_NE(found.warnings[0].find("the checkpoint of tick"), std::string::npos);
     }
     Process process(folder / "worlds.db");
     EXPECT_EQ(process.worlds->find("yard")->frame()->tick, tick);

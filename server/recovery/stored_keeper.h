@@ -58,7 +58,7 @@ private:
     std::thread thread_;
 };
 
-class StoredKeeper : public WorldKeeper, public std::enable_shared_from_this<StoredKeeper> {
+class StoredKeeper : public WorldJournal, public std::enable_shared_from_this<StoredKeeper> {
 public:
     StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
                  CheckpointWriter& checkpoints, CrashMarker mark, KeeperSettings settings);

@@ -259,7 +259,7 @@ void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tic
                   nullptr);
 }
 
-std::shared_ptr<WorldKeeper> WorldArchive::keeper_of(const WorldStart& start,
+std::shared_ptr<WorldJournal> WorldArchive::keeper_of(const WorldStart& start,
                                                      const JournalPlace& place) {
     return std::make_shared<StoredKeeper>(start.label.id, start.scene->hz, place, *writer_,
                                           *checkpoints_, marks_->of(start.label.id),

@@ -85,7 +85,7 @@ private:
     Result<Last> last_of(const std::string& id);
     WorldStart start_of(Last last);
     void set_aside(const StoredWorld& stored, const JournaledTick& tick);
-    std::shared_ptr<WorldKeeper> keeper_of(const WorldStart& start, const JournalPlace& place);
+    std::shared_ptr<WorldJournal> keeper_of(const WorldStart& start, const JournalPlace& place);
 
     const HostLimits limits_;
     const int threads_;

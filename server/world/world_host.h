@@ -55,7 +55,7 @@ struct WorldStart {
     std::shared_ptr<const scenes::SceneDescription> scene;
     HostedWorld world;
     std::uint32_t tick = 1;
-    std::shared_ptr<WorldKeeper> keeper = nullptr;  // null: it ends with the process
+    std::shared_ptr<WorldJournal> keeper = nullptr;  // null: it ends with the process
     std::optional<std::string> paused = {};         // why
 };
 
@@ -187,7 +187,7 @@ private:
     const WorldHostSettings settings_;
 
     HostedWorld world_;  // the tick thread's own
-    const std::shared_ptr<WorldKeeper> keeper_;
+    const std::shared_ptr<WorldJournal> keeper_;
     std::shared_ptr<CheckpointCopier> taken_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;

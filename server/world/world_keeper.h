@@ -28,9 +28,9 @@ struct KeptTick {
 };
 
 // Of one world. On its thread, but for trouble().
-class WorldKeeper {
+class WorldJournal {
 public:
-    virtual ~WorldKeeper() = default;
+    virtual ~WorldJournal() = default;
 
     // Any thread: why nothing can be promised to outlive the process now; nothing: it can.
     virtual std::optional<std::string> trouble() const = 0;

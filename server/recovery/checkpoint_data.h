@@ -9,7 +9,7 @@
 
 #include "jostle/base/result.h"
 #include "server/world/hosted_world.h"
-#include "server/world/world_keeper.h"
+#include "server/world/world_persistence.h"
 
 namespace jostle::server {
 

@@ -16,7 +16,7 @@
 #include "server/recovery/journal_codec.h"
 #include "server/storage/store_writer.h"
 #include "server/util/clock.h"
-#include "server/world/world_keeper.h"
+#include "server/world/world_persistence.h"
 
 namespace jostle::server {
 

@@ -31,7 +31,7 @@ struct KeptWorld {
     std::vector<AbsentClient> absent;
 };
 
-class WorldArchive : public WorldKeepers {
+class WorldArchive : public WorldPersistence {
 public:
     // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
     // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the

@@ -19,7 +19,7 @@
 #include "server/world/step_allowance.h"
 #include "server/world/tick_clock.h"
 #include "server/world/tick_watch.h"
-#include "server/world/world_keeper.h"
+#include "server/world/world_persistence.h"
 #include "server/world/world_visits.h"
 
 namespace jostle::server {
@@ -37,7 +37,7 @@ struct WorldHostSettings {
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
     bool own_thread = true;           // false: it ticks only when tick() is called
-    WorldKeepers* keepers = nullptr;  // null: worlds end with the process
+    WorldPersistence* keepers = nullptr;  // null: worlds end with the process
     // Called on the world's thread after each frame, with whether something happened in it; must
     // only wake somebody.
     std::function<void(bool news)> on_frame;

@@ -57,9 +57,9 @@ class HostedWorld;
 struct WorldStart;
 
 // Of all worlds of a process. Any thread.
-class WorldKeepers {
+class WorldPersistence {
 public:
-    virtual ~WorldKeepers() = default;
+    virtual ~WorldPersistence() = default;
 
     // Before its first tick; when it returns the world itself is kept. unavailable: it cannot be.
     virtual Status open(WorldStart& start) = 0;

@@ -261,7 +261,7 @@ void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tic
 
 std::shared_ptr<WorldJournal> WorldArchive::keeper_of(const WorldStart& start,
                                                      const JournalPlace& place) {
-    return std::make_shared<StoredKeeper>(start.label.id, start.scene->hz, place, *writer_,
+    return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, place, *writer_,
                                           *checkpoints_, marks_->of(start.label.id),
                                           keeper_settings_);
 }

@@ -13,7 +13,7 @@
 #include "server/config/config.h"
 #include "server/recovery/crash_markers.h"
 #include "server/recovery/recover_world.h"
-#include "server/recovery/stored_keeper.h"
+#include "server/recovery/stored_world_journal.h"
 #include "server/recovery/world_record.h"
 #include "server/storage/store_writer.h"
 #include "server/world/world_host.h"

@@ -58,9 +58,9 @@ private:
     std::thread thread_;
 };
 
-class StoredKeeper : public WorldJournal, public std::enable_shared_from_this<StoredKeeper> {
+class StoredWorldJournal : public WorldJournal, public std::enable_shared_from_this<StoredWorldJournal> {
 public:
-    StoredKeeper(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
+    StoredWorldJournal(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
                  CheckpointWriter& checkpoints, CrashMarker mark, KeeperSettings settings);
 
     std::optional<std::string> trouble() const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/recovery/stored_keeper.h"
+#include "server/recovery/stored_world_journal.h"
 
 #include <algorithm>
 #include <utility>
@@ -63,9 +63,9 @@ void CheckpointWriter::run() {
     }
 }
 
-// --- StoredKeeper ---
+// --- StoredWorldJournal ---
 
-StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& place,
+StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPlace& place,
                            StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
                            KeeperSettings settings)
     : world_(std::move(world)),
@@ -79,7 +79,7 @@ StoredKeeper::StoredKeeper(std::string world, double hz, const JournalPlace& pla
     for (const std::uint32_t tick : place.checkpoints) taken_.push_back({tick, Clock::now()});
 }
 
-std::optional<std::string> StoredKeeper::trouble() const {
+std::optional<std::string> StoredWorldJournal::trouble() const {
     {
         const std::lock_guard lock(mutex_);
         if (broken_) return broken_;
@@ -87,12 +87,12 @@ std::optional<std::string> StoredKeeper::trouble() const {
     return writer_.failing();
 }
 
-std::uint32_t StoredKeeper::oldest_tick() const {
+std::uint32_t StoredWorldJournal::oldest_tick() const {
     const std::lock_guard lock(mutex_);
     return taken_.empty() ? 0 : taken_.front().tick;
 }
 
-void StoredKeeper::keep(KeptTick tick) {
+void StoredWorldJournal::keep(KeptTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {
         first_ = tick.tick;
@@ -113,7 +113,7 @@ void StoredKeeper::keep(KeptTick tick) {
     if (urgent || last_ - first_ + 1 >= client_timeout_seconds * hz_) flush();
 }
 
-void StoredKeeper::on_shown(double step_ms, std::vector<WaitingResult> results) {
+void StoredWorldJournal::on_shown(double step_ms, std::vector<WaitingResult> results) {
     mark_.end();
     replay_ms_ += step_ms;
     if (results.empty()) return;
@@ -128,7 +128,7 @@ void StoredKeeper::on_shown(double step_ms, std::vector<WaitingResult> results) 
     flush();
 }
 
-void StoredKeeper::tell(std::vector<WaitingResult>& results) const {
+void StoredWorldJournal::tell(std::vector<WaitingResult>& results) const {
     if (results.empty()) return;
     for (WaitingResult& result : results) result.reply->put(std::move(result.result));
     if (settings_.on_told) settings_.on_told();
@@ -136,7 +136,7 @@ void StoredKeeper::tell(std::vector<WaitingResult>& results) const {
 
 // What cannot be handed over now goes with the next tick: while the store is in trouble no inputs
 // are applied, so that it is little.
-void StoredKeeper::flush() {
+void StoredWorldJournal::flush() {
     if (first_ == 0) return;
     JournalEntry entry{.sequence = place_.sequence + 1,
                        .epoch = place_.epoch,
@@ -163,7 +163,7 @@ void StoredKeeper::flush() {
     first_ = 0;
 }
 
-void StoredKeeper::on_unwritten(const Error& error) {
+void StoredWorldJournal::on_unwritten(const Error& error) {
     if (error.code == ErrorCode::aborted) return;
     const std::string why =
         "the journal of world " + world_ + " is at odds with the store: " + error.message;
@@ -172,7 +172,7 @@ void StoredKeeper::on_unwritten(const Error& error) {
     broken_ = why;
 }
 
-bool StoredKeeper::wants_checkpoint() const {
+bool StoredWorldJournal::wants_checkpoint() const {
     if (checkpoint_waits_ || trouble()) return false;
     if (interrupted_) return true;
     if (!changed_ && replay_ms_ < worth_ms) return false;
@@ -180,7 +180,7 @@ bool StoredKeeper::wants_checkpoint() const {
            Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 
-void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
+void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
     const Taken taken{tick, Clock::now()};
@@ -218,12 +218,12 @@ void StoredKeeper::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> ta
     });
 }
 
-physics::RestorePoint StoredKeeper::spare_point() {
+physics::RestorePoint StoredWorldJournal::spare_point() {
     const std::lock_guard lock(mutex_);
     return std::move(spare_point_);
 }
 
-void StoredKeeper::end(std::optional<CheckpointCopy> checkpoint_copy) {
+void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
     flush();
     if (!moment || trouble()) return;
     auto kept = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
@@ -231,7 +231,7 @@ void StoredKeeper::end(std::optional<CheckpointCopy> checkpoint_copy) {
 }
 
 // On the writer's thread.
-void StoredKeeper::forget_old(Taken newest) {
+void StoredWorldJournal::forget_old(Taken newest) {
     std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);

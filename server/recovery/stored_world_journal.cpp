@@ -67,7 +67,7 @@ void CheckpointWriter::run() {
 
 StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPlace& place,
                            StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
-                           KeeperSettings settings)
+                           JournalSettings settings)
     : world_(std::move(world)),
       hz_(hz),
       writer_(writer),

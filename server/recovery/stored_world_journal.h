@@ -20,7 +20,7 @@
 
 namespace jostle::server {
 
-struct KeeperSettings {
+struct JournalSettings {
     double checkpoint_interval_seconds = 60;  // between two, at most, of a world that moves
     double replay_seconds_max = 2;       // that the steps since the last one took, at most
     double history_retention_hours = 0;        // 0: the last two checkpoints, and what came after them
@@ -61,7 +61,7 @@ private:
 class StoredWorldJournal : public WorldJournal, public std::enable_shared_from_this<StoredWorldJournal> {
 public:
     StoredWorldJournal(std::string world, double hz, const JournalPlace& place, StoreWriter& writer,
-                 CheckpointWriter& checkpoints, CrashMarker mark, KeeperSettings settings);
+                 CheckpointWriter& checkpoints, CrashMarker mark, JournalSettings settings);
 
     std::optional<std::string> trouble() const override;
     std::uint32_t oldest_tick() const override;
@@ -96,7 +96,7 @@ private:
     StoreWriter& writer_;
     CheckpointWriter& checkpoints_;
     const CrashMarker mark_;
-    const KeeperSettings settings_;
+    const JournalSettings settings_;
 
     // The world's thread's.
     JournalPlace place_;

@@ -89,7 +89,7 @@ private:
 
     const HostLimits limits_;
     const int threads_;
-    const KeeperSettings keeper_settings_;
+    const JournalSettings keeper_settings_;
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends

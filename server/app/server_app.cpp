@@ -253,7 +253,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                                                  hosts.physics_threads, [&] { wakers.wake(); });
         if (!opened_archive.ok()) return failed(opened_archive.error());
         archive = *std::move(opened_archive);
-        hosts.keepers = archive.get();
+        hosts.world_persistence = archive.get();
         sessions.use_ids(archive->first_client(), [&](ClientId next) { archive->on_client(next); });
     }
     WorldDirectory worlds(hosts, config.world.worlds_max, process_suffix());

@@ -131,7 +131,7 @@ void StoredWorldJournal::on_shown(double step_ms, std::vector<WaitingResult> res
 void StoredWorldJournal::tell(std::vector<WaitingResult>& results) const {
     if (results.empty()) return;
     for (WaitingResult& result : results) result.reply->put(std::move(result.result));
-    if (settings_.on_told) settings_.on_told();
+    if (settings_.on_results_sent) settings_.on_results_sent();
 }
 
 // What cannot be handed over now goes with the next tick: while the store is in trouble no inputs

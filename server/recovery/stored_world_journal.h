@@ -25,7 +25,7 @@ struct JournalSettings {
     double replay_seconds_max = 2;       // that the steps since the last one took, at most
     double history_retention_hours = 0;        // 0: the last two checkpoints, and what came after them
     // After results were told, on the writer's thread: must only wake somebody.
-    std::function<void()> on_told;
+    std::function<void()> on_results_sent;
 };
 
 // Where a world's journal stands.

@@ -69,13 +69,13 @@ std::uint32_t number_of(const std::string& id) {
 }  // namespace
 
 WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits& limits,
-                           int threads, std::function<void()> on_told)
+                           int threads, std::function<void()> on_results_sent)
     : limits_(limits),
       threads_(threads),
-      keeper_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
+      journal_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
                        .replay_seconds_max = settings.replay_seconds_max,
                        .history_retention_hours = settings.history_retention_hours,
-                       .on_told = std::move(on_told)},
+                       .on_results_sent = std::move(on_results_sent)},
       checkpoints_(std::make_unique<CheckpointWriter>()) {}
 
 WorldArchive::~WorldArchive() {
@@ -86,7 +86,7 @@ WorldArchive::~WorldArchive() {
 
 Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettings& settings,
                                                          const HostLimits& limits, int threads,
-                                                         std::function<void()> on_told,
+                                                         std::function<void()> on_results_sent,
                                                          const char* file_system) {
     Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(
         settings.store,
@@ -94,7 +94,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
          .file_system = file_system});
     if (!store.ok()) return store.error();
     std::unique_ptr<WorldArchive> archive(
-        new WorldArchive(settings, limits, threads, std::move(on_told)));
+        new WorldArchive(settings, limits, threads, std::move(on_results_sent)));
     const auto failed = [&](const Error& error) {
         return Error{error.code, settings.store + ": " + error.message};
     };
@@ -221,7 +221,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
                              .world = std::move(found->world),
                              .tick = found->tick},
                    .absent = std::move(absent)};
-    kept.start.keeper = keeper_of(kept.start, place);
+    kept.start.world_journal = make_journal(kept.start, place);
     return kept;
 }
 
@@ -259,11 +259,11 @@ void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tic
                   nullptr);
 }
 
-std::shared_ptr<WorldJournal> WorldArchive::keeper_of(const WorldStart& start,
+std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start,
                                                      const JournalPlace& place) {
     return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, place, *writer_,
                                           *checkpoints_, marks_->of(start.label.id),
-                                          keeper_settings_);
+                                          journal_settings_);
 }
 
 // --- worlds that begin, end, and fail ---
@@ -289,7 +289,7 @@ Status WorldArchive::open(WorldStart& start) {
                      "the world cannot be kept: " +
                          trouble().value_or("the store is slow; try again in a moment")};
     }
-    start.keeper = keeper_of(start, {.epoch = 1, .checkpoints = {start.tick}});
+    start.world_journal = make_journal(start, {.epoch = 1, .checkpoints = {start.tick}});
     return {};
 }
 
@@ -353,7 +353,7 @@ WorldStart WorldArchive::start_of(Last last) {
                      .scene = last.record.scene,
                      .world = std::move(last.found.world),
                      .tick = last.found.tick};
-    start.keeper = keeper_of(start, {.epoch = last.stored.epoch,
+    start.world_journal = make_journal(start, {.epoch = last.stored.epoch,
                                      .sequence = last.found.sequence,
                                      .chain = last.found.chain,
                                      .checkpoints = std::move(last.checkpoints)});
@@ -391,7 +391,7 @@ Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tic
     const bool pushed = writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
     if (pushed) last->checkpoints.push_back(found.tick);
     WorldStart start = start_of(*std::move(last));
-    if (!pushed) start.keeper->on_interrupted();  // it asks for one in its first tick
+    if (!pushed) start.world_journal->on_interrupted();  // it asks for one in its first tick
     return start;
 }
 

@@ -38,7 +38,7 @@ public:
     // store cannot be opened (SqliteStore::open), or not be written to now.
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
-                                                      std::function<void()> on_told,
+                                                      std::function<void()> on_results_sent,
                                                       const char* file_system = nullptr);
     ~WorldArchive() override;
 
@@ -68,7 +68,7 @@ public:
 
 private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
-                 std::function<void()> on_told);
+                 std::function<void()> on_results_sent);
     Status read_notes(WorldStore& store);
     Status take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
     Result<KeptWorld> take_up(WorldStore& store, const StoredWorld& stored);
@@ -85,11 +85,11 @@ private:
     Result<Last> last_of(const std::string& id);
     WorldStart start_of(Last last);
     void set_aside(const StoredWorld& stored, const JournaledTick& tick);
-    std::shared_ptr<WorldJournal> keeper_of(const WorldStart& start, const JournalPlace& place);
+    std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPlace& place);
 
     const HostLimits limits_;
     const int threads_;
-    const JournalSettings keeper_settings_;
+    const JournalSettings journal_settings_;
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends

@@ -75,10 +75,10 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
     if (fits.ok() && find_locked(name)) fits = name_taken(name);
     if (!fits.ok()) {
         worlds_.erase(number);
-        if (host.ok() && settings_.keepers) {
+        if (host.ok() && settings_.world_persistence) {
             (*host)->forget();
             (*host)->stop();
-            settings_.keepers->drop(id);
+            settings_.world_persistence->drop(id);
         }
         return fits.error();
     }
@@ -174,7 +174,7 @@ Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32
         return Error{ErrorCode::failed_precondition,
                      "the world is not kept, so only what it is now can be had; "
                      "persistence.database says where worlds are kept"};
-    return built([&] { return settings_.keepers->world_at(world.id(), tick); });
+    return built([&] { return settings_.world_persistence->world_at(world.id(), tick); });
 }
 
 Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
@@ -191,7 +191,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
         return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
     Status done;
     Result<GoesOn> again = built([&]() -> Result<GoesOn> {
-        Result<WorldStart> start = settings_.keepers->rewind(world->id(), tick, *std::move(then));
+        Result<WorldStart> start = settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
         if (!start.ok()) return start.error();
         start->paused = world->paused();
         return go_on(*std::move(start));
@@ -241,7 +241,7 @@ std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name)
     }
     world->forget();
     world->stop();
-    if (settings_.keepers) settings_.keepers->drop(world->id());
+    if (settings_.world_persistence) settings_.world_persistence->drop(world->id());
     log_info("world {} \"{}\" was deleted", world->id(), world->name());
     return world;
 }
@@ -285,7 +285,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
 Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& failed) const {
     return built([&]() -> Result<GoesOn> {
         if (failed.is_kept()) {
-            Result<WorldStart> kept = settings_.keepers->again(failed.id());
+            Result<WorldStart> kept = settings_.world_persistence->again(failed.id());
             if (!kept.ok()) return kept.error();
             kept->paused = failed.paused();
             return go_on(*std::move(kept));

@@ -29,8 +29,8 @@ Result<std::shared_ptr<WorldHost>> WorldHost::start(
 
 Result<std::shared_ptr<WorldHost>> WorldHost::begin(WorldStart start,
                                                     const WorldHostSettings& settings) {
-    if (settings.keepers)
-        if (Status s = settings.keepers->open(start); !s.ok()) return s.error();
+    if (settings.world_persistence)
+        if (Status s = settings.world_persistence->open(start); !s.ok()) return s.error();
     return WorldHost::start(std::move(start), settings);
 }
 
@@ -50,7 +50,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       channel_kinds_(start.world.channel_kinds()),
       settings_(settings),
       world_(std::move(start.world)),
-      keeper_(std::move(start.keeper)),
+      world_journal_(std::move(start.world_journal)),
       tick_(start.tick),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
       early_(static_cast<std::size_t>(settings.command_queue_max)),
@@ -65,7 +65,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     world_.copy_into(*first);
     frame_ = std::move(first);
     world_.past().put(frame_);
-    if (keeper_) world_.keep_journal();
+    if (world_journal_) world_.keep_journal();
     if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
 
@@ -86,8 +86,8 @@ void WorldHost::stop() {
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
     if (taken_) taken_->finish();
-    if (keeper_ && !failed() && !forgotten_ && !ended_)
-        keeper_->end(cut_short_ ? std::nullopt : std::optional(checkpoint_copy()));
+    if (world_journal_ && !failed() && !forgotten_ && !ended_)
+        world_journal_->end(cut_short_ ? std::nullopt : std::optional(checkpoint_copy()));
     ended_ = true;
 }
 
@@ -197,7 +197,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     apply_commands(refusal, due);
     const bool allowed = why && steps_.begin_step();
     const bool steps = !why || allowed;
-    if (keeper_) keeper_->keep({tick_, steps, world_.take_journal()});
+    if (world_journal_) world_journal_->keep({tick_, steps, world_.take_journal()});
     watch_.begin_step();
     const bool stepped = steps && step(allowed);
     auto frame = std::make_shared<Frame>();
@@ -211,9 +211,9 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     if (!stepped) frame->step_ms = 0;
     measure(*frame, began);
     const FramePtr shown = frame;
-    const bool answered = !keeper_ || refusal;
+    const bool answered = !world_journal_ || refusal;
     publish(std::move(frame), answered);
-    if (keeper_) keep_shown(shown->step_ms, answered);
+    if (world_journal_) keep_shown(shown->step_ms, answered);
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
@@ -239,8 +239,8 @@ void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_
 
 std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& paused) const {
     if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
-    if (!keeper_) return std::nullopt;
-    const std::optional<std::string> trouble = keeper_->trouble();
+    if (!world_journal_) return std::nullopt;
+    const std::optional<std::string> trouble = world_journal_->trouble();
     if (!trouble) return std::nullopt;
     return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *trouble};
 }
@@ -356,24 +356,24 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
-    CheckpointCopy now{.tick = tick_, .bodies = keeper_->spare_point(), .image = world_.image(tick_)};
+    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->spare_point(), .image = world_.image(tick_)};
     now.bodies.keep(world_.world());
     return now;
 }
 
 void WorldHost::keep_shown(double step_ms, bool answered) {
-    if (std::exchange(step_interrupted_, false)) keeper_->on_interrupted();
+    if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
     std::vector<WaitingResult> results;
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
         if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
-    keeper_->on_shown(step_ms, std::move(results));
+    world_journal_->on_shown(step_ms, std::move(results));
 }
 
 // The last thing in a tick: from here on others read the world, until the next one begins.
 void WorldHost::hand_over_checkpoint() {
-    if (!keeper_ || cut_short_ || !keeper_->wants_checkpoint()) return;
+    if (!world_journal_ || cut_short_ || !world_journal_->wants_checkpoint()) return;
     auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
-    keeper_->keep(tick_, taken);
+    world_journal_->keep(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now
     if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between
     taken_ = std::move(taken);

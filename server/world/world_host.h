@@ -37,7 +37,7 @@ struct WorldHostSettings {
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
     bool own_thread = true;           // false: it ticks only when tick() is called
-    WorldPersistence* keepers = nullptr;  // null: worlds end with the process
+    WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
     // Called on the world's thread after each frame, with whether something happened in it; must
     // only wake somebody.
     std::function<void(bool news)> on_frame;
@@ -55,7 +55,7 @@ struct WorldStart {
     std::shared_ptr<const scenes::SceneDescription> scene;
     HostedWorld world;
     std::uint32_t tick = 1;
-    std::shared_ptr<WorldJournal> keeper = nullptr;  // null: it ends with the process
+    std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: it ends with the process
     std::optional<std::string> paused = {};         // why
 };
 
@@ -138,11 +138,11 @@ public:
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
     // What clients did is still there after the process.
-    bool is_kept() const { return keeper_ != nullptr; }
+    bool is_kept() const { return world_journal_ != nullptr; }
     // The one after which this host began.
     std::uint32_t first_tick() const { return first_tick_; }
     // Any thread: the first tick that can be had again; 0: none can.
-    std::uint32_t oldest_restorable_tick() const { return keeper_ ? keeper_->oldest_tick() : 0; }
+    std::uint32_t oldest_restorable_tick() const { return world_journal_ ? world_journal_->oldest_tick() : 0; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
     // Of a step; 0: each island takes as many as it needs.
@@ -187,7 +187,7 @@ private:
     const WorldHostSettings settings_;
 
     HostedWorld world_;  // the tick thread's own
-    const std::shared_ptr<WorldJournal> keeper_;
+    const std::shared_ptr<WorldJournal> world_journal_;
     std::shared_ptr<CheckpointCopier> taken_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;

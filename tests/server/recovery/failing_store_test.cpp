@@ -60,7 +60,7 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
     {
         auto archive =
             WorldArchive::open({.store = path}, limits, 1, nullptr, test::failing_disk()).value();
-        WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
+        WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4, "test");
         const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
         ASSERT_TRUE(play(*world, 20s, [&] { return told_.size() > 20; }));
         EXPECT_TRUE(refused_.empty());

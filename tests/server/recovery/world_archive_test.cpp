@@ -36,7 +36,7 @@ public:
         archive = std::move(opened).value();
         hosts.limits = limits();
         hosts.own_thread = false;
-        hosts.keepers = archive.get();
+        hosts.world_persistence = archive.get();
         worlds.emplace(hosts, 8, "test");
         for (KeptWorld& kept : archive->take_worlds()) {
             absent = kept.absent;

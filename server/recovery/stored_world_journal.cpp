@@ -65,7 +65,7 @@ void CheckpointWriter::run() {
 
 // --- StoredWorldJournal ---
 
-StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPlace& place,
+StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPosition& place,
                            StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
                            JournalSettings settings)
     : world_(std::move(world)),

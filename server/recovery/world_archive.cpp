@@ -207,7 +207,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
     std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
-    const JournalPlace place{.epoch = now.epoch,
+    const JournalPosition place{.epoch = now.epoch,
                              .sequence = found->sequence,
                              .chain = found->chain,
                              .checkpoints = *std::move(ticks)};
@@ -260,7 +260,7 @@ void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tic
 }
 
 std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start,
-                                                     const JournalPlace& place) {
+                                                     const JournalPosition& place) {
     return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, place, *writer_,
                                           *checkpoints_, marks_->of(start.label.id),
                                           journal_settings_);

@@ -65,7 +65,7 @@ void CheckpointWriter::run() {
 
 // --- StoredWorldJournal ---
 
-StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPosition& place,
+StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPosition& position,
                            StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
                            JournalSettings settings)
     : world_(std::move(world)),
@@ -74,9 +74,9 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const Journ
       checkpoints_(checkpoints),
       mark_(mark),
       settings_(std::move(settings)),
-      place_(place) {
+      position_(position) {
     // When those of another process were taken is not known: they stay as if it were now.
-    for (const std::uint32_t tick : place.checkpoints) taken_.push_back({tick, Clock::now()});
+    for (const std::uint32_t tick : position.checkpoints) taken_.push_back({tick, Clock::now()});
 }
 
 std::optional<std::string> StoredWorldJournal::trouble() const {
@@ -138,12 +138,12 @@ void StoredWorldJournal::tell(std::vector<WaitingResult>& results) const {
 // are applied, so that it is little.
 void StoredWorldJournal::flush() {
     if (first_ == 0) return;
-    JournalEntry entry{.sequence = place_.sequence + 1,
-                       .epoch = place_.epoch,
+    JournalEntry entry{.sequence = position_.sequence + 1,
+                       .epoch = position_.epoch,
                        .first_tick = first_,
                        .last_tick = last_,
                        .data = compress(encode_journal(segment_))};
-    const Chain chain = entry.chain = next_chain(place_.chain, entry.data);
+    const Chain chain = entry.chain = next_chain(position_.chain, entry.data);
     const bool pushed =
         writer_.push(AppendEntry{world_, std::move(entry)},
                      [telling = telling_, self = shared_from_this()](const Status& written) {
@@ -157,8 +157,8 @@ void StoredWorldJournal::flush() {
                          self->tell(results);
                      });
     if (!pushed) return;
-    place_.sequence++;
-    place_.chain = chain;
+    position_.sequence++;
+    position_.chain = chain;
     segment_ = {};
     first_ = 0;
 }
@@ -184,7 +184,7 @@ void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopi
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
     const Taken taken{tick, Clock::now()};
-    const std::uint64_t sequence = place_.sequence;
+    const std::uint64_t sequence = position_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
     taken_at_ = taken.at;

@@ -60,7 +60,7 @@ private:
 
 class StoredWorldJournal : public WorldJournal, public std::enable_shared_from_this<StoredWorldJournal> {
 public:
-    StoredWorldJournal(std::string world, double hz, const JournalPosition& place, StoreWriter& writer,
+    StoredWorldJournal(std::string world, double hz, const JournalPosition& position, StoreWriter& writer,
                  CheckpointWriter& checkpoints, CrashMarker mark, JournalSettings settings);
 
     std::optional<std::string> trouble() const override;
@@ -99,7 +99,7 @@ private:
     const JournalSettings settings_;
 
     // The world's thread's.
-    JournalPosition place_;
+    JournalPosition position_;
     JournalSegment segment_;
     std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
     // Of the newest entry; of the batch that is not handed over, if there is one.

@@ -221,7 +221,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
                              .world = std::move(found->world),
                              .tick = found->tick},
                    .absent = std::move(absent)};
-    kept.start.world_journal = make_journal(kept.start, place);
+    kept.start.world_journal = make_journal(kept.start, position);
     return kept;
 }
 
@@ -260,8 +260,8 @@ void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tic
 }
 
 std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start,
-                                                     const JournalPosition& place) {
-    return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, place, *writer_,
+                                                     const JournalPosition& position) {
+    return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, position, *writer_,
                                           *checkpoints_, marks_->of(start.label.id),
                                           journal_settings_);
 }

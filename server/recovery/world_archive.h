@@ -85,7 +85,7 @@ private:
     Result<Last> last_of(const std::string& id);
     WorldStart start_of(Last last);
     void set_aside(const StoredWorld& stored, const JournaledTick& tick);
-    std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPosition& place);
+    std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPosition& position);
 
     const HostLimits limits_;
     const int threads_;

@@ -96,7 +96,7 @@ void StoredWorldJournal::keep(KeptTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {
         first_ = tick.tick;
-        telling_ = std::make_shared<Telling>();
+        telling_ = std::make_shared<PendingResults>();
     }
     last_ = tick.tick;
     if (!tick.steps) {

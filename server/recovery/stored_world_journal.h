@@ -80,7 +80,7 @@ private:
     };
 
     // Results are told when what they are results of is both shown and safe.
-    struct Telling {
+    struct PendingResults {
         std::mutex mutex;
         bool is_safe = false;
         std::vector<WaitingResult> results;
@@ -103,7 +103,7 @@ private:
     JournalSegment segment_;
     std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
     // Of the newest entry; of the batch that is not handed over, if there is one.
-    std::shared_ptr<Telling> telling_ = std::make_shared<Telling>();
+    std::shared_ptr<PendingResults> telling_ = std::make_shared<PendingResults>();
     double replay_ms_ = 0;  // since the last checkpoint
     bool changed_ = false;  // likewise: something was done
     Clock::time_point taken_at_ = Clock::now();

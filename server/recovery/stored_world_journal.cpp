@@ -96,7 +96,7 @@ void StoredWorldJournal::keep(KeptTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {
         first_ = tick.tick;
-        telling_ = std::make_shared<PendingResults>();
+        pending_results_ = std::make_shared<PendingResults>();
     }
     last_ = tick.tick;
     if (!tick.steps) {
@@ -119,16 +119,16 @@ void StoredWorldJournal::on_shown(double step_ms, std::vector<WaitingResult> res
     if (results.empty()) return;
     bool safe = false;
     {
-        const std::lock_guard lock(telling_->mutex);
-        safe = telling_->is_safe;
-        if (!safe) std::ranges::move(results, std::back_inserter(telling_->results));
+        const std::lock_guard lock(pending_results_->mutex);
+        safe = pending_results_->is_durable;
+        if (!safe) std::ranges::move(results, std::back_inserter(pending_results_->results));
     }
-    if (safe) tell(results);
+    if (safe) send_results(results);
     // Of inputs that did nothing: they need not wait for what nobody did.
     flush();
 }
 
-void StoredWorldJournal::tell(std::vector<WaitingResult>& results) const {
+void StoredWorldJournal::send_results(std::vector<WaitingResult>& results) const {
     if (results.empty()) return;
     for (WaitingResult& result : results) result.reply->put(std::move(result.result));
     if (settings_.on_results_sent) settings_.on_results_sent();
@@ -146,15 +146,15 @@ void StoredWorldJournal::flush() {
     const Chain chain = entry.chain = next_chain(position_.chain, entry.data);
     const bool pushed =
         writer_.push(AppendEntry{world_, std::move(entry)},
-                     [telling = telling_, self = shared_from_this()](const Status& written) {
-                         if (!written.ok()) return self->on_unwritten(written.error());
+                     [telling = pending_results_, self = shared_from_this()](const Status& written) {
+                         if (!written.ok()) return self->on_write_failed(written.error());
                          std::vector<WaitingResult> results;
                          {
                              const std::lock_guard lock(telling->mutex);
-                             telling->is_safe = true;
+                             telling->is_durable = true;
                              results.swap(telling->results);
                          }
-                         self->tell(results);
+                         self->send_results(results);
                      });
     if (!pushed) return;
     position_.sequence++;
@@ -163,7 +163,7 @@ void StoredWorldJournal::flush() {
     first_ = 0;
 }
 
-void StoredWorldJournal::on_unwritten(const Error& error) {
+void StoredWorldJournal::on_write_failed(const Error& error) {
     if (error.code == ErrorCode::aborted) return;
     const std::string why =
         "the journal of world " + world_ + " is at odds with the store: " + error.message;
@@ -212,7 +212,7 @@ void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopi
                                                               .portable = {}}},
                                                [self, taken](const Status& written) {
                                                    self->checkpoint_waits_ = false;
-                                                   if (written.ok()) self->forget_old(taken);
+                                                   if (written.ok()) self->trim_old(taken);
                                                });
         if (!pushed) self->checkpoint_waits_ = false;
     });
@@ -231,7 +231,7 @@ void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
 }
 
 // On the writer's thread.
-void StoredWorldJournal::forget_old(Taken newest) {
+void StoredWorldJournal::trim_old(Taken newest) {
     std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);

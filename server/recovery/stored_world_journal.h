@@ -82,14 +82,14 @@ private:
     // Results are told when what they are results of is both shown and safe.
     struct PendingResults {
         std::mutex mutex;
-        bool is_safe = false;
+        bool is_durable = false;
         std::vector<WaitingResult> results;
     };
 
     void flush();
-    void tell(std::vector<WaitingResult>& results) const;
-    void on_unwritten(const Error& error);
-    void forget_old(Taken newest);
+    void send_results(std::vector<WaitingResult>& results) const;
+    void on_write_failed(const Error& error);
+    void trim_old(Taken newest);
 
     const std::string world_;
     const double hz_;
@@ -103,7 +103,7 @@ private:
     JournalSegment segment_;
     std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
     // Of the newest entry; of the batch that is not handed over, if there is one.
-    std::shared_ptr<PendingResults> telling_ = std::make_shared<PendingResults>();
+    std::shared_ptr<PendingResults> pending_results_ = std::make_shared<PendingResults>();
     double replay_ms_ = 0;  // since the last checkpoint
     bool changed_ = false;  // likewise: something was done
     Clock::time_point taken_at_ = Clock::now();

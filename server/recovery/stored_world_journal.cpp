@@ -183,7 +183,7 @@ bool StoredWorldJournal::wants_checkpoint() const {
 void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
-    const Taken taken{tick, Clock::now()};
+    const TakenCheckpoint taken{tick, Clock::now()};
     const std::uint64_t sequence = position_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
@@ -231,7 +231,7 @@ void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
 }
 
 // On the writer's thread.
-void StoredWorldJournal::trim_old(Taken newest) {
+void StoredWorldJournal::trim_old(TakenCheckpoint newest) {
     std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);

@@ -74,7 +74,7 @@ public:
     physics::RestorePoint spare_point() override;
 
 private:
-    struct Taken {  // a checkpoint that is in the store
+    struct TakenCheckpoint {  // a checkpoint that is in the store
         std::uint32_t tick;
         Clock::time_point at;
     };
@@ -89,7 +89,7 @@ private:
     void flush();
     void send_results(std::vector<WaitingResult>& results) const;
     void on_write_failed(const Error& error);
-    void trim_old(Taken newest);
+    void trim_old(TakenCheckpoint newest);
 
     const std::string world_;
     const double hz_;
@@ -112,7 +112,7 @@ private:
     std::atomic<bool> checkpoint_waits_{false};
     mutable std::mutex mutex_;
     std::optional<std::string> broken_;  // what is stored contradicts us
-    std::deque<Taken> taken_;
+    std::deque<TakenCheckpoint> taken_;
     physics::RestorePoint spare_point_;
 };
 

@@ -15,8 +15,8 @@ namespace {
 // How far a world that nobody touches may be ahead of its journal.
 constexpr double client_timeout_seconds = 1;
 // What is as cheap to do again as to load is not written anew.
-constexpr double worth_ms = 50;
-constexpr std::size_t kept_checkpoints = 2;
+constexpr double checkpoint_worth_ms = 50;
+constexpr std::size_t retained_checkpoints = 2;
 
 }  // namespace
 
@@ -76,23 +76,23 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const Journ
       settings_(std::move(settings)),
       position_(position) {
     // When those of another process were taken is not known: they stay as if it were now.
-    for (const std::uint32_t tick : position.checkpoints) taken_.push_back({tick, Clock::now()});
+    for (const std::uint32_t tick : position.checkpoints) checkpoints_taken_.push_back({tick, Clock::now()});
 }
 
 std::optional<std::string> StoredWorldJournal::trouble() const {
     {
         const std::lock_guard lock(mutex_);
-        if (broken_) return broken_;
+        if (divergence_) return divergence_;
     }
     return writer_.failing();
 }
 
 std::uint32_t StoredWorldJournal::oldest_tick() const {
     const std::lock_guard lock(mutex_);
-    return taken_.empty() ? 0 : taken_.front().tick;
+    return checkpoints_taken_.empty() ? 0 : checkpoints_taken_.front().tick;
 }
 
-void StoredWorldJournal::keep(KeptTick tick) {
+void StoredWorldJournal::append(KeptTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {
         first_ = tick.tick;
@@ -169,26 +169,26 @@ void StoredWorldJournal::on_write_failed(const Error& error) {
         "the journal of world " + world_ + " is at odds with the store: " + error.message;
     log_error("{}", why);
     const std::lock_guard lock(mutex_);
-    broken_ = why;
+    divergence_ = why;
 }
 
 bool StoredWorldJournal::wants_checkpoint() const {
-    if (checkpoint_waits_ || trouble()) return false;
+    if (checkpoint_pending_ || trouble()) return false;
     if (interrupted_) return true;
-    if (!changed_ && replay_ms_ < worth_ms) return false;
+    if (!changed_ && replay_ms_ < checkpoint_worth_ms) return false;
     return replay_ms_ > 1000 * settings_.replay_seconds_max ||
-           Clock::now() - taken_at_ > from_seconds(settings_.checkpoint_interval_seconds);
+           Clock::now() - last_checkpoint_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 
-void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
+void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
     const TakenCheckpoint taken{tick, Clock::now()};
     const std::uint64_t sequence = position_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
-    taken_at_ = taken.at;
-    checkpoint_waits_ = true;
+    last_checkpoint_at_ = taken.at;
+    checkpoint_pending_ = true;
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
         std::optional<CheckpointCopy> checkpoint_copy = taker->take();
         Result<CheckpointData> image =
@@ -201,7 +201,7 @@ void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopi
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
                       image.error().message);
-            self->checkpoint_waits_ = false;
+            self->checkpoint_pending_ = false;
             return;
         }
         const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
@@ -211,10 +211,10 @@ void StoredWorldJournal::keep(std::uint32_t tick, std::shared_ptr<CheckpointCopi
                                                               .exact = std::move(image->bytes),
                                                               .portable = {}}},
                                                [self, taken](const Status& written) {
-                                                   self->checkpoint_waits_ = false;
+                                                   self->checkpoint_pending_ = false;
                                                    if (written.ok()) self->trim_old(taken);
                                                });
-        if (!pushed) self->checkpoint_waits_ = false;
+        if (!pushed) self->checkpoint_pending_ = false;
     });
 }
 
@@ -235,12 +235,12 @@ void StoredWorldJournal::trim_old(TakenCheckpoint newest) {
     std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);
-        taken_.push_back(newest);
+        checkpoints_taken_.push_back(newest);
         const auto since = newest.at - from_seconds(3600 * settings_.history_retention_hours);
-        while (taken_.size() > kept_checkpoints && taken_[1].at < since) taken_.pop_front();
+        while (checkpoints_taken_.size() > retained_checkpoints && checkpoints_taken_[1].at < since) checkpoints_taken_.pop_front();
         if (settings_.history_retention_hours == 0)
-            while (taken_.size() > kept_checkpoints) taken_.pop_front();
-        oldest = taken_.front().tick;
+            while (checkpoints_taken_.size() > retained_checkpoints) checkpoints_taken_.pop_front();
+        oldest = checkpoints_taken_.front().tick;
     }
     writer_.push(Trim{world_, oldest}, nullptr);
 }

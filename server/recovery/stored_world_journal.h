@@ -65,11 +65,11 @@ public:
 
     std::optional<std::string> trouble() const override;
     std::uint32_t oldest_tick() const override;
-    void keep(KeptTick tick) override;
+    void append(KeptTick tick) override;
     void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_checkpoint() const override;
-    void keep(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
+    void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
     void end(std::optional<CheckpointCopy> checkpoint_copy) override;
     physics::RestorePoint spare_point() override;
 
@@ -106,13 +106,13 @@ private:
     std::shared_ptr<PendingResults> pending_results_ = std::make_shared<PendingResults>();
     double replay_ms_ = 0;  // since the last checkpoint
     bool changed_ = false;  // likewise: something was done
-    Clock::time_point taken_at_ = Clock::now();
+    Clock::time_point last_checkpoint_at_ = Clock::now();
     bool interrupted_ = false;
 
-    std::atomic<bool> checkpoint_waits_{false};
+    std::atomic<bool> checkpoint_pending_{false};
     mutable std::mutex mutex_;
-    std::optional<std::string> broken_;  // what is stored contradicts us
-    std::deque<TakenCheckpoint> taken_;
+    std::optional<std::string> divergence_;  // what is stored contradicts us
+    std::deque<TakenCheckpoint> checkpoints_taken_;
     physics::RestorePoint spare_point_;
 };
 

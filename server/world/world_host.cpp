@@ -85,7 +85,7 @@ void WorldHost::stop() {
     close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
-    if (taken_) taken_->finish();
+    if (checkpoint_copier_) checkpoint_copier_->finish();
     if (world_journal_ && !failed() && !forgotten_ && !ended_)
         world_journal_->end(cut_short_ ? std::nullopt : std::optional(checkpoint_copy()));
     ended_ = true;
@@ -190,14 +190,14 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
     watch_.begin_tick(began);
-    if (taken_) std::exchange(taken_, nullptr)->finish();
+    if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
     const std::optional<std::string> why = paused();
     const std::optional<Error> refusal = why_no_inputs(why);
     apply_commands(refusal, due);
     const bool allowed = why && steps_.begin_step();
     const bool steps = !why || allowed;
-    if (world_journal_) world_journal_->keep({tick_, steps, world_.take_journal()});
+    if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
     watch_.begin_step();
     const bool stepped = steps && step(allowed);
     auto frame = std::make_shared<Frame>();
@@ -373,10 +373,10 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
 void WorldHost::hand_over_checkpoint() {
     if (!world_journal_ || cut_short_ || !world_journal_->wants_checkpoint()) return;
     auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
-    world_journal_->keep(tick_, taken);
+    world_journal_->append(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now
     if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between
-    taken_ = std::move(taken);
+    checkpoint_copier_ = std::move(taken);
 }
 
 }  // namespace jostle::server

@@ -188,7 +188,7 @@ private:
 
     HostedWorld world_;  // the tick thread's own
     const std::shared_ptr<WorldJournal> world_journal_;
-    std::shared_ptr<CheckpointCopier> taken_;  // of the tick before; null: nobody wants it
+    std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;
     bool cut_short_ = false;  // the last step, by the world's end

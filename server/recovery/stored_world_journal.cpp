@@ -92,7 +92,7 @@ std::uint32_t StoredWorldJournal::oldest_tick() const {
     return checkpoints_taken_.empty() ? 0 : checkpoints_taken_.front().tick;
 }
 
-void StoredWorldJournal::append(KeptTick tick) {
+void StoredWorldJournal::append(ExecutedTick tick) {
     mark_.begin(tick.tick);
     if (first_ == 0) {
         first_ = tick.tick;

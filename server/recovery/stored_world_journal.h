@@ -65,7 +65,7 @@ public:
 
     std::optional<std::string> trouble() const override;
     std::uint32_t oldest_tick() const override;
-    void append(KeptTick tick) override;
+    void append(ExecutedTick tick) override;
     void on_shown(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_checkpoint() const override;

@@ -21,7 +21,7 @@ struct WaitingResult {
     InputResult result;
 };
 
-struct KeptTick {
+struct ExecutedTick {
     std::uint32_t tick = 0;
     bool steps = true;                       // false: the world stands still
     std::vector<JournaledCommand> commands;  // in the order in which they were applied
@@ -37,7 +37,7 @@ public:
     // Any thread: the world can be had as it was after this tick and later ones.
     virtual std::uint32_t oldest_tick() const = 0;
     // Each tick once, in order, when its commands have been applied and before its step.
-    virtual void append(KeptTick tick) = 0;
+    virtual void append(ExecutedTick tick) = 0;
     // Its frame is out. `step_ms`: what it takes to do it again; the results are to be told when
     // the tick is safe.
     virtual void on_shown(double step_ms, std::vector<WaitingResult> results) = 0;

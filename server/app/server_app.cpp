@@ -297,27 +297,27 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
     const auto why_not_ready = [&]() -> std::optional<std::string> {
         if (context.draining) return "the server is going down";
-        const auto unkept = archive ? archive->trouble() : std::nullopt;
+        const auto unkept = archive ? archive->failure_reason() : std::nullopt;
         if (unkept) return "no input is taken, for it could not be kept: " + *unkept;
         return std::nullopt;
     };
-    const auto trouble = [&]() -> std::optional<std::string> {
+    const auto failure_reason = [&]() -> std::optional<std::string> {
         const Clock::time_point now = Clock::now();
         if (!watch.all_tick(now)) return "a tick hangs";
-        return grpc_to_ask ? grpc_to_ask->trouble(now) : std::nullopt;
+        return grpc_to_ask ? grpc_to_ask->failure_reason(now) : std::nullopt;
     };
     const HttpRoutes routes(control, queries,
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
                              .allowed_hosts = config.allowed_hosts,
                              .why_not_ready = why_not_ready,
-                             .trouble = trouble});
+                             .failure_reason = failure_reason});
     AdminControl admin_control(context);
     const AdminRoutes admin_routes(
         admin_control, metrics,
         {.allowed_hosts = config.allowed_hosts,
          .why_not_ready = why_not_ready,
-         .trouble = trouble,
+         .failure_reason = failure_reason,
          .refresh = [&] { refresh_metrics(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
     std::vector<CallMethod> methods = world_methods(control, worlds);
@@ -375,7 +375,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
         const MaintenanceThread maintenance_thread(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
-            return watch.all_tick(now) && !grpc.trouble(now);
+            return watch.all_tick(now) && !grpc.failure_reason(now);
         });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));
@@ -391,7 +391,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();
     if (archive && !archive->flush(flush_timeout))
-        log_error("not all could be kept: {}", archive->trouble().value_or("the store is slow"));
+        log_error("not all could be kept: {}", archive->failure_reason().value_or("the store is slow"));
     log_info("done");
     return 0;
 }

@@ -136,7 +136,7 @@ Status GrpcServer::start() {
     return {};
 }
 
-std::optional<std::string> GrpcServer::trouble(Clock::time_point now) const {
+std::optional<std::string> GrpcServer::failure_reason(Clock::time_point now) const {
     if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
         return "gRPC does not answer";
     if (!relay_.is_responsive(now)) return "gRPC's connections stand still";

@@ -52,7 +52,7 @@ public:
     std::uint16_t port() const { return acceptor_.port(); }  // the real one, after start()
 
     // Any thread: why gRPC does not serve, as it found when it asked itself last; nothing: it does.
-    std::optional<std::string> trouble(Clock::time_point now) const;
+    std::optional<std::string> failure_reason(Clock::time_point now) const;
 
     // Any thread: a world has a new frame, or the context began to drain.
     void wake();

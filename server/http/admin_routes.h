@@ -21,7 +21,7 @@ struct AdminRouteSettings {
     std::vector<std::string> allowed_hosts;  // names of this server, for what is more than to read
     std::function<std::optional<std::string>()> why_not_ready;  // nothing: it is
     // What is wrong with the server; nothing: it is well.
-    std::function<std::optional<std::string>()> trouble;
+    std::function<std::optional<std::string>()> failure_reason;
     // Before metrics are read: brings what is counted elsewhere up to date. May be empty.
     std::function<void()> refresh;
 };

@@ -131,7 +131,7 @@ std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) c
 }
 
 HttpResponse HttpRoutes::answer_health(std::string_view path) const {
-    if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
+    if (const auto failure_reason = settings_.failure_reason()) return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
     const auto why_not = settings_.why_not_ready();
     return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");

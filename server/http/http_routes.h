@@ -27,7 +27,7 @@ struct RouteSettings {
     std::vector<std::string> allowed_hosts = {"*"};
     std::function<std::optional<std::string>()> why_not_ready;  // nothing: it is
     // What is wrong with the server; nothing: it is well.
-    std::function<std::optional<std::string>()> trouble;
+    std::function<std::optional<std::string>()> failure_reason;
 };
 
 class HttpRoutes final : public HttpHandler {

@@ -79,7 +79,7 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const Journ
     for (const std::uint32_t tick : position.checkpoints) checkpoints_taken_.push_back({tick, Clock::now()});
 }
 
-std::optional<std::string> StoredWorldJournal::trouble() const {
+std::optional<std::string> StoredWorldJournal::failure_reason() const {
     {
         const std::lock_guard lock(mutex_);
         if (divergence_) return divergence_;
@@ -113,7 +113,7 @@ void StoredWorldJournal::append(ExecutedTick tick) {
     if (urgent || last_ - first_ + 1 >= client_timeout_seconds * hz_) flush();
 }
 
-void StoredWorldJournal::on_shown(double step_ms, std::vector<WaitingResult> results) {
+void StoredWorldJournal::on_published(double step_ms, std::vector<WaitingResult> results) {
     mark_.end();
     replay_ms_ += step_ms;
     if (results.empty()) return;
@@ -173,7 +173,7 @@ void StoredWorldJournal::on_write_failed(const Error& error) {
 }
 
 bool StoredWorldJournal::wants_checkpoint() const {
-    if (checkpoint_pending_ || trouble()) return false;
+    if (checkpoint_pending_ || failure_reason()) return false;
     if (interrupted_) return true;
     if (!changed_ && replay_ms_ < checkpoint_worth_ms) return false;
     return replay_ms_ > 1000 * settings_.replay_seconds_max ||
@@ -196,7 +196,7 @@ void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<Ch
                    : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
         if (checkpoint_copy) {
             const std::lock_guard lock(self->mutex_);
-            self->spare_point_ = std::move(checkpoint_copy->bodies);
+            self->spare_restore_point_ = std::move(checkpoint_copy->bodies);
         }
         if (!image.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
@@ -218,14 +218,14 @@ void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<Ch
     });
 }
 
-physics::RestorePoint StoredWorldJournal::spare_point() {
+physics::RestorePoint StoredWorldJournal::take_spare_restore_point() {
     const std::lock_guard lock(mutex_);
-    return std::move(spare_point_);
+    return std::move(spare_restore_point_);
 }
 
 void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
     flush();
-    if (!moment || trouble()) return;
+    if (!moment || failure_reason()) return;
     auto kept = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
     keep(kept->tick, std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
 }

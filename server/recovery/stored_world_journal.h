@@ -63,15 +63,15 @@ public:
     StoredWorldJournal(std::string world, double hz, const JournalPosition& position, StoreWriter& writer,
                  CheckpointWriter& checkpoints, CrashMarker mark, JournalSettings settings);
 
-    std::optional<std::string> trouble() const override;
+    std::optional<std::string> failure_reason() const override;
     std::uint32_t oldest_tick() const override;
     void append(ExecutedTick tick) override;
-    void on_shown(double step_ms, std::vector<WaitingResult> results) override;
+    void on_published(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_checkpoint() const override;
     void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
     void end(std::optional<CheckpointCopy> checkpoint_copy) override;
-    physics::RestorePoint spare_point() override;
+    physics::RestorePoint take_spare_restore_point() override;
 
 private:
     struct TakenCheckpoint {  // a checkpoint that is in the store
@@ -113,7 +113,7 @@ private:
     mutable std::mutex mutex_;
     std::optional<std::string> divergence_;  // what is stored contradicts us
     std::deque<TakenCheckpoint> checkpoints_taken_;
-    physics::RestorePoint spare_point_;
+    physics::RestorePoint spare_restore_point_;
 };
 
 }  // namespace jostle::server

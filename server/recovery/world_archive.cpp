@@ -287,7 +287,7 @@ Status WorldArchive::open(WorldStart& start) {
         writer_->push(DropWorld{id}, nullptr);
         return Error{ErrorCode::unavailable,
                      "the world cannot be kept: " +
-                         trouble().value_or("the store is slow; try again in a moment")};
+                         failure_reason().value_or("the store is slow; try again in a moment")};
     }
     start.world_journal = make_journal(start, {.epoch = 1, .checkpoints = {start.tick}});
     return {};

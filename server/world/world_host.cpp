@@ -240,9 +240,9 @@ void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_
 std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& paused) const {
     if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
     if (!world_journal_) return std::nullopt;
-    const std::optional<std::string> trouble = world_journal_->trouble();
-    if (!trouble) return std::nullopt;
-    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *trouble};
+    const std::optional<std::string> failure_reason = world_journal_->failure_reason();
+    if (!failure_reason) return std::nullopt;
+    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *failure_reason};
 }
 
 InputResult WorldHost::answer(const Command& command, const std::optional<Error>& refusal,
@@ -356,7 +356,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
-    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->spare_point(), .image = world_.image(tick_)};
+    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->take_spare_restore_point(), .image = world_.image(tick_)};
     now.bodies.keep(world_.world());
     return now;
 }
@@ -366,7 +366,7 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
     std::vector<WaitingResult> results;
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
         if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
-    world_journal_->on_shown(step_ms, std::move(results));
+    world_journal_->on_published(step_ms, std::move(results));
 }
 
 // The last thing in a tick: from here on others read the world, until the next one begins.

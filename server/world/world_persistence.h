@@ -33,21 +33,21 @@ public:
     virtual ~WorldJournal() = default;
 
     // Any thread: why nothing can be promised to outlive the process now; nothing: it can.
-    virtual std::optional<std::string> trouble() const = 0;
+    virtual std::optional<std::string> failure_reason() const = 0;
     // Any thread: the world can be had as it was after this tick and later ones.
     virtual std::uint32_t oldest_tick() const = 0;
     // Each tick once, in order, when its commands have been applied and before its step.
     virtual void append(ExecutedTick tick) = 0;
     // Its frame is out. `step_ms`: what it takes to do it again; the results are to be told when
     // the tick is safe.
-    virtual void on_shown(double step_ms, std::vector<WaitingResult> results) = 0;
+    virtual void on_published(double step_ms, std::vector<WaitingResult> results) = 0;
     // A step was cut short: what it came to cannot be computed again.
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.
     virtual bool wants_checkpoint() const = 0;
     virtual void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) = 0;
     // Any thread: one that was used before, if there is one: it takes a quarter of the time.
-    virtual physics::RestorePoint spare_point() = 0;
+    virtual physics::RestorePoint take_spare_restore_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut
     // short by that, and is to be done again as a whole.
     virtual void end(std::optional<CheckpointCopy> checkpoint_copy) = 0;

@@ -50,7 +50,7 @@ struct Routes {
                                     queries,
                                     {.web_root = WEB_ROOT,
                                      .why_not_ready = [] { return std::optional<std::string>(); },
-                                     .trouble = [] { return std::nullopt; }}};
+                                     .failure_reason = [] { return std::nullopt; }}};
 };
 
 }  // namespace

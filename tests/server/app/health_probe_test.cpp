@@ -67,7 +67,7 @@ private:
                              {.web_root = ".",
                               .allowed_origins = {},
                               .why_not_ready = [] { return std::optional<std::string>(); },
-                              .trouble = [] { return std::nullopt; }}};
+                              .failure_reason = [] { return std::nullopt; }}};
     std::atomic<bool> healthy_{true};
     GrpcServer grpc_{context_, {}, [this] { return healthy_.load(); }, {.port = 0}};
     Gateway gateway_{context_, routes_, {.host = "127.0.0.1", .port = 0}};

@@ -64,7 +64,7 @@ protected:
                         .gate = *gate,
                         .metrics = &metrics};
     AdminControl control{context};
-    std::optional<std::string> trouble;
+    std::optional<std::string> failure_reason;
     int refreshed = 0;
     AdminRoutes routes{control,
                        metrics,
@@ -75,7 +75,7 @@ protected:
                                            ? std::optional<std::string>("the server is going down")
                                            : std::nullopt;
                             },
-                        .trouble = [this] { return trouble; },
+                        .failure_reason = [this] { return failure_reason; },
                         .refresh = [this] { refreshed++; }}};
 };
 
@@ -97,7 +97,7 @@ TEST_F(AdminRoutesTest, health_says_yes_or_no) {
     EXPECT_EQ(get("/healthz").status, 200);
     EXPECT_EQ(get("/readyz").status, 503);
     context.draining = false;
-    trouble = "a tick hangs";
+    failure_reason = "a tick hangs";
     EXPECT_EQ(get("/healthz").body, "a tick hangs\n");
     EXPECT_EQ(get("/healthz").status, 503);
     EXPECT_EQ(get("/readyz").status, 503);

@@ -23,7 +23,7 @@ TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
                             {.web_root = ".",
                              .allowed_origins = {},
                              .why_not_ready = [] { return std::optional<std::string>(); },
-                             .trouble = [] { return std::nullopt; }});
+                             .failure_reason = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
         Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(gateway.start().ok());

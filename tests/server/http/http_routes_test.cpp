@@ -29,7 +29,7 @@ protected:
         return nlohmann::json::parse(response.body).at("code");
     }
 
-    std::optional<std::string> trouble;
+    std::optional<std::string> failure_reason;
     Config config = [] {
         Config c;
         c.world.worlds_max = 2;
@@ -51,7 +51,7 @@ protected:
                                           ? std::optional<std::string>("the server is going down")
                                           : std::nullopt;
                            },
-                       .trouble = [this] { return trouble; }}};
+                       .failure_reason = [this] { return failure_reason; }}};
 };
 
 TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
@@ -164,11 +164,11 @@ TEST_F(HttpRoutesTest, questions_that_cannot_be_answered_say_why) {
 }
 
 TEST_F(HttpRoutesTest, health_follows_the_server) {
-    trouble = "a tick hangs";
+    failure_reason = "a tick hangs";
     EXPECT_EQ(ask("GET", "/healthz").status, 503);
     EXPECT_EQ(ask("GET", "/healthz").body, "a tick hangs\n");
     EXPECT_EQ(ask("GET", "/readyz").status, 503);
-    trouble.reset();
+    failure_reason.reset();
     EXPECT_EQ(ask("GET", "/healthz").status, 200);
     EXPECT_EQ(ask("GET", "/readyz").status, 200);
     context.draining = true;

@@ -68,7 +68,7 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
         test::set_disk_fault(GetParam());
         ASSERT_TRUE(play(*world, 20s, [&] { return refused_.size() > 50; }))
             << "who would not be kept is told so";
-        EXPECT_TRUE(archive->trouble().has_value());
+        EXPECT_TRUE(archive->failure_reason().has_value());
         const std::uint32_t tick = world->frame()->tick;
         EXPECT_TRUE(play(*world, 10s, [&] { return world->frame()->tick > tick + 20; }))
             << "ticks do not wait for a disk";
@@ -80,7 +80,7 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
             << "it goes on by itself";
         // A third of a second where the machine has nothing else to do.
         RecordProperty("ms_until_kept_again", static_cast<int>(to_ms(Clock::now() - mended)));
-        EXPECT_FALSE(archive->trouble().has_value());
+        EXPECT_FALSE(archive->failure_reason().has_value());
         world->forget();  // as when it is killed
         worlds.stop_all();
         ASSERT_TRUE(archive->flush(5s));

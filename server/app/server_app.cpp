@@ -153,7 +153,7 @@ Status start_worlds(const Config& config, WorldDirectory& worlds) {
 void go_on(WorldArchive& archive, PlayContext& context) {
     const Clock::time_point until =
         Clock::now() + from_seconds(context.config.client.resume_timeout_seconds);
-    for (KeptWorld& kept : archive.take_worlds()) {
+    for (PersistedWorld& kept : archive.take_worlds()) {
         const auto world = context.worlds.adopt(std::move(kept.start));
         for (const AbsentClient& absent : kept.absent)
             expect_client(context, world, absent.client, absent.last_sequence, until);

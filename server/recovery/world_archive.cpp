@@ -158,7 +158,7 @@ bool WorldArchive::flush(Clock::duration within) {
 Status WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
-        Result<KeptWorld> kept = Error{};
+        Result<PersistedWorld> kept = Error{};
         writer_->visit([&](WorldStore&) { kept = take_up(store, stored); }, std::chrono::hours(1));
         if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
                            kept.error().code == ErrorCode::resource_exhausted))
@@ -176,11 +176,11 @@ Status WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorl
         kept_.push_back(*std::move(kept));
     }
     std::ranges::stable_sort(kept_, {},
-                             [](const KeptWorld& kept) { return number_of(kept.start.label.id); });
+                             [](const PersistedWorld& kept) { return number_of(kept.start.label.id); });
     return {};
 }
 
-Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& stored) {
+Result<PersistedWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& stored) {
     Result<WorldRecord> record = decode_world_record(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(store, stored, *record);
@@ -216,7 +216,7 @@ Result<KeptWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& st
     marks_->of(stored.id).forget();
 
     std::vector<AbsentClient> absent = absent_of(found->world.image(found->tick));
-    KeptWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
+    PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
                              .scene = record->scene,
                              .world = std::move(found->world),
                              .tick = found->tick},

@@ -26,7 +26,7 @@ struct AbsentClient {
     std::uint32_t last_sequence = 0;  // of its inputs that were applied
 };
 
-struct KeptWorld {
+struct PersistedWorld {
     WorldStart start;
     std::vector<AbsentClient> absent;
 };
@@ -44,7 +44,7 @@ public:
 
     // Once: the worlds that go on, in the order of their creation. One that cannot be had back is
     // told of in the log, and what is there of it stays in the store.
-    std::vector<KeptWorld> take_worlds() { return std::exchange(kept_, {}); }
+    std::vector<PersistedWorld> take_worlds() { return std::exchange(kept_, {}); }
     // 32 bytes that only this store's servers know.
     const std::string& secret() const { return secret_; }
     // Ids of clients from here on were never given before.
@@ -71,7 +71,7 @@ private:
                  std::function<void()> on_results_sent);
     Status read_notes(WorldStore& store);
     Status take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
-    Result<KeptWorld> take_up(WorldStore& store, const StoredWorld& stored);
+    Result<PersistedWorld> take_up(WorldStore& store, const StoredWorld& stored);
     // As it was, but for what crashes it.
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
                                    const WorldRecord& record);
@@ -93,7 +93,7 @@ private:
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
-    std::vector<KeptWorld> kept_;
+    std::vector<PersistedWorld> kept_;
     std::string secret_;
     ClientId first_client_ = 1;
     std::atomic<ClientId> reserved_{1};

@@ -13,13 +13,13 @@ namespace jostle::replay {
 
 using server::RecoveredWorld;
 
-Result<std::vector<server::StoredWorld>> KeptWorld::list(const std::string& file) {
+Result<std::vector<server::StoredWorld>> PersistedWorld::list(const std::string& file) {
     auto store = server::SqliteStore::open(file, {.make = false});
     if (!store.ok()) return store.error();
     return (*store)->worlds();
 }
 
-Result<KeptWorld> KeptWorld::open(const std::string& file, const std::string& world) {
+Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::string& world) {
     auto store = server::SqliteStore::open(file, {.make = false});
     if (!store.ok()) return store.error();
     const auto all = (*store)->worlds();
@@ -28,7 +28,7 @@ Result<KeptWorld> KeptWorld::open(const std::string& file, const std::string& wo
         if (stored.id != world && stored.name != world) continue;
         auto record = server::decode_world_record(stored.settings);
         if (!record.ok()) return record.error();
-        return KeptWorld(*std::move(store), stored, *std::move(record));
+        return PersistedWorld(*std::move(store), stored, *std::move(record));
     }
     std::string names;
     for (const server::StoredWorld& stored : *all)
@@ -37,14 +37,14 @@ Result<KeptWorld> KeptWorld::open(const std::string& file, const std::string& wo
                                            (names.empty() ? "none" : names)};
 }
 
-Result<std::uint32_t> KeptWorld::oldest() {
+Result<std::uint32_t> PersistedWorld::oldest() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
     if (ticks->empty()) return Error{ErrorCode::not_found, "it has no checkpoint"};
     return ticks->back();
 }
 
-Result<KeptWorld::Summary> KeptWorld::summary() {
+Result<PersistedWorld::Summary> PersistedWorld::summary() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
     Summary summary{.id = stored_.id,
@@ -79,7 +79,7 @@ Result<KeptWorld::Summary> KeptWorld::summary() {
     }
 }
 
-Result<RecoveredWorld> KeptWorld::from_the_first(const server::RecoveryOptions& options) {
+Result<RecoveredWorld> PersistedWorld::from_the_first(const server::RecoveryOptions& options) {
     const auto first = oldest();
     if (!first.ok()) return first.error();
     server::RecoveryOptions from = options;
@@ -87,7 +87,7 @@ Result<RecoveredWorld> KeptWorld::from_the_first(const server::RecoveryOptions& 
     return server::recover_world(*store_, stored_, record_, from);
 }
 
-Result<KeptWorld::Verified> KeptWorld::verify() {
+Result<PersistedWorld::Verified> PersistedWorld::verify() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
     Verified verified;
@@ -115,7 +115,7 @@ Result<KeptWorld::Verified> KeptWorld::verify() {
     return verified;
 }
 
-Result<RecoveredWorld> KeptWorld::at(std::uint32_t tick) {
+Result<RecoveredWorld> PersistedWorld::at(std::uint32_t tick) {
     auto world = server::recover_world(*store_, stored_, record_, {.last_tick = tick});
     if (!world.ok()) return world;
     if (world->tick != tick)
@@ -125,13 +125,13 @@ Result<RecoveredWorld> KeptWorld::at(std::uint32_t tick) {
     return world;
 }
 
-Result<server::ExportedScene> KeptWorld::scene_at(std::uint32_t tick) {
+Result<server::ExportedScene> PersistedWorld::scene_at(std::uint32_t tick) {
     auto world = at(tick);
     if (!world.ok()) return world.error();
     return world->world.exported(*record_.scene);
 }
 
-Status KeptWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
+Status PersistedWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
     const auto tell = [&](const server::HostedWorld& world, std::uint32_t tick) {
         if (tick % every == 0) on_hash(tick, physics::state_hash(world.world()));
     };
@@ -141,7 +141,7 @@ Status KeptWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
     return {};
 }
 
-Result<std::optional<KeptWorld::Difference>> KeptWorld::first_difference(KeptWorld& other) {
+Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_difference(PersistedWorld& other) {
     std::map<std::uint32_t, std::uint64_t> ours;
     if (Status s = hashes(1, [&](std::uint32_t tick, std::uint64_t hash) { ours[tick] = hash; });
         !s.ok())

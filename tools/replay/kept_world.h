@@ -17,10 +17,10 @@
 
 namespace jostle::replay {
 
-class KeptWorld {
+class PersistedWorld {
 public:
     // By id or name. Errors: the store cannot be opened, or has no such world.
-    static Result<KeptWorld> open(const std::string& file, const std::string& world);
+    static Result<PersistedWorld> open(const std::string& file, const std::string& world);
     static Result<std::vector<server::StoredWorld>> list(const std::string& file);
 
     struct Summary {
@@ -54,12 +54,12 @@ public:
         std::string field;       // the first one, with both values
     };
     // Of the ticks that both have. Nothing: they are the same.
-    Result<std::optional<Difference>> first_difference(KeptWorld& other);
+    Result<std::optional<Difference>> first_difference(PersistedWorld& other);
 
     const std::string& id() const { return stored_.id; }
 
 private:
-    KeptWorld(std::unique_ptr<server::WorldStore> store, server::StoredWorld stored,
+    PersistedWorld(std::unique_ptr<server::WorldStore> store, server::StoredWorld stored,
               server::WorldRecord record)
         : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
     Result<server::RecoveredWorld> from_the_first(const server::RecoveryOptions& options);

@@ -19,7 +19,7 @@ namespace {
 using jostle::client::Playback;
 using jostle::client::RecordingReader;
 namespace replay = jostle::replay;
-using replay::KeptWorld;
+using replay::PersistedWorld;
 
 constexpr const char* footer = R"(
 Examples:
@@ -92,7 +92,7 @@ int run_recording(const Flags& flags) {
 // --- stores ---
 
 int list(const Flags& flags) {
-    const auto worlds = KeptWorld::list(flags.file);
+    const auto worlds = PersistedWorld::list(flags.file);
     if (!worlds.ok()) return fail(2, worlds.error().message);
     auto json = nlohmann::json::array();
     for (const auto& world : *worlds) {
@@ -104,7 +104,7 @@ int list(const Flags& flags) {
     return flags.json ? show(json) : 0;
 }
 
-int summarize(KeptWorld& world, const Flags& flags) {
+int summarize(PersistedWorld& world, const Flags& flags) {
     const auto summary = world.summary();
     if (!summary.ok()) return fail(1, summary.error().message);
     if (flags.json) {
@@ -134,7 +134,7 @@ int summarize(KeptWorld& world, const Flags& flags) {
     return summary->damage.empty() ? 0 : 1;
 }
 
-int verify(KeptWorld& world, const Flags& flags) {
+int verify(PersistedWorld& world, const Flags& flags) {
     const auto verified = world.verify();
     if (!verified.ok()) return fail(1, verified.error().message);
     if (flags.json) {
@@ -151,7 +151,7 @@ int verify(KeptWorld& world, const Flags& flags) {
     return verified->faults.empty() ? 0 : 1;
 }
 
-int show_at(KeptWorld& world, const Flags& flags) {
+int show_at(PersistedWorld& world, const Flags& flags) {
     if (flags.export_to.empty()) {
         auto found = world.at(*flags.at);
         if (!found.ok()) return fail(1, found.error().message);
@@ -176,7 +176,7 @@ int show_at(KeptWorld& world, const Flags& flags) {
     return 0;
 }
 
-int show_hashes(KeptWorld& world, const Flags& flags) {
+int show_hashes(PersistedWorld& world, const Flags& flags) {
     const auto tell = [](std::uint32_t tick, std::uint64_t hash) {
         std::printf("%u %016llx\n", tick, static_cast<unsigned long long>(hash));
     };
@@ -184,8 +184,8 @@ int show_hashes(KeptWorld& world, const Flags& flags) {
     return done.ok() ? 0 : fail(1, done.error().message);
 }
 
-int show_difference(KeptWorld& world, const Flags& flags) {
-    auto other = KeptWorld::open(flags.diff, *flags.world);
+int show_difference(PersistedWorld& world, const Flags& flags) {
+    auto other = PersistedWorld::open(flags.diff, *flags.world);
     if (!other.ok()) return fail(2, other.error().message);
     const auto difference = world.first_difference(*other);
     if (!difference.ok()) return fail(1, difference.error().message);
@@ -196,7 +196,7 @@ int show_difference(KeptWorld& world, const Flags& flags) {
 
 int run_store(const Flags& flags) {
     if (flags.world->empty()) return list(flags);
-    auto world = KeptWorld::open(flags.file, *flags.world);
+    auto world = PersistedWorld::open(flags.file, *flags.world);
     if (!world.ok()) return fail(2, world.error().message);
     if (flags.verify) return verify(*world, flags);
     if (flags.at) return show_at(*world, flags);

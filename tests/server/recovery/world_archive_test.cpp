@@ -38,7 +38,7 @@ public:
         hosts.own_thread = false;
         hosts.world_persistence = archive.get();
         worlds.emplace(hosts, 8, "test");
-        for (KeptWorld& kept : archive->take_worlds()) {
+        for (PersistedWorld& kept : archive->take_worlds()) {
             absent = kept.absent;
             worlds->adopt(std::move(kept.start));
         }

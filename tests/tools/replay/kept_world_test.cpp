@@ -52,10 +52,10 @@ void play(const std::string& path, bool late) {
     ASSERT_TRUE(archive->flush(5s));
 }
 
-TEST(KeptWorld, what_was_kept_is_done_again_to_the_bit) {
+TEST(PersistedWorld, what_was_kept_is_done_again_to_the_bit) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
-    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
     const auto summary = world.summary().value();
     EXPECT_EQ(summary.commands, 20u);
     EXPECT_EQ(summary.last_tick, 201u);
@@ -67,10 +67,10 @@ TEST(KeptWorld, what_was_kept_is_done_again_to_the_bit) {
     EXPECT_EQ(verified.last_tick, 201u);
 }
 
-TEST(KeptWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
+TEST(PersistedWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
-    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
     std::uint64_t hash = 0;
     EXPECT_TRUE(world
                     .hashes(50,
@@ -85,14 +85,14 @@ TEST(KeptWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
     EXPECT_EQ(error_of(world.at(202)).message, "tick 202 is not kept; the last one is 201");
 }
 
-TEST(KeptWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
+TEST(PersistedWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
     const test::TempFolder folder;
     play(folder / "a.db", false);
     play(folder / "b.db", true);
     play(folder / "c.db", false);
-    auto a = KeptWorld::open(folder / "a.db", "yard").value();
-    auto b = KeptWorld::open(folder / "b.db", "yard").value();
-    auto c = KeptWorld::open(folder / "c.db", "yard").value();
+    auto a = PersistedWorld::open(folder / "a.db", "yard").value();
+    auto b = PersistedWorld::open(folder / "b.db", "yard").value();
+    auto c = PersistedWorld::open(folder / "c.db", "yard").value();
     EXPECT_EQ(a.first_difference(c).value().has_value(), false);
     const auto difference = a.first_difference(b).value();
     ASSERT_TRUE(difference.has_value());
@@ -100,7 +100,7 @@ TEST(KeptWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
     EXPECT_NE(difference->field, "");
 }
 
-TEST(KeptWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as_a_whole) {
+TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as_a_whole) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db";
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
@@ -122,13 +122,13 @@ TEST(KeptWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as
         worlds.stop_all();
         ASSERT_TRUE(archive->flush(10s));
     }
-    auto world = KeptWorld::open(path, "pile").value();
+    auto world = PersistedWorld::open(path, "pile").value();
     const auto verified = world.verify().value();
     EXPECT_EQ(verified.faults, std::vector<std::string>());
     EXPECT_GT(verified.checkpoints, 1);
 }
 
-TEST(KeptWorld, a_checkpoint_that_says_another_world_is_named) {
+TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     {
@@ -140,20 +140,20 @@ TEST(KeptWorld, a_checkpoint_that_says_another_world_is_named) {
         const server::StoreChange change[] = {server::PutCheckpoint{id, checkpoint}};
         EXPECT_TRUE(store->write(change).ok());
     }
-    auto world = KeptWorld::open(folder / "worlds.db", "yard").value();
+    auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
     const auto verified = world.verify().value();
     ASSERT_EQ(verified.faults.size(), 1u);
     EXPECT_NE(verified.faults[0].find("is not what the world had become"), std::string::npos);
 }
 
-TEST(KeptWorld, what_is_not_there_is_named_with_what_is) {
+TEST(PersistedWorld, what_is_not_there_is_named_with_what_is) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
-    EXPECT_EQ(error_of(KeptWorld::open(folder / "worlds.db", "field")).message,
+    EXPECT_EQ(error_of(PersistedWorld::open(folder / "worlds.db", "field")).message,
               folder / "worlds.db has no world \"field\"; it has yard");
-    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).message,
+    EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).message,
               folder / "world.db: No such file or directory");
-    EXPECT_EQ(error_of(KeptWorld::open(folder / "world.db", "yard")).code, ErrorCode::not_found)
+    EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).code, ErrorCode::not_found)
         << "and looking for it did not make it";
 }
 

@@ -108,7 +108,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     WorldStore& there = **store;
     archive->writer_ = std::make_unique<StoreWriter>(*std::move(store), StoreWriterSettings{});
     CrashMarkers::count_fatal_signals(archive->marks_.get());
-    if (Status s = archive->take_up_all(there, *worlds); !s.ok()) return failed(s.error());
+    if (Status s = archive->load_worlds(there, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }
 
@@ -155,11 +155,11 @@ bool WorldArchive::flush(Clock::duration within) {
 
 // One that is damaged holds up no other; a disk that is full or gone may be well again soon, and
 // then all of them are to come back.
-Status WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds) {
+Status WorldArchive::load_worlds(WorldStore& store, const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
         Result<PersistedWorld> kept = Error{};
-        writer_->visit([&](WorldStore&) { kept = take_up(store, stored); }, std::chrono::hours(1));
+        writer_->visit([&](WorldStore&) { kept = load_world(store, stored); }, std::chrono::hours(1));
         if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
                            kept.error().code == ErrorCode::resource_exhausted))
             return kept.error();
@@ -173,14 +173,14 @@ Status WorldArchive::take_up_all(WorldStore& store, const std::vector<StoredWorl
         log_info("world {} \"{}\" goes on after tick {}, with {} clients to come back; {:.0f} ms",
                  stored.id, stored.name, kept->start.tick, kept->absent.size(),
                  to_ms(Clock::now() - began));
-        kept_.push_back(*std::move(kept));
+        loaded_.push_back(*std::move(kept));
     }
-    std::ranges::stable_sort(kept_, {},
+    std::ranges::stable_sort(loaded_, {},
                              [](const PersistedWorld& kept) { return number_of(kept.start.label.id); });
     return {};
 }
 
-Result<PersistedWorld> WorldArchive::take_up(WorldStore& store, const StoredWorld& stored) {
+Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredWorld& stored) {
     Result<WorldRecord> record = decode_world_record(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(store, stored, *record);
@@ -360,7 +360,7 @@ WorldStart WorldArchive::start_of(Last last) {
     return start;
 }
 
-Result<WorldStart> WorldArchive::again(const std::string& id) {
+Result<WorldStart> WorldArchive::reload(const std::string& id) {
     Result<Last> last = last_of(id);
     if (!last.ok()) return last.error();
     return start_of(*std::move(last));

@@ -44,7 +44,7 @@ public:
 
     // Once: the worlds that go on, in the order of their creation. One that cannot be had back is
     // told of in the log, and what is there of it stays in the store.
-    std::vector<PersistedWorld> take_worlds() { return std::exchange(kept_, {}); }
+    std::vector<PersistedWorld> take_worlds() { return std::exchange(loaded_, {}); }
     // 32 bytes that only this store's servers know.
     const std::string& secret() const { return secret_; }
     // Ids of clients from here on were never given before.
@@ -61,7 +61,7 @@ public:
     Status open(WorldStart& start) override;
     void drop(const std::string& id) override;
     Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
-    Result<WorldStart> again(const std::string& id) override;
+    Result<WorldStart> reload(const std::string& id) override;
     Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld then) override;
     // Any thread: what is kept of a world, up to that tick.
     Result<std::unique_ptr<WorldStore>> copy_of(const std::string& id, std::uint32_t last_tick);
@@ -70,8 +70,8 @@ private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_results_sent);
     Status read_notes(WorldStore& store);
-    Status take_up_all(WorldStore& store, const std::vector<StoredWorld>& worlds);
-    Result<PersistedWorld> take_up(WorldStore& store, const StoredWorld& stored);
+    Status load_worlds(WorldStore& store, const std::vector<StoredWorld>& worlds);
+    Result<PersistedWorld> load_world(WorldStore& store, const StoredWorld& stored);
     // As it was, but for what crashes it.
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
                                    const WorldRecord& record);
@@ -93,7 +93,7 @@ private:
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StoreWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
-    std::vector<PersistedWorld> kept_;
+    std::vector<PersistedWorld> loaded_;
     std::string secret_;
     ClientId first_client_ = 1;
     std::atomic<ClientId> reserved_{1};

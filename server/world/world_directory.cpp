@@ -285,7 +285,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
 Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& failed) const {
     return built([&]() -> Result<GoesOn> {
         if (failed.is_kept()) {
-            Result<WorldStart> kept = settings_.world_persistence->again(failed.id());
+            Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());
             if (!kept.ok()) return kept.error();
             kept->paused = failed.paused();
             return go_on(*std::move(kept));

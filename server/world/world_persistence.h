@@ -68,7 +68,7 @@ public:
     // The world as it was after that tick. not_found: that is not kept.
     virtual Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) = 0;
     // A world that was stopped, or that an error ended, as it was last kept.
-    virtual Result<WorldStart> again(const std::string& id) = 0;
+    virtual Result<WorldStart> reload(const std::string& id) = 0;
     // The same, but in its next tick it becomes `then`, which is what world_at() gave of that tick:
     // ticks, ids and inputs are counted on, and what was done in between is kept.
     virtual Result<WorldStart> rewind(const std::string& id, std::uint32_t tick,

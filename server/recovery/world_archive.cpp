@@ -327,7 +327,7 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
     return std::move(found->world);
 }
 
-Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
+Result<WorldArchive::StoppedWorld> WorldArchive::last_of(const std::string& id) {
     checkpoints_->wait(timeout);
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
@@ -345,10 +345,10 @@ Result<WorldArchive::Last> WorldArchive::last_of(const std::string& id) {
     Result<RecoveredWorld> found = recover(**copy, stored, *record);
     if (!found.ok()) return found.error();
     std::ranges::reverse(*ticks);
-    return Last{stored, *std::move(record), *std::move(found), *std::move(ticks)};
+    return StoppedWorld{stored, *std::move(record), *std::move(found), *std::move(ticks)};
 }
 
-WorldStart WorldArchive::start_of(Last last) {
+WorldStart WorldArchive::start_of(StoppedWorld last) {
     WorldStart start{.label = {last.stored.id, last.stored.name, last.record.owner},
                      .scene = last.record.scene,
                      .world = std::move(last.found.world),
@@ -361,7 +361,7 @@ WorldStart WorldArchive::start_of(Last last) {
 }
 
 Result<WorldStart> WorldArchive::reload(const std::string& id) {
-    Result<Last> last = last_of(id);
+    Result<StoppedWorld> last = last_of(id);
     if (!last.ok()) return last.error();
     return start_of(*std::move(last));
 }
@@ -370,7 +370,7 @@ Result<WorldStart> WorldArchive::reload(const std::string& id) {
 // handed over like any tick; should they be lost with the process, the world did not go back.
 Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
                                         HostedWorld then) {
-    Result<Last> last = last_of(id);
+    Result<StoppedWorld> last = last_of(id);
     if (!last.ok()) return last.error();
     RecoveredWorld& found = last->found;
     then.follow(found.world);

@@ -76,14 +76,14 @@ private:
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
                                    const WorldRecord& record);
     // One of this process that runs no more.
-    struct Last {
+    struct StoppedWorld {
         StoredWorld stored;
         WorldRecord record;
         RecoveredWorld found;
         std::vector<std::uint32_t> checkpoints;  // rising
     };
-    Result<Last> last_of(const std::string& id);
-    WorldStart start_of(Last last);
+    Result<StoppedWorld> last_of(const std::string& id);
+    WorldStart start_of(StoppedWorld last);
     void set_aside(const StoredWorld& stored, const JournaledTick& tick);
     std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPosition& position);
 

@@ -236,7 +236,7 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorl
     options.may_apply = [&](const JournaledTick& tick) {
         mark.begin(tick.tick);
         const bool is_suspect = tick.tick <= last && last - tick.tick < ticks;
-        if (is_suspect && !tick.commands.empty()) set_aside(stored, tick);
+        if (is_suspect && !tick.commands.empty()) quarantine_tick(stored, tick);
         return !is_suspect;
     };
     Result<RecoveredWorld> found = recover_world(store, stored, record, options);
@@ -251,7 +251,7 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorl
     return found;
 }
 
-void WorldArchive::set_aside(const StoredWorld& stored, const JournaledTick& tick) {
+void WorldArchive::quarantine_tick(const StoredWorld& stored, const JournaledTick& tick) {
     log_error("world {} \"{}\": {} commands of tick {} are set aside", stored.id, stored.name,
               tick.commands.size(), tick.tick);
     writer_->push(PutNote{"aside " + stored.id + " " + std::to_string(tick.tick),
@@ -327,7 +327,7 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
     return std::move(found->world);
 }
 
-Result<WorldArchive::StoppedWorld> WorldArchive::last_of(const std::string& id) {
+Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::string& id) {
     checkpoints_->wait(timeout);
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
@@ -361,7 +361,7 @@ WorldStart WorldArchive::start_of(StoppedWorld last) {
 }
 
 Result<WorldStart> WorldArchive::reload(const std::string& id) {
-    Result<StoppedWorld> last = last_of(id);
+    Result<StoppedWorld> last = load_stopped_world(id);
     if (!last.ok()) return last.error();
     return start_of(*std::move(last));
 }
@@ -370,7 +370,7 @@ Result<WorldStart> WorldArchive::reload(const std::string& id) {
 // handed over like any tick; should they be lost with the process, the world did not go back.
 Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
                                         HostedWorld then) {
-    Result<StoppedWorld> last = last_of(id);
+    Result<StoppedWorld> last = load_stopped_world(id);
     if (!last.ok()) return last.error();
     RecoveredWorld& found = last->found;
     then.follow(found.world);

@@ -82,9 +82,9 @@ private:
         RecoveredWorld found;
         std::vector<std::uint32_t> checkpoints;  // rising
     };
-    Result<StoppedWorld> last_of(const std::string& id);
+    Result<StoppedWorld> load_stopped_world(const std::string& id);
     WorldStart start_of(StoppedWorld last);
-    void set_aside(const StoredWorld& stored, const JournaledTick& tick);
+    void quarantine_tick(const StoredWorld& stored, const JournaledTick& tick);
     std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPosition& position);
 
     const HostLimits limits_;

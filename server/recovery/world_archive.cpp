@@ -32,8 +32,8 @@ PutNote clients_note_of(ClientId first_free) {
     return {clients_note, to.take()};
 }
 
-std::vector<AbsentClient> absent_of(const HostImage& image) {
-    std::vector<AbsentClient> absent;
+std::vector<PreviousClient> absent_of(const HostImage& image) {
+    std::vector<PreviousClient> absent;
     for (const auto& [client, sequence] : clients_of(image)) absent.push_back({client, sequence});
     return absent;
 }
@@ -215,7 +215,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
     if (Status s = store.write(changes); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
-    std::vector<AbsentClient> absent = absent_of(found->world.image(found->tick));
+    std::vector<PreviousClient> absent = absent_of(found->world.image(found->tick));
     PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
                              .scene = record->scene,
                              .world = std::move(found->world),

@@ -21,14 +21,14 @@
 namespace jostle::server {
 
 // One that played when the process ended.
-struct AbsentClient {
+struct PreviousClient {
     ClientId client = 0;
     std::uint32_t last_sequence = 0;  // of its inputs that were applied
 };
 
 struct PersistedWorld {
     WorldStart start;
-    std::vector<AbsentClient> absent;
+    std::vector<PreviousClient> absent;
 };
 
 class WorldArchive : public WorldPersistence {

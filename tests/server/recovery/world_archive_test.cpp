@@ -79,7 +79,7 @@ public:
     std::unique_ptr<WorldArchive> archive;
     WorldHostSettings hosts;
     std::optional<WorldDirectory> worlds;
-    std::vector<AbsentClient> absent;
+    std::vector<PreviousClient> absent;
 };
 
 // Of a world that is ticked by hand; it takes no step for that.

@@ -155,7 +155,7 @@ void go_on(WorldArchive& archive, PlayContext& context) {
         Clock::now() + from_seconds(context.config.client.resume_timeout_seconds);
     for (PersistedWorld& kept : archive.take_worlds()) {
         const auto world = context.worlds.adopt(std::move(kept.start));
-        for (const PreviousClient& absent : kept.absent)
+        for (const PreviousClient& absent : kept.previous_clients)
             expect_client(context, world, absent.client, absent.last_sequence, until);
     }
 }

@@ -32,10 +32,10 @@ PutNote clients_note_of(ClientId first_free) {
     return {clients_note, to.take()};
 }
 
-std::vector<PreviousClient> absent_of(const HostImage& image) {
-    std::vector<PreviousClient> absent;
+std::vector<PreviousClient> previous_clients_of(const HostImage& image) {
+    std::vector<PreviousClient> previous_clients;
     for (const auto& [client, sequence] : clients_of(image)) absent.push_back({client, sequence});
-    return absent;
+    return previous_clients;
 }
 
 Error slow() {
@@ -215,12 +215,12 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
     if (Status s = store.write(changes); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
-    std::vector<PreviousClient> absent = absent_of(found->world.image(found->tick));
+    std::vector<PreviousClient> previous_clients = previous_clients_of(found->world.image(found->tick));
     PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
                              .scene = record->scene,
                              .world = std::move(found->world),
                              .tick = found->tick},
-                   .absent = std::move(absent)};
+                   .previous_clients = std::move(absent)};
     kept.start.world_journal = make_journal(kept.start, position);
     return kept;
 }

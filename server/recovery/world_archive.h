@@ -28,7 +28,7 @@ struct PreviousClient {
 
 struct PersistedWorld {
     WorldStart start;
-    std::vector<PreviousClient> absent;
+    std::vector<PreviousClient> previous_clients;
 };
 
 class WorldArchive : public WorldPersistence {
@@ -54,7 +54,7 @@ public:
 
     // Any thread: why nothing can be kept now; nothing: all is well.
     std::optional<std::string> failure_reason() const { return writer_->failing(); }
-    std::size_t bytes_waiting() const { return writer_->bytes_waiting(); }
+    std::size_t pending_bytes() const { return writer_->pending_bytes(); }
     // Waits until all is kept that was handed over. False: not within that time.
     bool flush(Clock::duration timeout);
 

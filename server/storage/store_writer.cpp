@@ -81,7 +81,7 @@ std::optional<std::string> StoreWriter::failing() const {
     return std::nullopt;
 }
 
-std::size_t StoreWriter::bytes_waiting() const {
+std::size_t StoreWriter::pending_bytes() const {
     const std::lock_guard lock(mutex_);
     return bytes_;
 }

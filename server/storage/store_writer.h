@@ -49,7 +49,7 @@ public:
     // Any thread: why the store does not take what it is given; nothing: it does.
     std::optional<std::string> failing() const;
     // Any thread.
-    std::size_t bytes_waiting() const;
+    std::size_t pending_bytes() const;
 
 private:
     struct Waiting {

@@ -39,7 +39,7 @@ public:
         hosts.world_persistence = archive.get();
         worlds.emplace(hosts, 8, "test");
         for (PersistedWorld& kept : archive->take_worlds()) {
-            absent = kept.absent;
+            previous_clients = kept.previous_clients;
             worlds->adopt(std::move(kept.start));
         }
     }
@@ -79,7 +79,7 @@ public:
     std::unique_ptr<WorldArchive> archive;
     WorldHostSettings hosts;
     std::optional<WorldDirectory> worlds;
-    std::vector<PreviousClient> absent;
+    std::vector<PreviousClient> previous_clients;
 };
 
 // Of a world that is ticked by hand; it takes no step for that.

@@ -51,13 +51,13 @@ TEST(StoreWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transacti
     Desk desk;
     desk.disk->delay_ms = 30;
     desk.push(desk.journal.next("first"));
-    ASSERT_TRUE(wait_until([&] { return desk.writer->bytes_waiting() > 0; }));
+    ASSERT_TRUE(wait_until([&] { return desk.writer->pending_bytes() > 0; }));
     std::this_thread::sleep_for(10ms);
     for (int k = 0; k < 20; k++) desk.push(PutWorld{test::stored_world(std::to_string(k))});
     ASSERT_TRUE(desk.writer->flush(5s));
     EXPECT_EQ(desk.done, 21);
     EXPECT_LE(desk.disk->groups.size(), 3u);
-    EXPECT_EQ(desk.writer->bytes_waiting(), 0u);
+    EXPECT_EQ(desk.writer->pending_bytes(), 0u);
 }
 
 TEST(StoreWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) {

@@ -19,7 +19,7 @@ std::string said(const std::string& what, const Error& error) {
 
 class Recovery {
 public:
-    Recovery(WorldStore& store, const StoredWorld& stored, const WorldRecord& record,
+    Recovery(WorldStore& store, const StoredWorld& stored, const WorldDefinition& record,
              const RecoveryOptions& options)
         : store_(store), stored_(stored), record_(record), options_(options) {}
 
@@ -170,7 +170,7 @@ private:
 
     WorldStore& store_;
     const StoredWorld& stored_;
-    const WorldRecord& record_;
+    const WorldDefinition& record_;
     const RecoveryOptions& options_;
     std::vector<std::string> remarks_;
 };
@@ -178,7 +178,7 @@ private:
 }  // namespace
 
 Result<RecoveredWorld> recover_world(WorldStore& store, const StoredWorld& stored,
-                                     const WorldRecord& record, const RecoveryOptions& options) {
+                                     const WorldDefinition& record, const RecoveryOptions& options) {
     return Recovery(store, stored, record, options).run();
 }
 

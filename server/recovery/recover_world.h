@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/recovery/journal_codec.h"
-#include "server/recovery/world_record.h"
+#include "server/recovery/world_definition.h"
 #include "server/storage/world_store.h"
 #include "server/world/hosted_world.h"
 
@@ -38,6 +38,6 @@ struct RecoveryOptions {
 
 // corrupt_data: no checkpoint is whole. not_found: there is none.
 Result<RecoveredWorld> recover_world(WorldStore& store, const StoredWorld& stored,
-                                     const WorldRecord& record, const RecoveryOptions& options);
+                                     const WorldDefinition& record, const RecoveryOptions& options);
 
 }  // namespace jostle::server

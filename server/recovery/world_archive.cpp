@@ -181,7 +181,7 @@ Status WorldArchive::load_worlds(WorldStore& store, const std::vector<StoredWorl
 }
 
 Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredWorld& stored) {
-    Result<WorldRecord> record = decode_world_record(stored.settings);
+    Result<WorldDefinition> record = decode_world_record(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(store, stored, *record);
     if (!found.ok()) return found.error();
@@ -228,7 +228,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
 // A tick that crashed twice in a row is done again without its commands; should the fault lie
 // further back, each crash more takes twice as many ticks.
 Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorld& stored,
-                                             const WorldRecord& record) {
+                                             const WorldDefinition& record) {
     const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
@@ -272,7 +272,7 @@ Status WorldArchive::open(WorldStart& start) {
     const std::string& id = start.label.id;
     Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
-    const WorldRecord record{.owner = start.label.owner,
+    const WorldDefinition record{.owner = start.label.owner,
                              .scene = start.scene,
                              .limits = limits_,
                              .work_per_second = start.world.work_per_second()};
@@ -314,7 +314,7 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
     if (!copy.ok()) return copy.error();
     const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
     if (!stored.ok()) return stored.error();
-    const Result<WorldRecord> record = decode_world_record(stored->front().settings);
+    const Result<WorldDefinition> record = decode_world_record(stored->front().settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found =
         recover_world(**copy, stored->front(), *record, {.last_tick = tick, .threads = threads_});
@@ -340,7 +340,7 @@ Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::s
     if (!copy.ok()) return copy.error();
     if (!ticks.ok()) return ticks.error();
     const StoredWorld stored = (*copy)->worlds().value().front();
-    Result<WorldRecord> record = decode_world_record(stored.settings);
+    Result<WorldDefinition> record = decode_world_record(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(**copy, stored, *record);
     if (!found.ok()) return found.error();

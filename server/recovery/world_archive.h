@@ -14,7 +14,7 @@
 #include "server/recovery/crash_markers.h"
 #include "server/recovery/recover_world.h"
 #include "server/recovery/stored_world_journal.h"
-#include "server/recovery/world_record.h"
+#include "server/recovery/world_definition.h"
 #include "server/storage/store_writer.h"
 #include "server/world/world_host.h"
 
@@ -74,11 +74,11 @@ private:
     Result<PersistedWorld> load_world(WorldStore& store, const StoredWorld& stored);
     // As it was, but for what crashes it.
     Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
-                                   const WorldRecord& record);
+                                   const WorldDefinition& record);
     // One of this process that runs no more.
     struct StoppedWorld {
         StoredWorld stored;
-        WorldRecord record;
+        WorldDefinition record;
         RecoveredWorld found;
         std::vector<std::uint32_t> checkpoints;  // rising
     };

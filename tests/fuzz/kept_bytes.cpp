@@ -5,7 +5,7 @@
 // else is refused.
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
-#include "server/recovery/world_record.h"
+#include "server/recovery/world_definition.h"
 #include "server/storage/compressed.h"
 #include "server/world/host_image.h"
 #include "tests/fuzz/target.h"

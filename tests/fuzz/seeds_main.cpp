@@ -25,7 +25,7 @@
 #include "jostle/v1/world.pb.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
-#include "server/recovery/world_record.h"
+#include "server/recovery/world_definition.h"
 #include "server/session/client_link.h"
 #include "server/world/host_image.h"
 #include "server/world/hosted_world.h"

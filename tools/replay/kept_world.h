@@ -60,14 +60,14 @@ public:
 
 private:
     PersistedWorld(std::unique_ptr<server::WorldStore> store, server::StoredWorld stored,
-              server::WorldRecord record)
+              server::WorldDefinition record)
         : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
     Result<server::RecoveredWorld> from_the_first(const server::RecoveryOptions& options);
     Result<std::uint32_t> oldest();
 
     std::unique_ptr<server::WorldStore> store_;
     server::StoredWorld stored_;
-    server::WorldRecord record_;
+    server::WorldDefinition record_;
 };
 
 }  // namespace jostle::replay

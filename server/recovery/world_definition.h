@@ -14,16 +14,16 @@
 
 namespace jostle::server {
 
-struct WorldRecord {
+struct WorldDefinition {
     std::string owner;
     std::shared_ptr<const scenes::SceneDescription> scene;
     HostLimits limits;
     double work_per_second = 0;
 };
 
-std::string encode_world_record(const WorldRecord& record);
+std::string encode_world_record(const WorldDefinition& record);
 // corrupt_data: the bytes are no such record.
-Result<WorldRecord> decode_world_record(std::string_view bytes);
+Result<WorldDefinition> decode_world_record(std::string_view bytes);
 
 // By whose arithmetic and format checkpoints are exact to the bit.
 std::string engine_of_this_build();

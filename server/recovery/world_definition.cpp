@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/recovery/world_record.h"
+#include "server/recovery/world_definition.h"
 
 #include <utility>
 
@@ -18,7 +18,7 @@ Error not_a_record(const std::string& why) {
 
 }  // namespace
 
-std::string encode_world_record(const WorldRecord& record) {
+std::string encode_world_record(const WorldDefinition& record) {
     ByteWriter to;
     to.number(record_version);
     to.text(record.owner);
@@ -37,12 +37,12 @@ std::string encode_world_record(const WorldRecord& record) {
     return to.take();
 }
 
-Result<WorldRecord> decode_world_record(std::string_view bytes) {
+Result<WorldDefinition> decode_world_record(std::string_view bytes) {
     ByteReader from(bytes);
     if (const std::uint64_t version = from.number(); version != record_version)
         return not_a_record("is of version " + std::to_string(version) + "; this server reads " +
                             std::to_string(record_version));
-    WorldRecord record;
+    WorldDefinition record;
     record.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());
     bool fits = true;

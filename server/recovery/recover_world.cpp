@@ -61,9 +61,9 @@ private:
     }
 
     Result<RecoveredWorld> go_on(RecoveredWorld world) {
-        if (stored_.engine != engine_of_this_build())
+        if (stored_.engine != build_engine_id())
             remarks_.push_back("it was kept by \"" + stored_.engine + "\" and goes on with \"" +
-                               engine_of_this_build() +
+                               build_engine_id() +
                                "\": what is done again may come out a little otherwise");
         if (Status s = find_chain(world); !s.ok()) return s.error();
         for (bool more = true; more;) {

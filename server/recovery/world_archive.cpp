@@ -21,7 +21,7 @@ namespace jostle::server {
 namespace {
 
 constexpr auto timeout = std::chrono::seconds(5);
-constexpr ClientId ids_at_once = 1 << 16;
+constexpr ClientId ids_per_reservation = 1 << 16;
 constexpr const char* secret_note = "secret";
 constexpr const char* clients_note = "clients";
 constexpr std::size_t secret_bytes = 32;
@@ -130,17 +130,17 @@ Status WorldArchive::read_notes(WorldStore& store) {
         if (!from.ok() || !from.at_end())
             return Error{ErrorCode::corrupt_data, "the note of client ids is none"};
     }
-    if (secret_.size() != secret_bytes || first_client_ > 0xffffffff - 2 * ids_at_once)
+    if (secret_.size() != secret_bytes || first_client_ > 0xffffffff - 2 * ids_per_reservation)
         return Error{ErrorCode::corrupt_data, "a note is not what it was"};
-    reserved_ = first_client_ + ids_at_once;
+    reserved_ = first_client_ + ids_per_reservation;
     const StoreChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
     return store.write(changes);
 }
 
 void WorldArchive::on_client(ClientId next) {
     ClientId reserved = reserved_;
-    if (next + ids_at_once / 4 < reserved || reserved > 0xffffffff - ids_at_once) return;
-    const ClientId more = reserved + ids_at_once;
+    if (next + ids_per_reservation / 4 < reserved || reserved > 0xffffffff - ids_per_reservation) return;
+    const ClientId more = reserved + ids_per_reservation;
     if (reserved_.compare_exchange_strong(reserved, more) &&
         !writer_->push(clients_note_of(more), nullptr))
         reserved_ = reserved;
@@ -181,7 +181,7 @@ Status WorldArchive::load_worlds(WorldStore& store, const std::vector<StoredWorl
 }
 
 Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredWorld& stored) {
-    Result<WorldDefinition> record = decode_world_record(stored.settings);
+    Result<WorldDefinition> record = decode_world_definition(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(store, stored, *record);
     if (!found.ok()) return found.error();
@@ -190,8 +190,8 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
     StoredWorld now{.id = stored.id,
                     .name = stored.name,
                     .epoch = stored.epoch + 1,
-                    .engine = engine_of_this_build(),
-                    .settings = encode_world_record(*record)};
+                    .engine = build_engine_id(),
+                    .settings = encode_world_definition(*record)};
     std::vector<StoreChange> changes{CutJournal{stored.id, found->tick, found->sequence}};
     // From here on it is as a world that was never stopped: what came before is in a checkpoint,
     // unless nothing came.
@@ -279,8 +279,8 @@ Status WorldArchive::open(WorldStart& start) {
     const bool pushed = writer_->push(PutWorld{{.id = id,
                                                 .name = start.label.name,
                                                 .epoch = 1,
-                                                .engine = engine_of_this_build(),
-                                                .settings = encode_world_record(record)}},
+                                                .engine = build_engine_id(),
+                                                .settings = encode_world_definition(record)}},
                                       nullptr) &&
                         writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
     if (!pushed || !writer_->flush(timeout)) {
@@ -314,7 +314,7 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
     if (!copy.ok()) return copy.error();
     const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
     if (!stored.ok()) return stored.error();
-    const Result<WorldDefinition> record = decode_world_record(stored->front().settings);
+    const Result<WorldDefinition> record = decode_world_definition(stored->front().settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found =
         recover_world(**copy, stored->front(), *record, {.last_tick = tick, .threads = threads_});
@@ -340,7 +340,7 @@ Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::s
     if (!copy.ok()) return copy.error();
     if (!ticks.ok()) return ticks.error();
     const StoredWorld stored = (*copy)->worlds().value().front();
-    Result<WorldDefinition> record = decode_world_record(stored.settings);
+    Result<WorldDefinition> record = decode_world_definition(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(**copy, stored, *record);
     if (!found.ok()) return found.error();

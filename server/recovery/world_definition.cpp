@@ -10,17 +10,17 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t record_version = 1;
+constexpr std::uint64_t definition_version = 1;
 
-Error not_a_record(const std::string& why) {
+Error not_a_definition(const std::string& why) {
     return {ErrorCode::corrupt_data, "what is kept of what a world is made of " + why};
 }
 
 }  // namespace
 
-std::string encode_world_record(const WorldDefinition& record) {
+std::string encode_world_definition(const WorldDefinition& record) {
     ByteWriter to;
-    to.number(record_version);
+    to.number(definition_version);
     to.text(record.owner);
     to.text(scenes::write_scene_json(*record.scene));
     const SceneBudget& scene = record.limits.scene;
@@ -37,11 +37,11 @@ std::string encode_world_record(const WorldDefinition& record) {
     return to.take();
 }
 
-Result<WorldDefinition> decode_world_record(std::string_view bytes) {
+Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
-    if (const std::uint64_t version = from.number(); version != record_version)
-        return not_a_record("is of version " + std::to_string(version) + "; this server reads " +
-                            std::to_string(record_version));
+    if (const std::uint64_t version = from.number(); version != definition_version)
+        return not_a_definition("is of version " + std::to_string(version) + "; this server reads " +
+                            std::to_string(definition_version));
     WorldDefinition record;
     record.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());
@@ -62,16 +62,16 @@ Result<WorldDefinition> decode_world_record(std::string_view bytes) {
     record.limits.bodies_owned_max = count();
     record.limits.lag_compensation_ms_max = from.real();
     record.work_per_second = from.real();
-    if (!from.ok()) return not_a_record("ends too early");
-    if (!from.at_end()) return not_a_record("goes on after its end");
+    if (!from.ok()) return not_a_definition("ends too early");
+    if (!from.at_end()) return not_a_definition("goes on after its end");
     if (!fits || !(record.limits.lag_compensation_ms_max >= 0))
-        return not_a_record("has a limit that is out of range");
-    if (!scene.ok()) return not_a_record("has no scene: " + scene.error().message);
+        return not_a_definition("has a limit that is out of range");
+    if (!scene.ok()) return not_a_definition("has no scene: " + scene.error().message);
     record.scene = std::make_shared<const scenes::SceneDescription>(*std::move(scene));
     return record;
 }
 
-std::string engine_of_this_build() {
+std::string build_engine_id() {
     return std::string(physics::arithmetic_name(physics::arithmetic())) + " " + JOSTLE_VERSION;
 }
 

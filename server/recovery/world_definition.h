@@ -21,11 +21,11 @@ struct WorldDefinition {
     double work_per_second = 0;
 };
 
-std::string encode_world_record(const WorldDefinition& record);
+std::string encode_world_definition(const WorldDefinition& record);
 // corrupt_data: the bytes are no such record.
-Result<WorldDefinition> decode_world_record(std::string_view bytes);
+Result<WorldDefinition> decode_world_definition(std::string_view bytes);
 
 // By whose arithmetic and format checkpoints are exact to the bit.
-std::string engine_of_this_build();
+std::string build_engine_id();
 
 }  // namespace jostle::server

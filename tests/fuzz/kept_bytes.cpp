@@ -30,8 +30,8 @@ void run(Bytes input) {
     } else {
         expect(journal.error().code == ErrorCode::corrupt_data, "it is said why");
     }
-    if (const auto record = server::decode_world_record(bytes); record.ok())
-        expect(server::decode_world_record(server::encode_world_record(*record)).ok(),
+    if (const auto record = server::decode_world_definition(bytes); record.ok())
+        expect(server::decode_world_definition(server::encode_world_definition(*record)).ok(),
                "a record that was written is read");
     else
         expect(record.error().code == ErrorCode::corrupt_data, "it is said why");

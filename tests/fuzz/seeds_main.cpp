@@ -546,7 +546,7 @@ void write_kept(const fs::path& folder) {
     server::CheckpointCopy moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
     moment.bodies.keep(world->world());
     seeds.add(server::encode_checkpoint(moment).value().bytes);
-    seeds.add(server::encode_world_record(
+    seeds.add(server::encode_world_definition(
         {.owner = "ada",
          .scene = std::make_shared<const scenes::SceneDescription>(*scenes::find_scene("stack")),
          .limits = {},

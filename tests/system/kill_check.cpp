@@ -144,7 +144,7 @@ Findings read_store(const std::string& path, const std::vector<std::unique_ptr<B
     Findings found;
     const auto store = server::SqliteStore::open(path, {}).value();
     const server::StoredWorld stored = store->worlds().value().at(0);
-    const auto record = server::decode_world_record(stored.settings).value();
+    const auto record = server::decode_world_definition(stored.settings).value();
     const std::map<Numbered, int> kept = inputs_in(*store, stored.id, found.left);
     found.kept = kept.size();
     for (const auto& [input, times] : kept) found.twice += times > 1 ? 1 : 0;

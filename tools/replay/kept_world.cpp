@@ -26,7 +26,7 @@ Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::
     if (!all.ok()) return all.error();
     for (const server::StoredWorld& stored : *all) {
         if (stored.id != world && stored.name != world) continue;
-        auto record = server::decode_world_record(stored.settings);
+        auto record = server::decode_world_definition(stored.settings);
         if (!record.ok()) return record.error();
         return PersistedWorld(*std::move(store), stored, *std::move(record));
     }

@@ -89,7 +89,7 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
     for (const InputResult& result : results_->take()) told_.insert(result.sequence);
     auto store = SqliteStore::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
-    const auto record = decode_world_record(stored.settings).value();
+    const auto record = decode_world_definition(stored.settings).value();
     std::set<std::uint32_t> kept;
     const auto collect = [&](const JournaledTick& tick) {
         for (const JournaledCommand& command : tick.commands) kept.insert(command.sequence);

@@ -106,7 +106,7 @@ struct Ended {
 Ended kept_in(const std::string& path, std::uint32_t tick) {
     auto store = SqliteStore::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
-    const WorldDefinition record = decode_world_record(stored.settings).value();
+    const WorldDefinition record = decode_world_definition(stored.settings).value();
     RecoveredWorld found = recover_world(*store, stored, record, {.last_tick = tick}).value();
     EXPECT_TRUE(found.warnings.empty());
     return {found.tick, state_hash(found.world.world())};
@@ -268,7 +268,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
     // From the first checkpoint, through all three, as from the last.
     auto store = SqliteStore::open(folder / "worlds.db", {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
-    const WorldDefinition record = decode_world_record(stored.settings).value();
+    const WorldDefinition record = decode_world_definition(stored.settings).value();
     for (const std::uint32_t checkpoint : store->checkpoint_ticks(stored.id).value()) {
         const RecoveredWorld found =
             recover_world(*store, stored, record, {.checkpoint = checkpoint}).value();
@@ -362,7 +362,7 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
         const StoreChange change[] = {PutCheckpoint{id, newest}};
         store->write(change).expect();
         const StoredWorld stored = store->worlds().value().at(0);
-        const auto record = decode_world_record(stored.settings).value();
+        const auto record = decode_world_definition(stored.settings).value();
         RecoveredWorld found = recover_world(*store, stored, record, {}).value();
         EXPECT_EQ(state_hash(found.world.world()), whole.hash);
         ASSERT_EQ(found.warnings.size(), 1u);

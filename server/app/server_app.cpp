@@ -46,7 +46,7 @@ constexpr auto flush_timeout = std::chrono::milliseconds(1800);
 // through here.
 class FrameNotifier {
 public:
-    void set(GrpcServer* grpc, Gateway* gateway) {
+    void set(GrpcServer* grpc, HttpServer* gateway) {
         const std::lock_guard lock(mutex_);
         grpc_ = grpc;
         gateway_ = gateway;
@@ -60,7 +60,7 @@ public:
 private:
     std::mutex mutex_;
     GrpcServer* grpc_ = nullptr;
-    Gateway* gateway_ = nullptr;
+    HttpServer* gateway_ = nullptr;
 };
 
 std::vector<std::string> stage_names() {
@@ -335,7 +335,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .metrics = &metrics.listener(Listener::grpc),
                      .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
                      .idle_max = from_seconds(config.connection.idle_timeout_seconds)});
-    Gateway gateway(
+    HttpServer gateway(
         context, routes,
         {.host = http.host,
          .port = http.port,
@@ -346,7 +346,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
     grpc_to_ask = &grpc;
     if (Status s = gateway.start(); !s.ok()) return failed(s.error());
-    std::optional<Gateway> admin;
+    std::optional<HttpServer> admin;
     if (!config.admin.empty()) {
         admin.emplace(context, admin_routes, admin_settings(config, metrics, certificates.get()));
         if (Status s = admin->start(); !s.ok()) return failed(s.error());

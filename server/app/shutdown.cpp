@@ -13,7 +13,7 @@ constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
 
-void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, Gateway& gateway,
+void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& gateway,
                     PlayContext& context) {
     drain_ = from_seconds(drain_timeout_seconds);
     grpc_ = &grpc;

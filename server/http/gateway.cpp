@@ -43,7 +43,7 @@ std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
 
 }  // namespace
 
-struct Gateway::Impl {
+struct HttpServer::Impl {
     Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
@@ -88,7 +88,7 @@ struct Gateway::Impl {
     std::thread thread;
 };
 
-Status Gateway::Impl::listen() {
+Status HttpServer::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
         return Error{
             ErrorCode::unavailable,
@@ -113,13 +113,13 @@ Status Gateway::Impl::listen() {
     return {};
 }
 
-void Gateway::Impl::accept() {
+void HttpServer::Impl::accept() {
     acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
         on_accept(error, std::move(socket));
     });
 }
 
-void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
+void HttpServer::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     if (ending || error == asio::error::operation_aborted) return;
     if (error) {
         log_warn("http: cannot take a connection: {}", error.message());
@@ -141,7 +141,7 @@ void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
 
 // False: the socket is to be closed at once, which is the cheapest answer there is. Of HTTP
 // connections the one that has been silent for longest goes first; players are never sent away.
-bool Gateway::Impl::make_room(const tcp::socket& socket) {
+bool HttpServer::Impl::make_room(const tcp::socket& socket) {
     const std::size_t players = drop_gone(play_sessions), others = drop_gone(http_sessions);
     beast::error_code error;
     const auto endpoint = socket.remote_endpoint(error);
@@ -178,7 +178,7 @@ bool Gateway::Impl::make_room(const tcp::socket& socket) {
     return true;
 }
 
-void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
+void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
     const auto session =
         std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
     play_sessions.push_back(session);
@@ -186,7 +186,7 @@ void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Requ
     session->start(request);
 }
 
-void Gateway::Impl::schedule_housekeeping() {
+void HttpServer::Impl::schedule_housekeeping() {
     if (ending) return;
     housekeeping.expires_after(play_sessions.empty() ? idle_period : housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
@@ -198,7 +198,7 @@ void Gateway::Impl::schedule_housekeeping() {
 }
 
 // Each round begins with the next client, so that not always the same one is written to last.
-void Gateway::Impl::advance_all() {
+void HttpServer::Impl::advance_all() {
     const Clock::time_point now = Clock::now();
     const std::size_t count = drop_gone(play_sessions);
     if (count == 0) return;
@@ -209,18 +209,18 @@ void Gateway::Impl::advance_all() {
     }
 }
 
-void Gateway::Impl::count_open() {
+void HttpServer::Impl::count_open() {
     if (!settings.metrics) return;
     const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
     settings.metrics->open.Set(static_cast<double>(open));
 }
 
 // Who came or who had to go for it.
-void Gateway::Impl::count_refused(ConnectionRefusal why) {
+void HttpServer::Impl::count_refused(ConnectionRefusal why) {
     if (settings.metrics) settings.metrics->refused(why).Increment();
 }
 
-void Gateway::Impl::abort_all() {
+void HttpServer::Impl::abort_all() {
     // Cancelling does not reach a timer whose handler is queued already: those look at this before
     // they start anew.
     ending = true;
@@ -237,7 +237,7 @@ void Gateway::Impl::abort_all() {
 }
 
 // Memory may run out while a request or a message is read: its session ends and no other does.
-void Gateway::Impl::run() {
+void HttpServer::Impl::run() {
     for (;;) {
         try {
             io.run();
@@ -248,14 +248,14 @@ void Gateway::Impl::run() {
     }
 }
 
-Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
+HttpServer::HttpServer(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
-Gateway::~Gateway() {
+HttpServer::~HttpServer() {
     stop();
 }
 
-Status Gateway::start() {
+Status HttpServer::start() {
     if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
     impl_->schedule_housekeeping();
@@ -263,11 +263,11 @@ Status Gateway::start() {
     return {};
 }
 
-std::uint16_t Gateway::port() const {
+std::uint16_t HttpServer::port() const {
     return impl_->real_port;
 }
 
-void Gateway::wake() {
+void HttpServer::wake() {
     if (impl_->awake.exchange(true)) return;
     asio::post(impl_->io, [impl = impl_.get()] {
         impl->awake = false;  // before looking: a frame that comes meanwhile wakes again
@@ -277,7 +277,7 @@ void Gateway::wake() {
 
 // Sockets are closed on their own thread; the operations they had in flight end with an error and
 // let go of the sessions, so the io_context runs out of work and its thread ends.
-void Gateway::stop() {
+void HttpServer::stop() {
     if (!impl_->thread.joinable()) return;
     impl_->asking.stop();
     impl_->changing.stop();

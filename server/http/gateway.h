@@ -16,11 +16,11 @@
 
 namespace jostle::server {
 
-class Gateway {
+class HttpServer {
 public:
     // Both outlive the gateway.
-    Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings);
-    ~Gateway();
+    HttpServer(PlayContext& context, const HttpHandler& routes, GatewaySettings settings);
+    ~HttpServer();
 
     // Binds and begins to serve. An error says which address and why.
     Status start();

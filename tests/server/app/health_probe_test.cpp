@@ -70,7 +70,7 @@ private:
                               .failure_reason = [] { return std::nullopt; }}};
     std::atomic<bool> healthy_{true};
     GrpcServer grpc_{context_, {}, [this] { return healthy_.load(); }, {.port = 0}};
-    Gateway gateway_{context_, routes_, {.host = "127.0.0.1", .port = 0}};
+    HttpServer gateway_{context_, routes_, {.host = "127.0.0.1", .port = 0}};
 };
 
 // A door that takes one connection and says this, in TLS if it was given a context; nothing: it

@@ -134,7 +134,7 @@ TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
 // as ever.
 TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
-    Gateway gateway(context, routes,
+    HttpServer gateway(context, routes,
                     {.host = "127.0.0.1",
                      .port = 0,
                      .metrics = &metrics.listener(Listener::admin),

@@ -25,7 +25,7 @@ TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
                              .why_not_ready = [] { return std::optional<std::string>(); },
                              .failure_reason = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
-        Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
+        HttpServer gateway(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(gateway.start().ok());
         EXPECT_GT(gateway.port(), 0);
         std::this_thread::sleep_for(std::chrono::microseconds(19'000 + 50 * i));

@@ -105,7 +105,7 @@ void refresh_metrics(Metrics& metrics, const CertificateStore* certificates) {
 
 // Few and small: Prometheus, a probe, an operator or two.
 // Beyond this machine it asks for certificates where there is an authority for them.
-GatewaySettings admin_settings(const Config& config, const Metrics& metrics,
+HttpServerSettings admin_settings(const Config& config, const Metrics& metrics,
                                const CertificateStore* certificates) {
     const HostPort address = *parse_host_port(config.admin);
     const bool asks = !config.tls.client_ca.empty() && !is_loopback(address.host);

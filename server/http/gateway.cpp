@@ -44,7 +44,7 @@ std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
 }  // namespace
 
 struct HttpServer::Impl {
-    Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
+    Impl(PlayContext& play_context, const HttpHandler& handler, HttpServerSettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
           services{handler,
@@ -69,7 +69,7 @@ struct HttpServer::Impl {
     void run();
 
     PlayContext& context;
-    const GatewaySettings settings;
+    const HttpServerSettings settings;
     asio::io_context io{1};
     double body_bytes = 0;  // of requests that are being received or answered
     WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
@@ -248,7 +248,7 @@ void HttpServer::Impl::run() {
     }
 }
 
-HttpServer::HttpServer(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
+HttpServer::HttpServer(PlayContext& context, const HttpHandler& routes, HttpServerSettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
 HttpServer::~HttpServer() {

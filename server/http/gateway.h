@@ -19,7 +19,7 @@ namespace jostle::server {
 class HttpServer {
 public:
     // Both outlive the gateway.
-    HttpServer(PlayContext& context, const HttpHandler& routes, GatewaySettings settings);
+    HttpServer(PlayContext& context, const HttpHandler& routes, HttpServerSettings settings);
     ~HttpServer();
 
     // Binds and begins to serve. An error says which address and why.

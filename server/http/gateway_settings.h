@@ -14,7 +14,7 @@ namespace jostle::server {
 
 class CertificateStore;
 
-struct GatewaySettings {
+struct HttpServerSettings {
     std::string host = "127.0.0.1";
     std::uint16_t port = 8080;                       // 0: any that is free
     std::string flag = "--http";                     // names the address when it cannot be had

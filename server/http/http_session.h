@@ -28,7 +28,7 @@ public:
 
     struct Services {
         const HttpHandler& routes;
-        const GatewaySettings& settings;
+        const HttpServerSettings& settings;
         WorkPool& asking;    // for requests that take long: those that ask worlds ...
         WorkPool& changing;  // ... and those that change them
         double& body_bytes;  // of all sessions

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How a peer's bytes become requests and messages: Beast's readers within the bounds of
-// GatewaySettings. The sessions read from sockets with it, fuzzing reads from memory.
+// HttpServerSettings. The sessions read from sockets with it, fuzzing reads from memory.
 #pragma once
 
 #include <boost/beast/http/parser.hpp>
@@ -18,7 +18,7 @@ namespace jostle::server {
 using BeastRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using BeastRequestParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 
-inline void set_bounds(BeastRequestParser& parser, const GatewaySettings& settings) {
+inline void set_bounds(BeastRequestParser& parser, const HttpServerSettings& settings) {
     parser.header_limit(static_cast<std::uint32_t>(settings.header_bytes_max));
     parser.body_limit(settings.body_bytes_max);
 }

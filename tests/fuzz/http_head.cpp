@@ -17,7 +17,7 @@ namespace jostle::fuzz {
 namespace {
 
 // What the gateway does with one request, up to its answer.
-void look_at(const server::BeastRequest& raw, const server::GatewaySettings& settings) {
+void look_at(const server::BeastRequest& raw, const server::HttpServerSettings& settings) {
     const server::HttpRequest request = server::plain_request(raw);
     expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
@@ -31,7 +31,7 @@ void look_at(const server::BeastRequest& raw, const server::GatewaySettings& set
 }  // namespace
 
 void run(Bytes input) {
-    const server::GatewaySettings settings{.header_bytes_max = 1024, .body_bytes_max = 2048};
+    const server::HttpServerSettings settings{.header_bytes_max = 1024, .body_bytes_max = 2048};
     Reader in(input);
     const std::size_t piece = 1 + in.number<std::uint8_t>() * 4u;
     boost::beast::flat_buffer buffer;

@@ -25,7 +25,7 @@ void run(Bytes input) {
     beast::error_code error;
     beast::flat_buffer buffer;
     server::BeastRequestParser parser;
-    server::set_bounds(parser, server::GatewaySettings{});
+    server::set_bounds(parser, server::HttpServerSettings{});
     beast::http::read(ours, buffer, parser, error);
     if (error || !beast::websocket::is_upgrade(parser.get())) return;
 

@@ -25,7 +25,7 @@
 #include "server/grpc/query_methods.h"
 #include "server/grpc/world_methods.h"
 #include "server/http/admin_routes.h"
-#include "server/http/gateway.h"
+#include "server/http/http_server.h"
 #include "server/http/http_routes.h"
 #include "server/recovery/world_archive.h"
 #include "server/services/query_control.h"

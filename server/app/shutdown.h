@@ -11,7 +11,7 @@
 #include <csignal>
 
 #include "server/grpc/grpc_server.h"
-#include "server/http/gateway.h"
+#include "server/http/http_server.h"
 #include "server/session/play_context.h"
 
 namespace jostle::server {

@@ -19,7 +19,7 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/grpc/grpc_server.h"
-#include "server/http/gateway.h"
+#include "server/http/http_server.h"
 #include "server/http/http_routes.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"

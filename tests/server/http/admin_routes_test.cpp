@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "jostle/scenes/catalog.h"
-#include "server/http/gateway.h"
+#include "server/http/http_server.h"
 
 namespace jostle::server {
 namespace {

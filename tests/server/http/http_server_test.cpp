@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/http/gateway.h"
+#include "server/http/http_server.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "jostle/base/result.h"
-#include "server/http/gateway_settings.h"
+#include "server/http/http_server_settings.h"
 #include "server/http/http_handler.h"
 #include "server/session/client_link.h"
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-#include "server/http/gateway_settings.h"
+#include "server/http/http_server_settings.h"
 #include "server/http/http_handler.h"
 #include "server/http/peer_bytes.h"
 #include "server/http/socket_stream.h"

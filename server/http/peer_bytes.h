@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "server/http/gateway_settings.h"
+#include "server/http/http_server_settings.h"
 #include "server/http/http_message.h"
 
 namespace jostle::server {

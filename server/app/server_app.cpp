@@ -46,21 +46,21 @@ constexpr auto flush_timeout = std::chrono::milliseconds(1800);
 // through here.
 class FrameNotifier {
 public:
-    void set(GrpcServer* grpc, HttpServer* gateway) {
+    void set(GrpcServer* grpc, HttpServer* http_server) {
         const std::lock_guard lock(mutex_);
         grpc_ = grpc;
-        gateway_ = gateway;
+        http_server_ = http_server;
     }
     void wake() {
         const std::lock_guard lock(mutex_);
         if (grpc_) grpc_->wake();
-        if (gateway_) gateway_->wake();
+        if (http_server_) http_server_->wake();
     }
 
 private:
     std::mutex mutex_;
     GrpcServer* grpc_ = nullptr;
-    HttpServer* gateway_ = nullptr;
+    HttpServer* http_server_ = nullptr;
 };
 
 std::vector<std::string> stage_names() {
@@ -295,7 +295,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     WorldControl control(context);
     const QueryControl queries(context);
     const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
-    const auto why_not_ready = [&]() -> std::optional<std::string> {
+    const auto not_ready_reason = [&]() -> std::optional<std::string> {
         if (context.draining) return "the server is going down";
         const auto unkept = archive ? archive->failure_reason() : std::nullopt;
         if (unkept) return "no input is taken, for it could not be kept: " + *unkept;
@@ -310,13 +310,13 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
                              .allowed_hosts = config.allowed_hosts,
-                             .why_not_ready = why_not_ready,
+                             .not_ready_reason = not_ready_reason,
                              .failure_reason = failure_reason});
     AdminControl admin_control(context);
     const AdminRoutes admin_routes(
         admin_control, metrics,
         {.allowed_hosts = config.allowed_hosts,
-         .why_not_ready = why_not_ready,
+         .not_ready_reason = not_ready_reason,
          .failure_reason = failure_reason,
          .refresh = [&] { refresh_metrics(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
@@ -345,7 +345,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
     grpc_to_ask = &grpc;
-    if (Status s = gateway.start(); !s.ok()) return failed(s.error());
+    if (Status s = http_server.start(); !s.ok()) return failed(s.error());
     std::optional<HttpServer> admin;
     if (!config.admin.empty()) {
         admin.emplace(context, admin_routes, admin_settings(config, metrics, certificates.get()));
@@ -353,13 +353,13 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     const int admin_port = admin ? admin->port() : 0;
     const std::string web =
-        fmt::format("{}:{}", reachable(http.host, config.advertised_hostd_host), gateway.port());
+        fmt::format("{}:{}", reachable(http.host, config.advertised_hostd_host), http_server.port());
     control.set_addresses(
         {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_hostd_host), grpc.port()),
          .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
-    wakers.set(&grpc, &gateway);
+    wakers.set(&grpc, &http_server);
     const int datagram_port = datagrams ? datagrams->port() : 0;
-    if (Status s = write_ports(port_file, {grpc.port(), gateway.port(), admin_port, datagram_port});
+    if (Status s = write_ports(port_file, {grpc.port(), http_server.port(), admin_port, datagram_port});
         !s.ok()) {
         wakers.set(nullptr, nullptr);
         return failed(s.error());
@@ -379,14 +379,14 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));
-        shutdown.wait(config.drain_timeout_seconds, grpc, gateway, context);
+        shutdown.wait(config.drain_timeout_seconds, grpc, http_server, context);
     }
 
     const ShutdownWatchdog hard_exit(graceful_shutdown_max);
     wakers.set(nullptr, nullptr);
     if (datagrams) datagrams->stop();  // before those whom it wakes
     admin_control.stop();
-    gateway.stop();
+    http_server.stop();
     grpc.stop();
     if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();

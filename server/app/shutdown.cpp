@@ -13,11 +13,11 @@ constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
 
-void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& gateway,
+void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server,
                     PlayContext& context) {
     drain_ = from_seconds(drain_timeout_seconds);
     grpc_ = &grpc;
-    gateway_ = &gateway;
+    http_server_ = &http_server;
     context_ = &context;
     await_signal();
     await_operator();
@@ -67,7 +67,7 @@ void Shutdown::finish() {
 
 void Shutdown::wake() {
     grpc_->wake();
-    gateway_->wake();
+    http_server_->wake();
 }
 
 }  // namespace jostle::server

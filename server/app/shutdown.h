@@ -20,7 +20,7 @@ class Shutdown {
 public:
     // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further signal
     // ends the wait.
-    void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& gateway, PlayContext& context);
+    void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server, PlayContext& context);
 
 private:
     void await_signal();
@@ -32,7 +32,7 @@ private:
 
     Clock::duration drain_{};
     GrpcServer* grpc_ = nullptr;
-    HttpServer* gateway_ = nullptr;
+    HttpServer* http_server_ = nullptr;
     PlayContext* context_ = nullptr;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_{io_, SIGTERM, SIGINT};

@@ -47,7 +47,7 @@ HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
     return path_of(request.target) == profile_path ? HttpWork::asks : HttpWork::at_once;
 }
 
-HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
+HttpResponse AdminRoutes::handle(const HttpRequest& request) const {
     if (request.method != "GET" && request.method != "HEAD") {
         HttpResponse refused = plain_text(405, "This port takes GET.\n");
         refused.headers.emplace_back("Allow", "GET, HEAD");
@@ -58,14 +58,14 @@ HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
     if (path == "/metrics") return metrics();
     if (path == "/healthz" || path == "/readyz") return health(path);
     if (path == profile_path) {
-        if (const auto refusal = refuse_page(request)) return plain_text(403, *refusal + "\n");
+        if (const auto refusal = cross_origin_refusal(request)) return plain_text(403, *refusal + "\n");
         return profile(request);
     }
     return plain_text(404, "There is no such path; / lists those there are.\n");
 }
 
 // Prometheus and probes come by whatever name they like, and read what names nobody.
-std::optional<std::string> AdminRoutes::refuse_page(const HttpRequest& request) const {
+std::optional<std::string> AdminRoutes::cross_origin_refusal(const HttpRequest& request) const {
     if (!request.origin.empty()) return "No page of a browser may use the operators' port.";
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
         return "This server does not go by that name; the setting allowed_hosts holds its names.";
@@ -89,7 +89,7 @@ Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world)
 HttpResponse AdminRoutes::health(std::string_view path) const {
     if (const auto failure_reason = settings_.failure_reason()) return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    const auto why_not = settings_.why_not_ready();
+    const auto why_not = settings_.not_ready_reason();
     return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
 }
 

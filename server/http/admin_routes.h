@@ -19,7 +19,7 @@ namespace jostle::server {
 
 struct AdminRouteSettings {
     std::vector<std::string> allowed_hosts;  // names of this server, for what is more than to read
-    std::function<std::optional<std::string>()> why_not_ready;  // nothing: it is
+    std::function<std::optional<std::string>()> not_ready_reason;  // nothing: it is
     // What is wrong with the server; nothing: it is well.
     std::function<std::optional<std::string>()> failure_reason;
     // Before metrics are read: brings what is counted elsewhere up to date. May be empty.
@@ -32,11 +32,11 @@ public:
     AdminRoutes(AdminControl& control, Metrics& metrics, AdminRouteSettings settings)
         : control_(control), metrics_(metrics), settings_(std::move(settings)) {}
 
-    HttpResponse answer(const HttpRequest& request) const override;
+    HttpResponse handle(const HttpRequest& request) const override;
     HttpWork work_of(const HttpRequest& request) const override;
-    bool takes_large_body(const HttpRequest&) const override { return false; }
-    bool takes_players(const HttpRequest&) const override { return false; }
-    std::optional<std::string> refuse_page(const HttpRequest& request) const override;
+    bool accepts_large_body(const HttpRequest&) const override { return false; }
+    bool accepts_players(const HttpRequest&) const override { return false; }
+    std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const override;
 
 private:
     HttpResponse health(std::string_view path) const;

@@ -19,14 +19,14 @@ public:
     virtual ~HttpHandler() = default;
 
     // Any thread; may take as long as building a world, or a recording.
-    virtual HttpResponse answer(const HttpRequest& request) const = 0;
+    virtual HttpResponse handle(const HttpRequest& request) const = 0;
     virtual HttpWork work_of(const HttpRequest& request) const = 0;
     // Whether the request may have a body as large as a scene.
-    virtual bool takes_large_body(const HttpRequest& request) const = 0;
+    virtual bool accepts_large_body(const HttpRequest& request) const = 0;
     // Whether a WebSocket client that comes with this request is to play.
-    virtual bool takes_players(const HttpRequest& request) const = 0;
+    virtual bool accepts_players(const HttpRequest& request) const = 0;
     // Why no page of a browser may send this request; nothing: it is none, or it may.
-    virtual std::optional<std::string> refuse_page(const HttpRequest& request) const = 0;
+    virtual std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const = 0;
 };
 
 }  // namespace jostle::server

@@ -107,11 +107,11 @@ HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     return reads || !path.starts_with("/api/") ? HttpWork::at_once : HttpWork::changes;
 }
 
-bool HttpRoutes::takes_players(const HttpRequest& request) const {
+bool HttpRoutes::accepts_players(const HttpRequest& request) const {
     return path_of(request.target) == "/play";
 }
 
-bool HttpRoutes::takes_large_body(const HttpRequest& request) const {
+bool HttpRoutes::accepts_large_body(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
 }
@@ -123,27 +123,27 @@ bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
            settings_.allowed_origins.end();
 }
 
-std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) const {
+std::optional<std::string> HttpRoutes::cross_origin_refusal(const HttpRequest& request) const {
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
         return "This server does not go by that name; the setting allowed_hosts holds its names.";
     if (!origin_is_allowed(request)) return "A page from another origin may not use this server.";
     return std::nullopt;
 }
 
-HttpResponse HttpRoutes::answer_health(std::string_view path) const {
+HttpResponse HttpRoutes::handle_health(std::string_view path) const {
     if (const auto failure_reason = settings_.failure_reason()) return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    const auto why_not = settings_.why_not_ready();
+    const auto why_not = settings_.not_ready_reason();
     return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
 }
 
-HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
+HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     // Probes come by whatever name they like.
-    if (path == "/healthz" || path == "/readyz") return answer_health(path);
+    if (path == "/healthz" || path == "/readyz") return handle_health(path);
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
-        return plain_text(403, *refuse_page(request) + "\n");
-    if (path == "/api" || path.starts_with("/api/")) return answer_api(request, path);
+        return plain_text(403, *cross_origin_refusal(request) + "\n");
+    if (path == "/api" || path.starts_with("/api/")) return handle_api(request, path);
     if (path == "/play") {
         HttpResponse response = plain_text(426, "This path takes WebSocket clients.\n");
         response.headers.emplace_back("Upgrade", "websocket");
@@ -178,7 +178,7 @@ Status HttpRoutes::let_to_world(const Asker& asker, const std::string& world) co
     return worlds_.gate().admit(asker.who, {asker.row->call, asked, asker.address});
 }
 
-HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view path) const {
+HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
     if (changes && !origin_is_allowed(request))
         return plain_text(403, "A page from another origin may not use this server.\n");

@@ -25,7 +25,7 @@ struct RouteSettings {
     std::vector<std::string> allowed_origins;
     // Own names besides IP addresses and localhost (identity/allowed_hosts.h).
     std::vector<std::string> allowed_hosts = {"*"};
-    std::function<std::optional<std::string>()> why_not_ready;  // nothing: it is
+    std::function<std::optional<std::string>()> not_ready_reason;  // nothing: it is
     // What is wrong with the server; nothing: it is well.
     std::function<std::optional<std::string>()> failure_reason;
 };
@@ -35,15 +35,15 @@ public:
     // Both outlive the routes.
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
-    HttpResponse answer(const HttpRequest& request) const override;
+    HttpResponse handle(const HttpRequest& request) const override;
     HttpWork work_of(const HttpRequest& request) const override;
-    bool takes_large_body(const HttpRequest& request) const override;
-    bool takes_players(const HttpRequest& request) const override;
+    bool accepts_large_body(const HttpRequest& request) const override;
+    bool accepts_players(const HttpRequest& request) const override;
 
     // Against pages that use their visitor's browser to reach a server that only the visitor can
     // reach: they come from another origin, or made their own name point here. Why this request is
     // refused; nothing: it is no such page.
-    std::optional<std::string> refuse_page(const HttpRequest& request) const override;
+    std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const override;
 
 private:
     // Who asks, for which row of the access table.
@@ -54,8 +54,8 @@ private:
     };
 
     bool origin_is_allowed(const HttpRequest& request) const;
-    HttpResponse answer_health(std::string_view path) const;
-    HttpResponse answer_api(const HttpRequest& request, std::string_view path) const;
+    HttpResponse handle_health(std::string_view path) const;
+    HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
     Result<Asker> let_in(const HttpRequest& request, std::string_view path) const;
     Status let_to_world(const Asker& asker, const std::string& world) const;
     HttpResponse list_worlds() const;

@@ -85,12 +85,12 @@ bool HttpSession::failed(beast::error_code error) {
 void HttpSession::on_header(beast::error_code error) {
     if (failed(error)) return;
     HttpRequest request = request_of_peer();
-    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {
-        if (const auto refusal = services_.routes.refuse_page(request))
+    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.accepts_players(request)) {
+        if (const auto refusal = services_.routes.cross_origin_refusal(request))
             return refuse(403, *refusal + "\n");
         return services_.upgrade(std::move(stream_), parser_->release());
     }
-    const bool large = services_.routes.takes_large_body(request);
+    const bool large = services_.routes.accepts_large_body(request);
     const std::size_t most =
         large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
     parser_->body_limit(most);
@@ -125,7 +125,7 @@ void HttpSession::read_body() {
 void HttpSession::on_body(beast::error_code error) {
     if (failed(error)) return;
     idle_since_.reset();
-    answer_request();
+    handle_request();
 }
 
 HttpRequest HttpSession::request_of_peer() const {
@@ -135,15 +135,15 @@ HttpRequest HttpSession::request_of_peer() const {
     return request;
 }
 
-void HttpSession::answer_request() {
+void HttpSession::handle_request() {
     HttpRequest request = request_of_peer();
     switch (services_.routes.work_of(request)) {
         case HttpWork::at_once:
-            return write(services_.routes.answer(request));
+            return write(services_.routes.handle(request));
         case HttpWork::asks:
-            return answer_on(services_.asking, std::move(request));
+            return handle_on(services_.asking, std::move(request));
         case HttpWork::changes:
-            return answer_on(services_.changing, std::move(request));
+            return handle_on(services_.changing, std::move(request));
     }
 }
 
@@ -156,12 +156,12 @@ void HttpSession::refuse(int status, std::string text) {
     write(answer);
 }
 
-void HttpSession::answer_on(WorkPool& pool, HttpRequest request) {
+void HttpSession::handle_on(WorkPool& pool, HttpRequest request) {
     stream_.tcp().expires_never();  // however long the world takes to build
     const bool added = pool.add([self = shared_from_this(), request = std::move(request)] {
         HttpResponse answer;
         try {
-            answer = self->services_.routes.answer(request);
+            answer = self->services_.routes.handle(request);
         } catch (const std::exception& error) {
             // Out of memory, say: this request fails and nothing else does.
             log_error("{} {} failed: {}", request.method, request.target, error.what());

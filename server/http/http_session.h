@@ -53,10 +53,10 @@ private:
     bool failed(boost::beast::error_code error);
     bool reserve_body(std::size_t bytes);
     void give_back_body();
-    void answer_request();
+    void handle_request();
     HttpRequest request_of_peer() const;
     void refuse(int status, std::string text);
-    void answer_on(WorkPool& pool, HttpRequest request);
+    void handle_on(WorkPool& pool, HttpRequest request);
     void write(const HttpResponse& answer);
     void on_wrote(boost::beast::error_code error);
 

@@ -33,7 +33,7 @@ bool asks_for_many(const server::HttpRequest& request) {
 
 struct Routes {
     void answer(const server::HttpRequest& request) {
-        const server::HttpResponse response = routes.answer(request);
+        const server::HttpResponse response = routes.handle(request);
         expect(response.status >= 200 && response.status < 600 && response.status != 500,
                "an answer has a status, and is no mistake of ours: " + response.body);
         expect(!response.content_type.empty(), "an answer has a type");
@@ -49,7 +49,7 @@ struct Routes {
     const server::HttpRoutes routes{control,
                                     queries,
                                     {.web_root = WEB_ROOT,
-                                     .why_not_ready = [] { return std::optional<std::string>(); },
+                                     .not_ready_reason = [] { return std::optional<std::string>(); },
                                      .failure_reason = [] { return std::nullopt; }}};
 };
 
@@ -67,9 +67,9 @@ void run(Bytes input) {
 
     // What changes nothing is asked of one server.
     static Routes unchanged;
-    if (request.method != "POST" && request.method != "DELETE") return unchanged.answer(request);
-    if (request.target.starts_with("/api/query/")) return unchanged.answer(request);
-    Routes().answer(request);
+    if (request.method != "POST" && request.method != "DELETE") return unchanged.handle(request);
+    if (request.target.starts_with("/api/query/")) return unchanged.handle(request);
+    Routes().handle(request);
 }
 
 }  // namespace jostle::fuzz

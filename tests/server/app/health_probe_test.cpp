@@ -40,17 +40,17 @@ class Doors {
 public:
     Doors() {
         EXPECT_TRUE(grpc_.start().ok());
-        EXPECT_TRUE(gateway_.start().ok());
+        EXPECT_TRUE(http_server_.start().ok());
     }
     ~Doors() {
-        gateway_.stop();
+        http_server_.stop();
         grpc_.stop();
     }
     void fall_ill() { healthy_ = false; }
     void drain() { grpc_.drain(1s); }
     HealthTarget target() const {
         return {.grpc = {"127.0.0.1", grpc_.port()},
-                .http = {"127.0.0.1", static_cast<std::uint16_t>(gateway_.port())}};
+                .http = {"127.0.0.1", static_cast<std::uint16_t>(http_server_.port())}};
     }
 
 private:
@@ -66,11 +66,11 @@ private:
                              queries_,
                              {.web_root = ".",
                               .allowed_origins = {},
-                              .why_not_ready = [] { return std::optional<std::string>(); },
+                              .not_ready_reason = [] { return std::optional<std::string>(); },
                               .failure_reason = [] { return std::nullopt; }}};
     std::atomic<bool> healthy_{true};
     GrpcServer grpc_{context_, {}, [this] { return healthy_.load(); }, {.port = 0}};
-    HttpServer gateway_{context_, routes_, {.host = "127.0.0.1", .port = 0}};
+    HttpServer http_server_{context_, routes_, {.host = "127.0.0.1", .port = 0}};
 };
 
 // A door that takes one connection and says this, in TLS if it was given a context; nothing: it

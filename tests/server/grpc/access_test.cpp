@@ -172,7 +172,7 @@ TEST_F(AccessTest, every_route_of_the_table_lets_in_whom_it_says_and_nobody_else
     const HttpRoutes routes(*control, *queries,
                             {.web_root = "/nonexistent",
                              .allowed_origins = {},
-                             .why_not_ready = [] { return std::optional<std::string>(); },
+                             .not_ready_reason = [] { return std::optional<std::string>(); },
                              .failure_reason = [] { return std::nullopt; }});
     const std::vector<std::pair<std::string, std::string>> filled = {
         {"{id}", "mine"}, {"{method}", "CastRays"}, {"{file}", "index.html"}};

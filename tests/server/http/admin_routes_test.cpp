@@ -37,7 +37,7 @@ protected:
         request.origin = origin;
         request.host = host;
         request.address = "127.0.0.1";
-        return routes.answer(request);
+        return routes.handle(request);
     }
     // One request over a connection of its own; all that comes back.
     static std::string ask(int port, const std::string& target) {
@@ -69,7 +69,7 @@ protected:
     AdminRoutes routes{control,
                        metrics,
                        {.allowed_hosts = {"ops.example.org"},
-                        .why_not_ready =
+                        .not_ready_reason =
                             [this] {
                                 return context.draining
                                            ? std::optional<std::string>("the server is going down")
@@ -140,28 +140,28 @@ TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away)
                      .metrics = &metrics.listener(Listener::admin),
                      .work_queue_max = 1,
                      .asking_threads = 2});
-    ASSERT_TRUE(gateway.start().ok());
+    ASSERT_TRUE(http_server.start().ok());
     std::vector<std::thread> slow;
     std::atomic<int> served{0};
     for (const char* world : {"my%20arena", "b", "nowhere"}) {
         slow.emplace_back([&, world] {
             const std::string answer =
-                ask(gateway.port(), std::string("/debug/profile?seconds=2&world=") + world);
+                ask(http_server.port(), std::string("/debug/profile?seconds=2&world=") + world);
             if (answer.starts_with("HTTP/1.1 200")) served++;
         });
         std::this_thread::sleep_for(200ms);
     }
     const auto begun = Clock::now();
-    EXPECT_TRUE(ask(gateway.port(), "/metrics").starts_with("HTTP/1.1 200"));
-    EXPECT_TRUE(ask(gateway.port(), "/healthz").starts_with("HTTP/1.1 200"));
+    EXPECT_TRUE(ask(http_server.port(), "/metrics").starts_with("HTTP/1.1 200"));
+    EXPECT_TRUE(ask(http_server.port(), "/healthz").starts_with("HTTP/1.1 200"));
     EXPECT_LT(Clock::now() - begun, 1s);
     EXPECT_TRUE(
-        ask(gateway.port(), "/debug/profile?seconds=1&world=b").starts_with("HTTP/1.1 503"));
+        ask(http_server.port(), "/debug/profile?seconds=1&world=b").starts_with("HTTP/1.1 503"));
     EXPECT_EQ(metrics.listener(Listener::admin).refused(ConnectionRefusal::busy).Value(), 1);
     for (std::thread& thread : slow) thread.join();
     EXPECT_EQ(served, 2);
-    EXPECT_TRUE(ask(gateway.port(), "/play").starts_with("HTTP/1.1 404")) << "nobody plays here";
-    gateway.stop();
+    EXPECT_TRUE(ask(http_server.port(), "/play").starts_with("HTTP/1.1 404")) << "nobody plays here";
+    http_server.stop();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ protected:
         request.origin = origin;
         request.content_type = "application/json";
         request.body = body;
-        return routes.answer(request);
+        return routes.handle(request);
     }
     static std::string code_of(const HttpResponse& response) {
         return nlohmann::json::parse(response.body).at("code");
@@ -45,7 +45,7 @@ protected:
                       queries,
                       {.web_root = "/nonexistent",
                        .allowed_origins = {"https://play.example.org"},
-                       .why_not_ready =
+                       .not_ready_reason =
                            [this] {
                                return context.draining
                                           ? std::optional<std::string>("the server is going down")

@@ -22,14 +22,14 @@ TEST(HttpServerTest, stops_at_any_moment_of_its_housekeeping) {
     const HttpRoutes routes(control, queries,
                             {.web_root = ".",
                              .allowed_origins = {},
-                             .why_not_ready = [] { return std::optional<std::string>(); },
+                             .not_ready_reason = [] { return std::optional<std::string>(); },
                              .failure_reason = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
         HttpServer gateway(context, routes, {.host = "127.0.0.1", .port = 0});
-        ASSERT_TRUE(gateway.start().ok());
-        EXPECT_GT(gateway.port(), 0);
+        ASSERT_TRUE(http_server.start().ok());
+        EXPECT_GT(http_server.port(), 0);
         std::this_thread::sleep_for(std::chrono::microseconds(19'000 + 50 * i));
-        gateway.stop();
+        http_server.stop();
     }
 }
 

@@ -138,7 +138,7 @@ HttpRequest HttpSession::request_of_peer() const {
 void HttpSession::handle_request() {
     HttpRequest request = request_of_peer();
     switch (services_.routes.work_of(request)) {
-        case HttpWork::at_once:
+        case HttpWork::immediate:
             return write(services_.routes.handle(request));
         case HttpWork::asks:
             return handle_on(services_.asking, std::move(request));

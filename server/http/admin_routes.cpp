@@ -44,7 +44,7 @@ std::string file_name_of(const std::string& world) {
 }  // namespace
 
 HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
-    return path_of(request.target) == profile_path ? HttpWork::asks : HttpWork::immediate;
+    return path_of(request.target) == profile_path ? HttpWork::query : HttpWork::immediate;
 }
 
 HttpResponse AdminRoutes::handle(const HttpRequest& request) const {

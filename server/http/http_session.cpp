@@ -140,7 +140,7 @@ void HttpSession::handle_request() {
     switch (services_.routes.work_of(request)) {
         case HttpWork::immediate:
             return write(services_.routes.handle(request));
-        case HttpWork::asks:
+        case HttpWork::query:
             return handle_on(services_.asking, std::move(request));
         case HttpWork::changes:
             return handle_on(services_.changing, std::move(request));

@@ -12,7 +12,7 @@
 namespace jostle::server {
 
 // Who answers: the port's own thread, or one for what asks worlds or changes them.
-enum class HttpWork { immediate, asks, changes };
+enum class HttpWork { immediate, asks, mutation };
 
 class HttpHandler {
 public:

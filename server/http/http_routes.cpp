@@ -104,7 +104,7 @@ HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     if (path.starts_with(query_path)) return HttpWork::query;
     const bool reads = request.method == "GET" || request.method == "HEAD";
-    return reads || !path.starts_with("/api/") ? HttpWork::immediate : HttpWork::changes;
+    return reads || !path.starts_with("/api/") ? HttpWork::immediate : HttpWork::mutation;
 }
 
 bool HttpRoutes::accepts_players(const HttpRequest& request) const {

@@ -142,7 +142,7 @@ void HttpSession::handle_request() {
             return write(services_.routes.handle(request));
         case HttpWork::query:
             return handle_on(services_.asking, std::move(request));
-        case HttpWork::changes:
+        case HttpWork::mutation:
             return handle_on(services_.changing, std::move(request));
     }
 }

@@ -152,7 +152,7 @@ HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
     return files_.serve(request);
 }
 
-Result<HttpRoutes::Asker> HttpRoutes::let_in(const HttpRequest& request,
+Result<HttpRoutes::RequestContext> HttpRoutes::let_in(const HttpRequest& request,
                                              std::string_view path) const {
     const AccessRow* row = find_route(request.method, path);
     if (row == nullptr)
@@ -164,7 +164,7 @@ Result<HttpRoutes::Asker> HttpRoutes::let_in(const HttpRequest& request,
     Result<Identity> who = worlds_.gate().identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
-    Asker asker{*std::move(who), row, request.address};
+    RequestContext asker{*std::move(who), row, request.address};
     if (row->scope != Scope::server) return asker;
     if (Status s = worlds_.gate().admit(asker.who, {row->call, {}, asker.address}); !s.ok())
         return s.error();
@@ -172,7 +172,7 @@ Result<HttpRoutes::Asker> HttpRoutes::let_in(const HttpRequest& request,
 }
 
 // What a request is about is known only when it was read.
-Status HttpRoutes::let_to_world(const Asker& asker, const std::string& world) const {
+Status HttpRoutes::let_to_world(const RequestContext& asker, const std::string& world) const {
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
     const AskedWorld asked = host ? asked_world(*host) : AskedWorld{};
     return worlds_.gate().admit(asker.who, {asker.row->call, asked, asker.address});
@@ -194,7 +194,7 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
     if (is_world && changes && request.method != "DELETE") return method_not_allowed("GET, DELETE");
     if (is_query && request.method != "POST") return method_not_allowed("POST");
-    const Result<Asker> asker = let_in(request, path);
+    const Result<RequestContext> asker = let_in(request, path);
     if (!asker.ok()) return to_http(asker.error());
     if (is_list) return changes ? create_world(request, *asker) : list_worlds();
     if (is_query) return query(request, path.substr(query_path.size()), *asker);
@@ -216,7 +216,7 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
-HttpResponse HttpRoutes::create_world(const HttpRequest& request, const Asker& asker) const {
+HttpResponse HttpRoutes::create_world(const HttpRequest& request, const RequestContext& asker) const {
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
@@ -229,7 +229,7 @@ HttpResponse HttpRoutes::create_world(const HttpRequest& request, const Asker& a
 }
 
 HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
-                               const Asker& asker) const {
+                               const RequestContext& asker) const {
     const auto let = [&](const std::string& world) { return let_to_world(asker, world); };
     if (method == "CastRays") return ask(request, queries_, let, &QueryControl::cast_rays);
     if (method == "CastShapes") return ask(request, queries_, let, &QueryControl::cast_shapes);
@@ -242,7 +242,7 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
                          "Debug are what there is."});
 }
 
-HttpResponse HttpRoutes::delete_world(const std::string& world, const Asker& asker) const {
+HttpResponse HttpRoutes::delete_world(const std::string& world, const RequestContext& asker) const {
     v1::DeleteWorldRequest request;
     request.set_world(world);
     v1::DeleteWorldResponse response;

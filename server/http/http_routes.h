@@ -47,7 +47,7 @@ public:
 
 private:
     // Who asks, for which row of the access table.
-    struct Asker {
+    struct RequestContext {
         Identity who;
         const AccessRow* row = nullptr;
         const std::string& address;
@@ -56,14 +56,14 @@ private:
     bool origin_is_allowed(const HttpRequest& request) const;
     HttpResponse handle_health(std::string_view path) const;
     HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
-    Result<Asker> let_in(const HttpRequest& request, std::string_view path) const;
-    Status let_to_world(const Asker& asker, const std::string& world) const;
+    Result<RequestContext> let_in(const HttpRequest& request, std::string_view path) const;
+    Status let_to_world(const RequestContext& asker, const std::string& world) const;
     HttpResponse list_worlds() const;
     HttpResponse get_world(const std::string& world) const;
-    HttpResponse create_world(const HttpRequest& request, const Asker& asker) const;
-    HttpResponse delete_world(const std::string& world, const Asker& asker) const;
+    HttpResponse create_world(const HttpRequest& request, const RequestContext& asker) const;
+    HttpResponse delete_world(const std::string& world, const RequestContext& asker) const;
     HttpResponse query(const HttpRequest& request, std::string_view method,
-                       const Asker& asker) const;
+                       const RequestContext& asker) const;
 
     WorldControl& worlds_;
     const QueryControl& queries_;

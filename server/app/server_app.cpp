@@ -119,7 +119,7 @@ HttpServerSettings admin_settings(const Config& config, const Metrics& metrics,
             .per_address_max = 32,
             .small_body_bytes_max = 1024,
             .work_queue_max = AdminControl::waiting_max,
-            .asking_threads = AdminControl::waiting_max};
+            .query_threads = AdminControl::waiting_max};
 }
 
 DatagramServerSettings datagram_settings(const Config& config, Metrics& metrics) {

@@ -19,7 +19,7 @@ constexpr auto front_housekeeping_period = std::chrono::milliseconds(100);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr int calls_asked_for = 16;
 // Who asks stands back behind who plays.
-constexpr int asking_niceness = 10, changing_niceness = 5;
+constexpr int query_niceness = 10, mutation_niceness = 5;
 
 Error too_much(std::string what) {
     return {ErrorCode::resource_exhausted, std::move(what) + "; try again in a second"};
@@ -71,9 +71,9 @@ CallFront::CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits lim
       gate_(gate),
       limits_(limits),
       metrics_(metrics),
-      quick_(1, limits.queue_max, 0),
-      asking_(1, limits.queue_max, asking_niceness),
-      changing_(1, limits.queue_max, changing_niceness),
+      quick_pool_(1, limits.queue_max, 0),
+      query_pool_(1, limits.queue_max, query_niceness),
+      mutation_pool_(1, limits.queue_max, mutation_niceness),
       waiting_(limits.waiting_threads, limits.queue_max, 0) {}
 
 CallFront::~CallFront() {
@@ -90,9 +90,9 @@ void CallFront::start(grpc::ServerCompletionQueue& queue, const ConnectionTable&
 // The pools first: what they answer begins an operation, which a queue that shuts down forbids.
 void CallFront::stop() {
     if (stopping_.exchange(true)) return;
-    quick_.stop();
-    asking_.stop();
-    changing_.stop();
+    quick_pool_.stop();
+    query_pool_.stop();
+    mutation_pool_.stop();
     waiting_.stop();
 }
 
@@ -154,11 +154,11 @@ Status CallFront::admit(Call& call) const {
         return too_much("too many calls are open on this connection");
     if (call.method->stays_open() && staying_ > limits_.staying_max)
         return too_much("too many streams of this kind are open");
-    return let_in(call);
+    return authorize(call);
 }
 
 // Who calls, and whether he may; of calls about a world that is asked when it is known which.
-Status CallFront::let_in(Call& call) const {
+Status CallFront::authorize(Call& call) const {
     Result<Identity> who = identify(call.context, *call.connection, gate_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
@@ -227,13 +227,13 @@ void CallFront::enqueue(Call& call) {
 WorkPool& CallFront::pool_of(const CallMethod& method) {
     switch (method.work) {
         case CallWork::query:
-            return asking_;
+            return query_pool_;
         case CallWork::control:
-            return changing_;
+            return mutation_pool_;
         case CallWork::waits:
             return waiting_;
         default:
-            return quick_;
+            return quick_pool_;
     }
 }
 

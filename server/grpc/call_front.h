@@ -75,7 +75,7 @@ private:
     void tell_watches();
     void give_up_waiting(Clock::time_point now);
     Status admit(Call& call) const;
-    Status let_in(Call& call) const;
+    Status authorize(Call& call) const;
     CallContext context_of(const Call& call) const;
 
     const std::map<std::string, CallMethod> methods_;  // by path
@@ -90,7 +90,7 @@ private:
     std::size_t open_ = 0, staying_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false};
-    WorkPool quick_, asking_, changing_, waiting_;
+    WorkPool quick_pool_, query_pool_, mutation_pool_, waiting_;
 };
 
 }  // namespace jostle::server

@@ -73,7 +73,7 @@ std::optional<std::string> AdminRoutes::cross_origin_refusal(const HttpRequest& 
 }
 
 // As an admin, by the access table.
-Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world) const {
+Status AdminRoutes::authorize(const HttpRequest& request, const std::string& world) const {
     const AccessRow* const row = find_route(request.method, path_of(request.target));
     if (!row) return Error{ErrorCode::not_found, "There is no such path."};
     const Result<std::string_view> bearer = bearer_in(request.authorization);
@@ -108,7 +108,7 @@ HttpResponse AdminRoutes::profile(const HttpRequest& request) const {
     if (!world || !seconds)
         return to_http(Error{ErrorCode::invalid_argument,
                              "Say which world and how long: /debug/profile?world=NAME&seconds=5"});
-    if (Status s = let_in(request, *world); !s.ok()) return to_http(s.error());
+    if (Status s = authorize(request, *world); !s.ok()) return to_http(s.error());
     v1::ProfileRequest message;
     message.set_world(*world);
     message.set_seconds(*seconds);

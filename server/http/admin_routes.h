@@ -41,7 +41,7 @@ public:
 private:
     HttpResponse health(std::string_view path) const;
     HttpResponse metrics() const;
-    Status let_in(const HttpRequest& request, const std::string& world) const;
+    Status authorize(const HttpRequest& request, const std::string& world) const;
     HttpResponse profile(const HttpRequest& request) const;
 
     AdminControl& control_;

@@ -68,12 +68,12 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
 // Reads a question, has it let in, asks it, writes the answer.
 template <class Request, class Response>
 HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
-                 const std::function<Status(const std::string&)>& let_to_world,
+                 const std::function<Status(const std::string&)>& authorize_world,
                  Status (QueryControl::*method)(const Request&, Response&, const StillWanted&)
                      const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;
-    if (Status s = let_to_world(message.world()); !s.ok()) return to_http(s.error());
+    if (Status s = authorize_world(message.world()); !s.ok()) return to_http(s.error());
     Response response;
     const Status status = (queries.*method)(message, response, QueryControl::always);
     return status.ok() ? json(200, response) : to_http(status.error());
@@ -152,7 +152,7 @@ HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
     return files_.serve(request);
 }
 
-Result<HttpRoutes::RequestContext> HttpRoutes::let_in(const HttpRequest& request,
+Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& request,
                                              std::string_view path) const {
     const AccessRow* row = find_route(request.method, path);
     if (row == nullptr)
@@ -164,18 +164,18 @@ Result<HttpRoutes::RequestContext> HttpRoutes::let_in(const HttpRequest& request
     Result<Identity> who = worlds_.gate().identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
-    RequestContext asker{*std::move(who), row, request.address};
-    if (row->scope != Scope::server) return asker;
-    if (Status s = worlds_.gate().admit(asker.who, {row->call, {}, asker.address}); !s.ok())
+    RequestContext context{*std::move(who), row, request.address};
+    if (row->scope != Scope::server) return context;
+    if (Status s = worlds_.gate().admit(context.who, {row->call, {}, context.address}); !s.ok())
         return s.error();
-    return asker;
+    return context;
 }
 
 // What a request is about is known only when it was read.
-Status HttpRoutes::let_to_world(const RequestContext& asker, const std::string& world) const {
+Status HttpRoutes::authorize_world(const RequestContext& context, const std::string& world) const {
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
     const AskedWorld asked = host ? asked_world(*host) : AskedWorld{};
-    return worlds_.gate().admit(asker.who, {asker.row->call, asked, asker.address});
+    return worlds_.gate().admit(context.who, {context.row->call, asked, context.address});
 }
 
 HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view path) const {
@@ -194,12 +194,12 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
     if (is_world && changes && request.method != "DELETE") return method_not_allowed("GET, DELETE");
     if (is_query && request.method != "POST") return method_not_allowed("POST");
-    const Result<RequestContext> asker = let_in(request, path);
-    if (!asker.ok()) return to_http(asker.error());
-    if (is_list) return changes ? create_world(request, *asker) : list_worlds();
-    if (is_query) return query(request, path.substr(query_path.size()), *asker);
-    if (Status s = let_to_world(*asker, world); !s.ok()) return to_http(s.error());
-    return changes ? delete_world(world, *asker) : get_world(world);
+    const Result<RequestContext> context = authorize(request, path);
+    if (!context.ok()) return to_http(context.error());
+    if (is_list) return changes ? create_world(request, *context) : list_worlds();
+    if (is_query) return query(request, path.substr(query_path.size()), *context);
+    if (Status s = authorize_world(*context, world); !s.ok()) return to_http(s.error());
+    return changes ? delete_world(world, *context) : get_world(world);
 }
 
 HttpResponse HttpRoutes::list_worlds() const {
@@ -216,21 +216,21 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
-HttpResponse HttpRoutes::create_world(const HttpRequest& request, const RequestContext& asker) const {
+HttpResponse HttpRoutes::create_world(const HttpRequest& request, const RequestContext& context) const {
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
-    const Status status = worlds_.create(message, response, asker.who, asker.address);
+    const Status status = worlds_.create(message, response, context.who, context.address);
     const v1::WorldInfo& made = response.world();
-    worlds_.gate().record(asker.who,
-                          {asker.row->call, {made.id(), made.name(), made.owner()}, asker.address},
+    worlds_.gate().record(context.who,
+                          {context.row->call, {made.id(), made.name(), made.owner()}, context.address},
                           status);
     return status.ok() ? json(201, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
-                               const RequestContext& asker) const {
-    const auto let = [&](const std::string& world) { return let_to_world(asker, world); };
+                               const RequestContext& context) const {
+    const auto let = [&](const std::string& world) { return authorize_world(context, world); };
     if (method == "CastRays") return ask(request, queries_, let, &QueryControl::cast_rays);
     if (method == "CastShapes") return ask(request, queries_, let, &QueryControl::cast_shapes);
     if (method == "Overlap") return ask(request, queries_, let, &QueryControl::overlap);
@@ -242,12 +242,12 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
                          "Debug are what there is."});
 }
 
-HttpResponse HttpRoutes::delete_world(const std::string& world, const RequestContext& asker) const {
+HttpResponse HttpRoutes::delete_world(const std::string& world, const RequestContext& context) const {
     v1::DeleteWorldRequest request;
     request.set_world(world);
     v1::DeleteWorldResponse response;
     const Status status = worlds_.remove(request, response);
-    worlds_.gate().record(asker.who, {asker.row->call, {world, {}, {}}, asker.address}, status);
+    worlds_.gate().record(context.who, {context.row->call, {world, {}, {}}, context.address}, status);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 

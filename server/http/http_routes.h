@@ -56,14 +56,14 @@ private:
     bool origin_is_allowed(const HttpRequest& request) const;
     HttpResponse handle_health(std::string_view path) const;
     HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
-    Result<RequestContext> let_in(const HttpRequest& request, std::string_view path) const;
-    Status let_to_world(const RequestContext& asker, const std::string& world) const;
+    Result<RequestContext> authorize(const HttpRequest& request, std::string_view path) const;
+    Status authorize_world(const RequestContext& context, const std::string& world) const;
     HttpResponse list_worlds() const;
     HttpResponse get_world(const std::string& world) const;
-    HttpResponse create_world(const HttpRequest& request, const RequestContext& asker) const;
-    HttpResponse delete_world(const std::string& world, const RequestContext& asker) const;
+    HttpResponse create_world(const HttpRequest& request, const RequestContext& context) const;
+    HttpResponse delete_world(const std::string& world, const RequestContext& context) const;
     HttpResponse query(const HttpRequest& request, std::string_view method,
-                       const RequestContext& asker) const;
+                       const RequestContext& context) const;
 
     WorldControl& worlds_;
     const QueryControl& queries_;

@@ -33,7 +33,7 @@ constexpr auto idle_period = std::chrono::milliseconds(250);  // without WebSock
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
 // Who asks stands back behind who plays.
-constexpr int asking_niceness = 10, changing_niceness = 5;
+constexpr int query_niceness = 10, mutation_niceness = 5;
 
 template <class Session>
 std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
@@ -49,8 +49,8 @@ struct HttpServer::Impl {
           settings(std::move(gateway_settings)),
           services{handler,
                    settings,
-                   asking,
-                   changing,
+                   query_pool,
+                   mutation_pool,
                    body_bytes,
                    [this](SocketStream stream, WebSocketSession::Request request) {
                        begin_play(std::move(stream), request);
@@ -72,8 +72,8 @@ struct HttpServer::Impl {
     const HttpServerSettings settings;
     asio::io_context io{1};
     double body_bytes = 0;  // of requests that are being received or answered
-    WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
-        changing{1, settings.work_queue_max, changing_niceness};
+    WorkPool asking{settings.query_threads, settings.work_queue_max, query_niceness},
+        changing{1, settings.work_queue_max, mutation_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own

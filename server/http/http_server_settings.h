@@ -29,7 +29,7 @@ struct HttpServerSettings {
     std::size_t small_body_bytes_max = 64 * 1024;  // of every other request
     double bodies_bytes_max = 48e6;                // of all that are being received or answered
     std::size_t work_queue_max = 64;               // requests that wait for a thread, of each kind
-    int asking_threads = 1;
+    int query_threads = 1;
     std::size_t message_bytes_max = 64 * 1024;  // one ClientMessage
     std::chrono::seconds request_timeout{
         10};  // for a whole request to come in, or an answer to go out

@@ -38,7 +38,7 @@ HttpSession::HttpSession(SocketStream stream, const Services& services)
 }
 
 HttpSession::~HttpSession() {
-    give_back_body();
+    release_body();
 }
 
 void HttpSession::start() {
@@ -57,7 +57,7 @@ void HttpSession::abort() {
 }
 
 void HttpSession::read(std::chrono::seconds timeout) {
-    give_back_body();
+    release_body();
     idle_since_ = Clock::now();
     parser_.emplace();
     set_bounds(*parser_, services_.settings);
@@ -111,7 +111,7 @@ bool HttpSession::reserve_body(std::size_t bytes) {
     return true;
 }
 
-void HttpSession::give_back_body() {
+void HttpSession::release_body() {
     services_.body_bytes -= std::exchange(reserved_, 0);
 }
 
@@ -141,9 +141,9 @@ void HttpSession::handle_request() {
         case HttpWork::immediate:
             return write(services_.routes.handle(request));
         case HttpWork::query:
-            return handle_on(services_.asking, std::move(request));
+            return handle_on(services_.query_pool, std::move(request));
         case HttpWork::mutation:
-            return handle_on(services_.changing, std::move(request));
+            return handle_on(services_.mutation_pool, std::move(request));
     }
 }
 

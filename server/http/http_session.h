@@ -29,8 +29,8 @@ public:
     struct Services {
         const HttpHandler& routes;
         const HttpServerSettings& settings;
-        WorkPool& asking;    // for requests that take long: those that ask worlds ...
-        WorkPool& changing;  // ... and those that change them
+        WorkPool& query_pool;    // for requests that take long: those that ask worlds ...
+        WorkPool& mutation_pool;  // ... and those that change them
         double& body_bytes;  // of all sessions
         Upgrade upgrade;     // takes the socket of a WebSocket client
     };
@@ -52,7 +52,7 @@ private:
     void on_body(boost::beast::error_code error);
     bool failed(boost::beast::error_code error);
     bool reserve_body(std::size_t bytes);
-    void give_back_body();
+    void release_body();
     void handle_request();
     HttpRequest request_of_peer() const;
     void refuse(int status, std::string text);

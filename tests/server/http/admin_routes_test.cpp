@@ -139,7 +139,7 @@ TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away)
                      .port = 0,
                      .metrics = &metrics.listener(Listener::admin),
                      .work_queue_max = 1,
-                     .asking_threads = 2});
+                     .query_threads = 2});
     ASSERT_TRUE(http_server.start().ok());
     std::vector<std::thread> slow;
     std::atomic<int> served{0};

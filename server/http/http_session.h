@@ -14,7 +14,7 @@
 
 #include "server/http/http_server_settings.h"
 #include "server/http/http_handler.h"
-#include "server/http/peer_bytes.h"
+#include "server/http/beast_request.h"
 #include "server/http/socket_stream.h"
 #include "server/util/clock.h"
 #include "server/util/work_pool.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/http/peer_bytes.h"
+#include "server/http/beast_request.h"
 #include "server/util/socket_options.h"
 #include "server/util/text.h"
 

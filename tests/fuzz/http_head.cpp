@@ -8,7 +8,7 @@
 
 #include "server/auth/allowed_hosts.h"
 #include "server/auth/gate.h"
-#include "server/http/peer_bytes.h"
+#include "server/http/beast_request.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/target.h"
 

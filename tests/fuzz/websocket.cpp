@@ -8,7 +8,7 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
-#include "server/http/peer_bytes.h"
+#include "server/http/beast_request.h"
 #include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {

@@ -18,18 +18,18 @@ namespace jostle::server {
 using BeastRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using BeastRequestParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 
-inline void set_bounds(BeastRequestParser& parser, const HttpServerSettings& settings) {
+inline void set_limits(BeastRequestParser& parser, const HttpServerSettings& settings) {
     parser.header_limit(static_cast<std::uint32_t>(settings.header_bytes_max));
     parser.body_limit(settings.body_bytes_max);
 }
 
 template <class Stream>
-void set_bounds(boost::beast::websocket::stream<Stream>& socket, std::size_t message_bytes_max) {
+void set_limits(boost::beast::websocket::stream<Stream>& socket, std::size_t message_bytes_max) {
     socket.read_message_max(message_bytes_max);
     socket.binary(true);
 }
 
-inline HttpRequest plain_request(const BeastRequest& request) {
+inline HttpRequest to_http_request(const BeastRequest& request) {
     using boost::beast::http::field;
     const auto header = [&](field name) { return std::string(request[name]); };
     return {.method = std::string(request.method_string()),

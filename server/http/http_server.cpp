@@ -36,7 +36,7 @@ constexpr auto accept_pause = std::chrono::milliseconds(100);
 constexpr int query_niceness = 10, mutation_niceness = 5;
 
 template <class Session>
-std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
+std::size_t remove_closed(std::vector<std::weak_ptr<Session>>& sessions) {
     std::erase_if(sessions, [](const auto& session) { return session.expired(); });
     return sessions.size();
 }
@@ -142,7 +142,7 @@ void HttpServer::Impl::on_accept(beast::error_code error, tcp::socket socket) {
 // False: the socket is to be closed at once, which is the cheapest answer there is. Of HTTP
 // connections the one that has been silent for longest goes first; players are never sent away.
 bool HttpServer::Impl::make_room(const tcp::socket& socket) {
-    const std::size_t players = drop_gone(play_sessions), others = drop_gone(http_sessions);
+    const std::size_t players = remove_closed(play_sessions), others = remove_closed(http_sessions);
     beast::error_code error;
     const auto endpoint = socket.remote_endpoint(error);
     if (error) return false;
@@ -200,7 +200,7 @@ void HttpServer::Impl::schedule_housekeeping() {
 // Each round begins with the next client, so that not always the same one is written to last.
 void HttpServer::Impl::advance_all() {
     const Clock::time_point now = Clock::now();
-    const std::size_t count = drop_gone(play_sessions);
+    const std::size_t count = remove_closed(play_sessions);
     if (count == 0) return;
     first = (first + 1) % count;
     for (std::size_t i = 0; i < count; ++i) {
@@ -211,7 +211,7 @@ void HttpServer::Impl::advance_all() {
 
 void HttpServer::Impl::count_open() {
     if (!settings.metrics) return;
-    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    const std::size_t open = remove_closed(http_sessions) + remove_closed(play_sessions);
     settings.metrics->open.Set(static_cast<double>(open));
 }
 

@@ -60,7 +60,7 @@ void HttpSession::read(std::chrono::seconds timeout) {
     release_body();
     idle_since_ = Clock::now();
     parser_.emplace();
-    set_bounds(*parser_, services_.settings);
+    set_limits(*parser_, services_.settings);
     stream_.tcp().expires_after(timeout);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -129,7 +129,7 @@ void HttpSession::on_body(beast::error_code error) {
 }
 
 HttpRequest HttpSession::request_of_peer() const {
-    HttpRequest request = plain_request(parser_->get());
+    HttpRequest request = to_http_request(parser_->get());
     request.address = address_;
     request.certificate = certificate_;
     return request;

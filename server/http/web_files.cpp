@@ -32,7 +32,7 @@ bool has_dot_segment(std::string_view path) {
     return path.starts_with('.') || path.find("/.") != std::string_view::npos;
 }
 
-bool lies_inside(const fs::path& file, const fs::path& folder) {
+bool is_inside(const fs::path& file, const fs::path& folder) {
     const fs::path relative = file.lexically_relative(folder);
     return !relative.empty() && *relative.begin() != "..";
 }
@@ -110,7 +110,7 @@ HttpResponse WebFiles::serve(const HttpRequest& request) const {
 
     std::error_code error;
     const fs::path file = fs::canonical(root_ / *relative, error);
-    if (error || !lies_inside(file, root_) || !fs::is_regular_file(file, error)) {
+    if (error || !is_inside(file, root_) || !fs::is_regular_file(file, error)) {
         if (*relative == "index.html") return page_without_viewer();
         return plain(404, "There is no such file.\n");
     }

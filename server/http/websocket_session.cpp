@@ -73,7 +73,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
     timeout.keep_alive_pings = false;
     socket_->set_option(timeout);
-    set_bounds(*socket_, message_bytes_max);
+    set_limits(*socket_, message_bytes_max);
     socket_->auto_fragment(
         false);  // a snapshot is one frame, and its pieces are sent from where they lie
 }

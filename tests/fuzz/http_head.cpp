@@ -18,7 +18,7 @@ namespace {
 
 // What the gateway does with one request, up to its answer.
 void look_at(const server::BeastRequest& raw, const server::HttpServerSettings& settings) {
-    const server::HttpRequest request = server::plain_request(raw);
+    const server::HttpRequest request = server::to_http_request(raw);
     expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
     static_cast<void>(boost::beast::websocket::is_upgrade(raw));
@@ -37,7 +37,7 @@ void run(Bytes input) {
     boost::beast::flat_buffer buffer;
     for (int requests = 0; requests < 8; requests++) {
         server::BeastRequestParser parser;
-        set_bounds(parser, settings);
+        set_limits(parser, settings);
         while (!parser.is_done()) {
             if (parser.is_header_done()) {
                 if (parser.chunked()) return;  // refused, and the connection closed

@@ -25,13 +25,13 @@ void run(Bytes input) {
     beast::error_code error;
     beast::flat_buffer buffer;
     server::BeastRequestParser parser;
-    server::set_bounds(parser, server::HttpServerSettings{});
+    server::set_limits(parser, server::HttpServerSettings{});
     beast::http::read(ours, buffer, parser, error);
     if (error || !beast::websocket::is_upgrade(parser.get())) return;
 
     // The frames came with the head, and its reader took them along.
     beast::websocket::stream<beast::test::stream> socket(std::move(ours));
-    server::set_bounds(socket, message_bytes_max);
+    server::set_limits(socket, message_bytes_max);
     socket.next_layer().append({static_cast<const char*>(buffer.data().data()), buffer.size()});
     socket.accept(parser.release(), error);
     if (error) return;

@@ -91,7 +91,7 @@ struct Check {
         return {};
     }
     Status operator()(const LeaveCommand&) const { return {}; }
-    Status operator()(const LoseCommand&) const { return {}; }
+    Status operator()(const DisconnectCommand&) const { return {}; }
 
 private:
     static Status check_shape(const physics::Geometry& geometry) {

@@ -96,7 +96,7 @@ void visit_action(Visitor& v, Command& c) {
     } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
         v(c.retain_bodies);
     } else {
-        static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, LoseCommand>);
+        static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, DisconnectCommand>);
     }
 }
 

@@ -154,7 +154,7 @@ struct Apply {
         return {};
     }
 
-    Status operator()(const LoseCommand&) const {
+    Status operator()(const DisconnectCommand&) const {
         state.grabs.release(state.world, client);
         static_cast<void>(state.drivers.control(state.world, client, {}));
         return {};

@@ -83,11 +83,11 @@ struct LeaveCommand {
 
 // The client's connection broke, and it may come back: its hand lets go, and what it drives is as
 // if it held nothing. Carries no sequence.
-struct LoseCommand {};
+struct DisconnectCommand {};
 
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, LoseCommand>;
+                            LeaveCommand, DisconnectCommand>;
 
 // What became of one input.
 struct InputResult {

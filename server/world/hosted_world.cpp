@@ -105,7 +105,7 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool counts = !is_leave && !std::holds_alternative<LoseCommand>(command.action);
+    const bool counts = !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
     if (counts) result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = act(command, result);
     // The client is gone, and with it what its inputs are counted from.
@@ -134,7 +134,7 @@ void HostedWorld::apply_again(const JournaledCommand& command) {
     const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
     if (is_leave)
         last_sequences_.erase(command.client);
-    else if (!has || !std::holds_alternative<LoseCommand>(*command.action))
+    else if (!has || !std::holds_alternative<DisconnectCommand>(*command.action))
         last_sequences_[command.client] = command.sequence;
     EntityId about = 0;
     if (has) static_cast<void>(apply_action(state_, command.client, *command.action, about).ok());

@@ -109,7 +109,7 @@ void WorldHost::leave(ClientId client, bool retain_bodies) {
 
 void WorldHost::lose(ClientId client) {
     const std::lock_guard lock(leave_mutex_);
-    leavers_.push_back({.client = client, .action = LoseCommand{}, .reply = nullptr});
+    leavers_.push_back({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
 }
 
 void WorldHost::pause(std::string reason) {

@@ -530,7 +530,7 @@ void write_kept(const fs::path& folder) {
                                       server::DeleteCommand{11},
                                       server::PossessCommand{2},
                                       server::ControlCommand{},
-                                      server::LoseCommand{},
+                                      server::DisconnectCommand{},
                                       server::LeaveCommand{true}};
     server::JournalSegment journal{{}, {{2, 4}}};
     std::uint32_t tick = 0;

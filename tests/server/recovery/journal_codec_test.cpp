@@ -53,7 +53,7 @@ Action any_action(test::Random& random) {
                               ExplodeCommand{{}, 4, 6, aim},
                               PossessCommand{entity},
                               ControlCommand{{.axes = {0.5, -1}, .buttons = 3}},
-                              LoseCommand{},
+                              DisconnectCommand{},
                               LeaveCommand{random.below(2) == 0}};
     return actions[random.below(std::size(actions))];
 }

@@ -39,7 +39,7 @@ void let_go(PlayContext& context, const LostClient& lost) {
 void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until) {
     context.sessions.enter_again(client, world->id(), {});
-    world->lose(client);
+    world->disconnect(client);
     context.resumes.expect({.client = client,
                             .feed = context.feeds.feed_of(world, context.config.stream.interest_cell_m),
                             .network = {},
@@ -57,7 +57,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
 void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
     for (const ClientId client : clients) {
         if (context.sessions.has(client))
-            world.lose(client);
+            world.disconnect(client);
         else
             world.leave(client, context.config.client.retain_bodies_after_leave);
     }
@@ -93,7 +93,7 @@ std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
 
 void ClientLink::keep_place(Clock::time_point now) {
     collect_results();
-    feed_->host().lose(client_);
+    feed_->host().disconnect(client_);
     LostClient lost{.client = client_,
                     .feed = feed_,
                     .network = network_of(peer_.address),

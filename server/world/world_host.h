@@ -82,7 +82,7 @@ public:
     // Any thread; never waits and is never refused: the world takes it after what the client sent.
     void leave(ClientId client, bool retain_bodies);
     // The same for a client whose connection broke and that may come back.
-    void lose(ClientId client);
+    void disconnect(ClientId client);
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next

@@ -21,7 +21,7 @@ bool can_be_driven(const World& world, BodyId body) {
         tags, [&](const std::string& tag) { return world.module(tag)->takes_controls(body); });
 }
 
-Status Drivers::possess(World& world, ClientId client, BodyId body) {
+Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {
     if (module_that_drives(world, body) == nullptr)
         return Error{ErrorCode::permission_denied, "nobody can drive that"};
     const auto drives = [&](const auto& entry) {
@@ -36,7 +36,7 @@ Status Drivers::possess(World& world, ClientId client, BodyId body) {
     return {};
 }
 
-std::optional<BodyId> Drivers::control(World& world, ClientId client, const Controls& controls) {
+std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client, const Controls& controls) {
     const auto at = driven_.find(client);
     if (at == driven_.end()) return std::nullopt;
     Module* const module = module_that_drives(world, at->second);
@@ -48,18 +48,18 @@ std::optional<BodyId> Drivers::control(World& world, ClientId client, const Cont
     return at->second;
 }
 
-void Drivers::release(World& world, ClientId client) {
+void ControllerRegistry::release(World& world, ClientId client) {
     if (driven_.contains(client)) static_cast<void>(control(world, client, {}));
     driven_.erase(client);
 }
 
-void Drivers::release_body(World& world, BodyId body) {
+void ControllerRegistry::release_body(World& world, BodyId body) {
     const auto at =
         std::ranges::find_if(driven_, [&](const auto& entry) { return entry.second == body; });
     if (at != driven_.end()) release(world, at->first);
 }
 
-std::vector<DrivenState> Drivers::told(World& world, const modules::NameOfBody& name_of) const {
+std::vector<DrivenState> ControllerRegistry::told(World& world, const modules::NameOfBody& name_of) const {
     std::vector<DrivenState> states;
     for (const auto& [client, body] : driven_) {
         Module* const module = module_that_drives(world, body);
@@ -72,11 +72,11 @@ std::vector<DrivenState> Drivers::told(World& world, const modules::NameOfBody& 
     return states;
 }
 
-void Drivers::write(HostImage& image) const {
+void ControllerRegistry::write(HostImage& image) const {
     for (const auto& [client, body] : driven_) image.driven.push_back({client, body});
 }
 
-void Drivers::restore(const HostImage& image) {
+void ControllerRegistry::restore(const HostImage& image) {
     for (const HostImage::Driven& driven : image.driven) driven_[driven.client] = driven.body;
 }
 

@@ -16,7 +16,7 @@
 
 namespace jostle::server {
 
-class Drivers {
+class ControllerRegistry {
 public:
     // Lets go of what the client drove. Refused: no module lets anybody drive the body
     // (permission_denied), or somebody else does.

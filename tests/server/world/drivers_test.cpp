@@ -60,7 +60,7 @@ protected:
     World world = std::move(*World::create({.gravity = {}}));
     Rollers* rollers = nullptr;
     BodyId one, two;
-    Drivers drivers;
+    ControllerRegistry drivers;
 };
 
 constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};

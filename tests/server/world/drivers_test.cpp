@@ -33,9 +33,9 @@ public:
     std::vector<std::pair<BodyId, Controls>> balls;
 };
 
-class DriversTest : public testing::Test {
+class ControllerRegistryTest : public testing::Test {
 protected:
-    DriversTest() {
+    ControllerRegistryTest() {
         auto module = std::make_unique<Rollers>();
         rollers = module.get();
         for (int k = 0; k < 2; k++) rollers->balls.push_back({add(), {}});
@@ -65,7 +65,7 @@ protected:
 
 constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};
 
-TEST_F(DriversTest, what_a_driver_holds_reaches_the_module) {
+TEST_F(ControllerRegistryTest, what_a_driver_holds_reaches_the_module) {
     EXPECT_FALSE(drivers.control(world, 1, right)) << "drives nothing yet";
     EXPECT_EQ(complaint(1, one), "");
     EXPECT_EQ(drivers.control(world, 1, right), one);
@@ -76,7 +76,7 @@ TEST_F(DriversTest, what_a_driver_holds_reaches_the_module) {
     EXPECT_EQ(world.body(two)->linear_velocity.x, 0);
 }
 
-TEST_F(DriversTest, one_client_drives_one_body_and_one_body_has_one_driver) {
+TEST_F(ControllerRegistryTest, one_client_drives_one_body_and_one_body_has_one_driver) {
     EXPECT_EQ(complaint(1, one), "");
     EXPECT_EQ(complaint(2, one), "somebody else drives it");
     EXPECT_EQ(complaint(1, one), "") << "again";
@@ -88,14 +88,14 @@ TEST_F(DriversTest, one_client_drives_one_body_and_one_body_has_one_driver) {
     EXPECT_EQ(held(one), 0.5);
 }
 
-TEST_F(DriversTest, what_no_module_drives_is_refused) {
+TEST_F(ControllerRegistryTest, what_no_module_drives_is_refused) {
     const BodyId other = add();
     EXPECT_FALSE(can_be_driven(world, other));
     EXPECT_TRUE(can_be_driven(world, one));
     EXPECT_EQ(complaint(1, other), "nobody can drive that");
 }
 
-TEST_F(DriversTest, who_leaves_lets_go) {
+TEST_F(ControllerRegistryTest, who_leaves_lets_go) {
     ASSERT_EQ(complaint(1, one), "");
     drivers.control(world, 1, right);
     drivers.release(world, 1);
@@ -103,7 +103,7 @@ TEST_F(DriversTest, who_leaves_lets_go) {
     EXPECT_FALSE(drivers.control(world, 1, right));
 }
 
-TEST_F(DriversTest, a_body_that_goes_has_no_driver) {
+TEST_F(ControllerRegistryTest, a_body_that_goes_has_no_driver) {
     ASSERT_EQ(complaint(1, one), "");
     ASSERT_EQ(complaint(2, two), "");
     drivers.release_body(world, one);

@@ -7,7 +7,7 @@
 #include "jostle/base/result.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
-#include "server/world/drivers.h"
+#include "server/world/controller_registry.h"
 #include "server/world/entity_registry.h"
 #include "server/world/grabs.h"
 #include "server/world/ownership.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "server/world/drivers.h"
+#include "server/world/controller_registry.h"
 
 namespace jostle::server {
 

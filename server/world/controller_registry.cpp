@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/drivers.h"
+#include "server/world/controller_registry.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Who drives what, by way of a module that lets two of its balls be pushed about.
-#include "server/world/drivers.h"
+#include "server/world/controller_registry.h"
 
 #include <gtest/gtest.h>
 

@@ -129,16 +129,16 @@ struct Apply {
     Status operator()(const PossessCommand& c) const {
         about = c.entity;
         if (c.entity == 0) {
-            state.drivers.release(state.world, client);
+            state.controllers.release(state.world, client);
             return {};
         }
         const Entity* entity = state.entities.find(c.entity);
         if (!entity) return no_such_entity(c.entity);
-        return state.drivers.possess(state.world, client, entity->body);
+        return state.controllers.possess(state.world, client, entity->body);
     }
 
     Status operator()(const ControlCommand& c) const {
-        const std::optional<BodyId> body = state.drivers.control(state.world, client, c.controls);
+        const std::optional<BodyId> body = state.controllers.control(state.world, client, c.controls);
         if (!body)
             return refused(ErrorCode::not_found, "you drive nothing; possess an entity first");
         about = state.entities.entity_of(*body);
@@ -150,13 +150,13 @@ struct Apply {
             for (const EntityId id : state.ownership.owned_by(client)) remove(id);
         state.ownership.forget(client);
         state.grabs.release(state.world, client);
-        state.drivers.release(state.world, client);
+        state.controllers.release(state.world, client);
         return {};
     }
 
     Status operator()(const DisconnectCommand&) const {
         state.grabs.release(state.world, client);
-        static_cast<void>(state.drivers.control(state.world, client, {}));
+        static_cast<void>(state.controllers.control(state.world, client, {}));
         return {};
     }
 
@@ -189,7 +189,7 @@ private:
 void forget_entity(HostedState& state, EntityId id) {
     const BodyId body = state.entities.find(id)->body;
     state.grabs.release_body(state.world, body);
-    state.drivers.release_body(state.world, body);
+    state.controllers.release_body(state.world, body);
     state.ownership.remove(id);
     state.entities.remove(id);
 }

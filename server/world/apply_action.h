@@ -28,7 +28,7 @@ struct HostedState {
     EntityRegistry entities;
     Ownership ownership;
     Grabs grabs;
-    ControllerRegistry drivers;
+    ControllerRegistry controllers;
 };
 
 // `about` becomes the entity that the action is about, if any, also when it is refused.

@@ -7,7 +7,7 @@ namespace jostle::server {
 
 using namespace physics;
 
-Module* module_that_drives(World& world, BodyId body) {
+Module* controlling_module(World& world, BodyId body) {
     for (const std::string& tag : world.modules()) {
         Module* const module = world.module(tag);
         if (module->takes_controls(body)) return module;
@@ -15,33 +15,33 @@ Module* module_that_drives(World& world, BodyId body) {
     return nullptr;
 }
 
-bool can_be_driven(const World& world, BodyId body) {
+bool is_controllable(const World& world, BodyId body) {
     const std::vector<std::string> tags = world.modules();
     return std::ranges::any_of(
         tags, [&](const std::string& tag) { return world.module(tag)->takes_controls(body); });
 }
 
 Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {
-    if (module_that_drives(world, body) == nullptr)
+    if (controlling_module(world, body) == nullptr)
         return Error{ErrorCode::permission_denied, "nobody can drive that"};
     const auto drives = [&](const auto& entry) {
         return entry.second == body && entry.first != client;
     };
-    if (std::ranges::any_of(driven_, drives))
+    if (std::ranges::any_of(controlled_, drives))
         return Error{ErrorCode::permission_denied, "somebody else drives it"};
-    const auto at = driven_.find(client);
-    if (at != driven_.end() && at->second == body) return {};
+    const auto at = controlled_.find(client);
+    if (at != controlled_.end() && at->second == body) return {};
     release(world, client);
-    driven_[client] = body;
+    controlled_[client] = body;
     return {};
 }
 
 std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client, const Controls& controls) {
-    const auto at = driven_.find(client);
-    if (at == driven_.end()) return std::nullopt;
-    Module* const module = module_that_drives(world, at->second);
+    const auto at = controlled_.find(client);
+    if (at == controlled_.end()) return std::nullopt;
+    Module* const module = controlling_module(world, at->second);
     if (module == nullptr) {  // it let go of the body
-        driven_.erase(at);
+        controlled_.erase(at);
         return std::nullopt;
     }
     module->control(world, at->second, controls);
@@ -49,20 +49,20 @@ std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client,
 }
 
 void ControllerRegistry::release(World& world, ClientId client) {
-    if (driven_.contains(client)) static_cast<void>(control(world, client, {}));
-    driven_.erase(client);
+    if (controlled_.contains(client)) static_cast<void>(control(world, client, {}));
+    controlled_.erase(client);
 }
 
 void ControllerRegistry::release_body(World& world, BodyId body) {
     const auto at =
-        std::ranges::find_if(driven_, [&](const auto& entry) { return entry.second == body; });
-    if (at != driven_.end()) release(world, at->first);
+        std::ranges::find_if(controlled_, [&](const auto& entry) { return entry.second == body; });
+    if (at != controlled_.end()) release(world, at->first);
 }
 
 std::vector<DrivenState> ControllerRegistry::told(World& world, const modules::NameOfBody& name_of) const {
     std::vector<DrivenState> states;
-    for (const auto& [client, body] : driven_) {
-        Module* const module = module_that_drives(world, body);
+    for (const auto& [client, body] : controlled_) {
+        Module* const module = controlling_module(world, body);
         if (module == nullptr) continue;
         auto words = modules::tell_driven(world, *module, body, name_of);
         if (words)
@@ -73,11 +73,11 @@ std::vector<DrivenState> ControllerRegistry::told(World& world, const modules::N
 }
 
 void ControllerRegistry::write(HostImage& image) const {
-    for (const auto& [client, body] : driven_) image.driven.push_back({client, body});
+    for (const auto& [client, body] : controlled_) image.driven.push_back({client, body});
 }
 
 void ControllerRegistry::restore(const HostImage& image) {
-    for (const HostImage::Driven& driven : image.driven) driven_[driven.client] = driven.body;
+    for (const HostImage::Driven& driven : image.driven) controlled_[driven.client] = driven.body;
 }
 
 }  // namespace jostle::server

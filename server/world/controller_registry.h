@@ -29,17 +29,17 @@ public:
     void release_body(physics::World& world, physics::BodyId body);
 
     // What is driven, for clients that foresee it.
-    std::vector<DrivenState> told(physics::World& world, const modules::NameOfBody& name_of) const;
+    std::vector<DrivenState> controlled_states(physics::World& world, const modules::NameOfBody& name_of) const;
 
     void write(HostImage& image) const;
     void restore(const HostImage& image);
 
 private:
-    std::map<ClientId, physics::BodyId> driven_;
+    std::map<ClientId, physics::BodyId> controlled_;
 };
 
 // The module that lets somebody drive the body; null: none.
-physics::Module* module_that_drives(physics::World& world, physics::BodyId body);
-bool can_be_driven(const physics::World& world, physics::BodyId body);
+physics::Module* controlling_module(physics::World& world, physics::BodyId body);
+bool is_controllable(const physics::World& world, physics::BodyId body);
 
 }  // namespace jostle::server

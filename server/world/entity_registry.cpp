@@ -38,7 +38,7 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
     description->angular_damping = def.angular_damping;
     description->gravity_scale = def.gravity_scale;
     description->locks = def.locks;
-    description->controllable = can_be_driven(world, body);
+    description->controllable = is_controllable(world, body);
     return description;
 }
 

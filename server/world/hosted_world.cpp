@@ -52,7 +52,7 @@ Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
     if (Status s = state.entities.restore(state.world, image); !s.ok()) return s.error();
     state.ownership.restore(image);
     state.grabs.restore(image);
-    state.drivers.restore(image);
+    state.controllers.restore(image);
     for (const HostImage::Counted& counted : image.counted)
         hosted.last_sequences_[counted.client] = counted.sequence;
     hosted.quarantined_.insert(image.quarantined.begin(), image.quarantined.end());
@@ -71,7 +71,7 @@ HostImage HostedWorld::image(std::uint32_t tick) const {
     state_.entities.write(image);
     state_.ownership.write(image);
     state_.grabs.write(image);
-    state_.drivers.write(image);
+    state_.controllers.write(image);
     for (const auto& [client, sequence] : last_sequences_)
         image.counted.push_back({client, sequence});
     return image;
@@ -222,7 +222,7 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.changed_at = changed_at_;
     frame.channels = told_ = channels_.channels();
     if (tells_driven_) {
-        auto driven = state_.drivers.told(
+        auto driven = state_.controllers.told(
             state_.world, [this](BodyId body) { return state_.entities.living(body); });
         if (!driven.empty())
             frame.driven = std::make_shared<const std::vector<DrivenState>>(std::move(driven));

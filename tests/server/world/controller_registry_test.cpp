@@ -48,7 +48,7 @@ protected:
         return *world.create_body({.pose = {.position = at}}, {.geometry = Sphere{0.5}});
     }
     std::string complaint(ClientId client, BodyId body) {
-        const Status status = drivers.possess(world, client, body);
+        const Status status = controllers.possess(world, client, body);
         return status.ok() ? "" : status.error().message;
     }
     double held(BodyId body) const {
@@ -60,7 +60,7 @@ protected:
     World world = std::move(*World::create({.gravity = {}}));
     Rollers* rollers = nullptr;
     BodyId one, two;
-    ControllerRegistry drivers;
+    ControllerRegistry controllers;
 };
 
 constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};
@@ -90,15 +90,15 @@ TEST_F(ControllerRegistryTest, one_client_drives_one_body_and_one_body_has_one_d
 
 TEST_F(ControllerRegistryTest, what_no_module_drives_is_refused) {
     const BodyId other = add();
-    EXPECT_FALSE(can_be_driven(world, other));
-    EXPECT_TRUE(can_be_driven(world, one));
+    EXPECT_FALSE(is_controllable(world, other));
+    EXPECT_TRUE(is_controllable(world, one));
     EXPECT_EQ(complaint(1, other), "nobody can drive that");
 }
 
 TEST_F(ControllerRegistryTest, who_leaves_lets_go) {
     ASSERT_EQ(complaint(1, one), "");
-    drivers.control(world, 1, right);
-    drivers.release(world, 1);
+    controllers.control(world, 1, right);
+    controllers.release(world, 1);
     EXPECT_EQ(held(one), 0);
     EXPECT_FALSE(drivers.control(world, 1, right));
 }
@@ -106,7 +106,7 @@ TEST_F(ControllerRegistryTest, who_leaves_lets_go) {
 TEST_F(ControllerRegistryTest, a_body_that_goes_has_no_driver) {
     ASSERT_EQ(complaint(1, one), "");
     ASSERT_EQ(complaint(2, two), "");
-    drivers.release_body(world, one);
+    controllers.release_body(world, one);
     EXPECT_FALSE(drivers.control(world, 1, right));
     EXPECT_TRUE(drivers.control(world, 2, right));
     rollers->balls.clear();

@@ -151,7 +151,7 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     return snapshot.SerializeAsString();
 }
 
-std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+std::string encode_driven_field(const ControlledEntityState& driven, std::uint32_t tick,
                                 std::span<const std::uint32_t> before, bool whole) {
     if (whole) before = {};
     wire::WordChanges changes = wire::changes_between(before, driven.words);

@@ -70,7 +70,7 @@ struct ClientUpdate {
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
 // What the client drives, against the words that it was told last; `whole`: against none.
-std::string encode_driven_field(const DrivenState& driven, std::uint32_t tick,
+std::string encode_driven_field(const ControlledEntityState& driven, std::uint32_t tick,
                                 std::span<const std::uint32_t> before, bool whole);
 
 // The fields of jostle.v1.Snapshot that all clients share.

@@ -171,7 +171,7 @@ std::string ClientLink::take_events(const Frame& frame) {
 // next.
 std::string ClientLink::take_driven(const Frame& frame) {
     if (!wants_driven_ || !frame.driven) return {};
-    const auto mine = std::ranges::find(*frame.driven, client_, &DrivenState::client);
+    const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
     const bool whole = !told_driven_ || told_driven_->entity != mine->entity;
     const double every = std::max(1.0, std::round(feed_->host().hz() / driven_per_second));

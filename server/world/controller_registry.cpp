@@ -59,8 +59,8 @@ void ControllerRegistry::release_body(World& world, BodyId body) {
     if (at != controlled_.end()) release(world, at->first);
 }
 
-std::vector<DrivenState> ControllerRegistry::told(World& world, const modules::NameOfBody& name_of) const {
-    std::vector<DrivenState> states;
+std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const modules::NameOfBody& name_of) const {
+    std::vector<ControlledEntityState> states;
     for (const auto& [client, body] : controlled_) {
         Module* const module = controlling_module(world, body);
         if (module == nullptr) continue;

@@ -29,7 +29,7 @@ public:
     void release_body(physics::World& world, physics::BodyId body);
 
     // What is driven, for clients that foresee it.
-    std::vector<DrivenState> controlled_states(physics::World& world, const modules::NameOfBody& name_of) const;
+    std::vector<ControlledEntityState> controlled_states(physics::World& world, const modules::NameOfBody& name_of) const;
 
     void write(HostImage& image) const;
     void restore(const HostImage& image);

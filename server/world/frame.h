@@ -38,7 +38,7 @@ struct EntityDescription {
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
 // What somebody drives, as jostle/modules/driven.h tells it.
-struct DrivenState {
+struct ControlledEntityState {
     ClientId client = 0;
     EntityId entity = 0;
     std::string module;  // its tag
@@ -62,7 +62,7 @@ struct Frame {
     // the same values.
     std::shared_ptr<const Channels> channels;
     // Of this tick, while a client is there who simulates; null: nothing is driven.
-    std::shared_ptr<const std::vector<DrivenState>> driven;
+    std::shared_ptr<const std::vector<ControlledEntityState>> driven;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick: the solver alone
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

@@ -225,7 +225,7 @@ void HostedWorld::copy_into(Frame& frame) {
         auto driven = state_.controllers.told(
             state_.world, [this](BodyId body) { return state_.entities.living(body); });
         if (!driven.empty())
-            frame.driven = std::make_shared<const std::vector<DrivenState>>(std::move(driven));
+            frame.driven = std::make_shared<const std::vector<ControlledEntityState>>(std::move(driven));
     }
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;

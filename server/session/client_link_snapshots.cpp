@@ -170,7 +170,7 @@ std::string ClientLink::take_events(const Frame& frame) {
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
 std::string ClientLink::take_driven(const Frame& frame) {
-    if (!wants_driven_ || !frame.driven) return {};
+    if (!wants_driven_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
     const bool whole = !told_driven_ || told_driven_->entity != mine->entity;

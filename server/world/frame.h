@@ -62,7 +62,7 @@ struct Frame {
     // the same values.
     std::shared_ptr<const Channels> channels;
     // Of this tick, while a client is there who simulates; null: nothing is driven.
-    std::shared_ptr<const std::vector<ControlledEntityState>> driven;
+    std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick: the solver alone
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

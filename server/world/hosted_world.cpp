@@ -222,10 +222,10 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.changed_at = changed_at_;
     frame.channels = told_ = channels_.channels();
     if (tells_driven_) {
-        auto driven = state_.controllers.told(
+        auto controlled_entities = state_.controllers.told(
             state_.world, [this](BodyId body) { return state_.entities.living(body); });
         if (!driven.empty())
-            frame.driven = std::make_shared<const std::vector<ControlledEntityState>>(std::move(driven));
+            frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(std::move(driven));
     }
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;

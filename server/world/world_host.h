@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "server/util/bounded_queue.h"
-#include "server/world/early_commands.h"
+#include "server/world/scheduled_inputs.h"
 #include "server/world/hosted_world.h"
 #include "server/world/query_broker.h"
 #include "server/world/step_allowance.h"
@@ -199,7 +199,7 @@ private:
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
-    EarlyCommands early_;  // the tick thread's own
+    ScheduledInputs early_;  // the tick thread's own
     std::mutex leave_mutex_;
     std::vector<Command> leavers_;  // few of each client
     mutable std::mutex pause_mutex_;

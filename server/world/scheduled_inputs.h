@@ -14,12 +14,12 @@
 
 namespace jostle::server {
 
-class EarlyCommands {
+class ScheduledInputs {
 public:
     static constexpr std::uint32_t ticks_max = 16;
 
     // When more than this wait, all that wait are taken at once.
-    explicit EarlyCommands(std::size_t commands_max) : commands_max_(commands_max) {}
+    explicit ScheduledInputs(std::size_t commands_max) : commands_max_(commands_max) {}
 
     // Leaves in the batch what is for this tick, in order of arrival: what waited for it, then what
     // is new. What those who leave had sent is for this tick, whatever it says.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/early_commands.h"
+#include "server/world/scheduled_inputs.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace jostle::server {
 
-void EarlyCommands::sort_out(std::vector<Command>& batch, std::uint32_t tick,
+void ScheduledInputs::sort_out(std::vector<Command>& batch, std::uint32_t tick,
                              std::span<const Command> leavers) {
     const auto is_early = [&](const Command& command) { return command.tick > tick; };
     if (waiting_.empty() && std::none_of(batch.begin(), batch.end(), is_early)) return;
@@ -35,7 +35,7 @@ void EarlyCommands::sort_out(std::vector<Command>& batch, std::uint32_t tick,
 }
 
 // Not before what the same client sent earlier.
-std::uint32_t EarlyCommands::tick_of(const Command& command, std::uint32_t tick,
+std::uint32_t ScheduledInputs::tick_of(const Command& command, std::uint32_t tick,
                                      std::span<const Command> leavers) const {
     for (const Command& l : leavers)
         if (l.client == command.client) return tick;

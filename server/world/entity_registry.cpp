@@ -119,7 +119,7 @@ EntityId EntityRegistry::entity_of(physics::BodyId body) const {
     return body.index < entity_of_body_.size() ? entity_of_body_[body.index] : 0;
 }
 
-EntityId EntityRegistry::living(physics::BodyId body) const {
+EntityId EntityRegistry::find_living(physics::BodyId body) const {
     if (body.index >= entity_of_body_.size()) return 0;
     return generation_of_body_[body.index] == body.generation ? entity_of_body_[body.index] : 0;
 }

@@ -46,7 +46,7 @@ public:
     // Of a body that lives, or that was removed since the step before the last.
     EntityId entity_of(physics::BodyId body) const;
     // Of a body that lives; 0 for any other id, whatever it holds.
-    EntityId living(physics::BodyId body) const;
+    EntityId find_living(physics::BodyId body) const;
     const std::vector<EntityId>& by_body() const { return entity_of_body_; }  // by index; 0: none
     const std::map<EntityId, Entity>& all() const { return entities_; }       // in rising order
     std::size_t size() const { return entities_.size(); }

@@ -22,7 +22,7 @@ void follow_modules(HostedState& state, std::vector<BodyState>& bodies) {
     if (state.world.modules().empty()) return;
     state.world.copy_bodies(bodies);
     const auto is_known = [&](const BodyState& body) {
-        return state.entities.living(body.id) != 0;
+        return state.entities.find_living(body.id) != 0;
     };
     const auto known = static_cast<std::size_t>(std::ranges::count_if(bodies, is_known));
     // First: a new body may have the index of one that is gone.

@@ -146,7 +146,7 @@ Status HostedWorld::step(double dt, std::uint32_t tick) {
     follow_modules(state_, bodies_);
     state_.entities.on_step();
     channels_.publish(state_.world, tick,
-                      [this](BodyId body) { return state_.entities.living(body); });
+                      [this](BodyId body) { return state_.entities.find_living(body); });
     return {};
 }
 
@@ -223,7 +223,7 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.channels = told_ = channels_.channels();
     if (tells_driven_) {
         auto controlled_entities = state_.controllers.told(
-            state_.world, [this](BodyId body) { return state_.entities.living(body); });
+            state_.world, [this](BodyId body) { return state_.entities.find_living(body); });
         if (!driven.empty())
             frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(std::move(driven));
     }

@@ -6,12 +6,12 @@
 
 namespace jostle::server {
 
-void ScheduledInputs::sort_out(std::vector<Command>& batch, std::uint32_t tick,
-                             std::span<const Command> leavers) {
+void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick,
+                             std::span<const Command> leave_commands) {
     const auto is_early = [&](const Command& command) { return command.tick > tick; };
     if (waiting_.empty() && std::none_of(batch.begin(), batch.end(), is_early)) return;
     const auto has_left = [&](const Waiting& w) {
-        return std::any_of(leavers.begin(), leavers.end(),
+        return std::any_of(leave_commands.begin(), leave_commands.end(),
                            [&](const Command& l) { return l.client == w.command.client; });
     };
     const bool too_many = waiting_.size() + batch.size() > commands_max_;
@@ -25,7 +25,7 @@ void ScheduledInputs::sort_out(std::vector<Command>& batch, std::uint32_t tick,
     }
     waiting_.resize(kept);
     for (Command& command : batch) {
-        const std::uint32_t at = too_many ? tick : tick_of(command, tick, leavers);
+        const std::uint32_t at = too_many ? tick : tick_of(command, tick, leave_commands);
         if (at <= tick)
             now_.push_back(std::move(command));
         else
@@ -36,8 +36,8 @@ void ScheduledInputs::sort_out(std::vector<Command>& batch, std::uint32_t tick,
 
 // Not before what the same client sent earlier.
 std::uint32_t ScheduledInputs::tick_of(const Command& command, std::uint32_t tick,
-                                     std::span<const Command> leavers) const {
-    for (const Command& l : leavers)
+                                     std::span<const Command> leave_commands) const {
+    for (const Command& l : leave_commands)
         if (l.client == command.client) return tick;
     std::uint32_t at = std::clamp(command.tick, tick, tick + ticks_max);
     for (const Waiting& w : waiting_)

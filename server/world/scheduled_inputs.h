@@ -23,8 +23,8 @@ public:
 
     // Leaves in the batch what is for this tick, in order of arrival: what waited for it, then what
     // is new. What those who leave had sent is for this tick, whatever it says.
-    void sort_out(std::vector<Command>& batch, std::uint32_t tick,
-                  std::span<const Command> leavers);
+    void select_due(std::vector<Command>& batch, std::uint32_t tick,
+                  std::span<const Command> leave_commands);
 
 private:
     struct Waiting {
@@ -32,11 +32,11 @@ private:
         Command command;
     };
     std::uint32_t tick_of(const Command& command, std::uint32_t tick,
-                          std::span<const Command> leavers) const;
+                          std::span<const Command> leave_commands) const;
 
     std::size_t commands_max_;
     std::vector<Waiting> waiting_;  // in order of arrival
-    std::vector<Command> now_;      // of sort_out(), kept for its memory
+    std::vector<Command> now_;      // of select_due(), kept for its memory
 };
 
 }  // namespace jostle::server

@@ -53,7 +53,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       world_journal_(std::move(start.world_journal)),
       tick_(start.tick),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
-      early_(static_cast<std::size_t>(settings.command_queue_max)),
+      scheduled_(static_cast<std::size_t>(settings.command_queue_max)),
       paused_(std::move(start.paused)),
       watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
@@ -104,12 +104,12 @@ bool WorldHost::stop_to_go_on() {
 
 void WorldHost::leave(ClientId client, bool retain_bodies) {
     const std::lock_guard lock(leave_mutex_);
-    leavers_.push_back({.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
+    leave_commands_.push_back({.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
 }
 
 void WorldHost::lose(ClientId client) {
     const std::lock_guard lock(leave_mutex_);
-    leavers_.push_back({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
+    leave_commands_.push_back({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
 }
 
 void WorldHost::pause(std::string reason) {
@@ -227,14 +227,14 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
 void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
     {
         const std::lock_guard lock(leave_mutex_);
-        leavers_taken_.swap(leavers_);
+        leave_commands_taken_.swap(leave_commands_);
     }
     commands_.drain_into(batch_);
-    early_.sort_out(batch_, tick_, leavers_taken_);
+    scheduled_.select_due(batch_, tick_, leave_commands_taken_);
     results_.clear();
     for (const Command& command : batch_) results_.push_back(answer(command, refusal, due));
-    for (const Command& command : leavers_taken_) world_.apply(command, tick_);
-    leavers_taken_.clear();
+    for (const Command& command : leave_commands_taken_) world_.apply(command, tick_);
+    leave_commands_taken_.clear();
 }
 
 std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& paused) const {

@@ -193,15 +193,15 @@ private:
     bool step_refused_ = false, step_interrupted_ = false;
     bool cut_short_ = false;  // the last step, by the world's end
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
-    std::vector<Command> batch_, leavers_taken_;
+    std::vector<Command> batch_, leave_commands_taken_;
     std::vector<InputResult> results_;    // of batch_, one each
     std::vector<double> recent_tick_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
-    ScheduledInputs early_;  // the tick thread's own
+    ScheduledInputs scheduled_;  // the tick thread's own
     std::mutex leave_mutex_;
-    std::vector<Command> leavers_;  // few of each client
+    std::vector<Command> leave_commands_;  // few of each client
     mutable std::mutex pause_mutex_;
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks

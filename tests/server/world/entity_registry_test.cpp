@@ -63,16 +63,16 @@ TEST_F(EntityRegistryTest, a_removed_body_is_known_to_the_events_of_one_step) {
 TEST_F(EntityRegistryTest, only_a_body_that_lives_is_a_living_entity) {
     const EntityId ball = add();
     const BodyId old = body;
-    EXPECT_EQ(entities.living(old), ball);
+    EXPECT_EQ(entities.find_living(old), ball);
     remove(ball);
     entities.on_step();
-    EXPECT_EQ(entities.living(old), 0u) << "events may name it still";
+    EXPECT_EQ(entities.find_living(old), 0u) << "events may name it still";
     const EntityId next = add();
     EXPECT_EQ(body.index, old.index);
-    EXPECT_EQ(entities.living(old), 0u) << "the index is another's by now";
-    EXPECT_EQ(entities.living(body), next);
-    EXPECT_EQ(entities.living({}), 0u);
-    EXPECT_EQ(entities.living({1000, 1}), 0u);
+    EXPECT_EQ(entities.find_living(old), 0u) << "the index is another's by now";
+    EXPECT_EQ(entities.find_living(body), next);
+    EXPECT_EQ(entities.find_living({}), 0u);
+    EXPECT_EQ(entities.find_living({1000, 1}), 0u);
 }
 
 TEST_F(EntityRegistryTest, the_list_is_the_same_until_an_entity_comes_or_goes) {

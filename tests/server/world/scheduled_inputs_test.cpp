@@ -6,15 +6,15 @@
 namespace jostle::server {
 namespace {
 
-Command early_command(ClientId client, std::uint32_t sequence, std::uint32_t tick) {
+Command scheduled_input(ClientId client, std::uint32_t sequence, std::uint32_t tick) {
     return {.client = client, .sequence = sequence, .action = ReleaseCommand{}, .tick = tick};
 }
 
 // What comes out in a tick, as client * 100 + sequence.
 std::vector<std::uint32_t> taken_at(ScheduledInputs& early, std::uint32_t tick,
                                     std::vector<Command> batch,
-                                    const std::vector<Command>& leavers = {}) {
-    early.sort_out(batch, tick, leavers);
+                                    const std::vector<Command>& leave_commands = {}) {
+    early.select_due(batch, tick, leave_commands);
     std::vector<std::uint32_t> out;
     for (const Command& command : batch) out.push_back(command.client * 100 + command.sequence);
     return out;
@@ -26,38 +26,38 @@ using Numbers = std::vector<std::uint32_t>;
 
 TEST(ScheduledInputs, wait_for_their_tick_and_those_without_one_do_not) {
     ScheduledInputs early(100);
-    EXPECT_EQ(taken_at(early, 10, {early_command(1, 1, 12), early_command(2, 1, 0)}), Numbers{201});
-    EXPECT_EQ(taken_at(early, 11, {early_command(3, 1, 11)}), Numbers{301});
-    EXPECT_EQ(taken_at(early, 12, {early_command(3, 2, 0)}), (Numbers{101, 302}));
+    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(2, 1, 0)}), Numbers{201});
+    EXPECT_EQ(taken_at(early, 11, {scheduled_input(3, 1, 11)}), Numbers{301});
+    EXPECT_EQ(taken_at(early, 12, {scheduled_input(3, 2, 0)}), (Numbers{101, 302}));
     EXPECT_EQ(taken_at(early, 13, {}), Numbers{});
 }
 
 TEST(ScheduledInputs, of_one_client_keep_their_order_whatever_ticks_they_name) {
     ScheduledInputs early(100);
-    EXPECT_EQ(taken_at(early, 10, {early_command(1, 1, 12), early_command(1, 2, 0)}), Numbers{});
-    EXPECT_EQ(taken_at(early, 11, {early_command(1, 3, 11)}), Numbers{});
+    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(1, 2, 0)}), Numbers{});
+    EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 3, 11)}), Numbers{});
     EXPECT_EQ(taken_at(early, 12, {}), (Numbers{101, 102, 103}));
 }
 
 TEST(ScheduledInputs, wait_sixteen_ticks_and_no_longer) {
     ScheduledInputs early(100);
-    EXPECT_EQ(taken_at(early, 10, {early_command(1, 1, 0xffffffff)}), Numbers{});
+    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 0xffffffff)}), Numbers{});
     for (std::uint32_t tick = 11; tick < 26; tick++) EXPECT_TRUE(taken_at(early, tick, {}).empty());
     EXPECT_EQ(taken_at(early, 26, {}), Numbers{101});
 }
 
 TEST(ScheduledInputs, of_who_leaves_do_not_outlive_the_visit) {
     ScheduledInputs early(100);
-    taken_at(early, 10, {early_command(1, 1, 14), early_command(2, 1, 14)});
-    EXPECT_EQ(taken_at(early, 11, {early_command(1, 2, 15)}, {early_command(1, 0, 0)}),
+    taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)});
+    EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 2, 15)}, {scheduled_input(1, 0, 0)}),
               (Numbers{101, 102}));
     EXPECT_EQ(taken_at(early, 14, {}), Numbers{201});
 }
 
 TEST(ScheduledInputs, are_all_taken_at_once_when_there_are_too_many) {
     ScheduledInputs early(2);
-    EXPECT_TRUE(taken_at(early, 10, {early_command(1, 1, 14), early_command(2, 1, 14)}).empty());
-    EXPECT_EQ(taken_at(early, 11, {early_command(1, 2, 14)}), (Numbers{101, 201, 102}));
+    EXPECT_TRUE(taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)}).empty());
+    EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 2, 14)}), (Numbers{101, 201, 102}));
 }
 
 }  // namespace jostle::server

@@ -95,7 +95,7 @@ physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFram
 
 template <class PhysicsHit>
 void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
-    const ShapePlace place = frame.place_of(from.shape);
+    const ShapeOwner place = frame.place_of(from.shape);
     to.set_entity(place.entity);
     to.set_shape(place.number);
     to.set_fraction(from.fraction);

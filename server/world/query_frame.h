@@ -39,11 +39,11 @@ struct DebugJoint {
 };
 
 // Which entity a shape belongs to, and which of its shapes it is.
-struct ShapePlace {
+struct ShapeOwner {
     EntityId entity = 0;
     std::uint32_t number = 0;
 };
-using ShapePlaces = std::vector<ShapePlace>;  // by index of the shape
+using ShapePlaces = std::vector<ShapeOwner>;  // by index of the shape
 
 struct QueryFrame {
     std::uint32_t tick = 0;
@@ -58,7 +58,7 @@ struct QueryFrame {
     std::vector<DebugJoint> joints;
     CopyParts truncated = 0;  // of which kinds there was more than debug_items_max
 
-    ShapePlace place_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
+    ShapeOwner place_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
     // A null id when there is no such entity.
     physics::BodyId body_of(EntityId entity) const;
 };

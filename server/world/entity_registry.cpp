@@ -134,8 +134,8 @@ const std::shared_ptr<const EntityList>& EntityRegistry::list() {
     return list_;
 }
 
-const std::shared_ptr<const ShapePlaces>& EntityRegistry::places() {
-    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*list()));
+const std::shared_ptr<const ShapeOwners>& EntityRegistry::places() {
+    if (!places_) places_ = std::make_shared<const ShapeOwners>(places_in(*list()));
     return places_;
 }
 

@@ -76,8 +76,8 @@ BodyId QueryFrame::body_of(EntityId entity) const {
     return (*at)->shapes.front().body;
 }
 
-ShapePlaces places_in(const EntityList& entity_list) {
-    ShapePlaces places;
+ShapeOwners places_in(const EntityList& entity_list) {
+    ShapeOwners places;
     for (const auto& entity : entity_list)
         for (std::uint32_t number = 0; number < entity->shapes.size(); number++) {
             const std::size_t index = entity->shapes[number].id.index;

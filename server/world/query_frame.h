@@ -43,13 +43,13 @@ struct ShapeOwner {
     EntityId entity = 0;
     std::uint32_t number = 0;
 };
-using ShapePlaces = std::vector<ShapeOwner>;  // by index of the shape
+using ShapeOwners = std::vector<ShapeOwner>;  // by index of the shape
 
 struct QueryFrame {
     std::uint32_t tick = 0;
     CopyParts parts = 0;
     std::shared_ptr<const EntityList> entity_list;
-    std::shared_ptr<const ShapePlaces> places;  // shared like the entity list, and as long
+    std::shared_ptr<const ShapeOwners> places;  // shared like the entity list, and as long
     std::optional<physics::Queries> queries;    // with copy_shapes
 
     std::vector<DebugContact> contacts;
@@ -65,7 +65,7 @@ struct QueryFrame {
 
 using QueryFramePtr = std::shared_ptr<const QueryFrame>;
 
-ShapePlaces places_in(const EntityList& entity_list);
+ShapeOwners places_in(const EntityList& entity_list);
 
 // Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
 // body.

@@ -95,7 +95,7 @@ physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFram
 
 template <class PhysicsHit>
 void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
-    const ShapeOwner place = frame.place_of(from.shape);
+    const ShapeOwner place = frame.owner_of(from.shape);
     to.set_entity(place.entity);
     to.set_shape(place.number);
     to.set_fraction(from.fraction);
@@ -277,7 +277,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
                            : asked->queries.shapes_at(to_vector(request.point()), filter);
     if (!found.ok()) return from_solver(found.error());
     std::vector<EntityId> entities;
-    for (const physics::ShapeId id : *found) entities.push_back(frame->place_of(id).entity);
+    for (const physics::ShapeId id : *found) entities.push_back(frame->owner_of(id).entity);
     std::ranges::sort(entities);
     const auto repeated = std::ranges::unique(entities);
     entities.erase(repeated.begin(), repeated.end());
@@ -306,7 +306,7 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
     for (const std::optional<physics::ClosestPoint>& closest : *found) {
         v1::ClosestPoint& to = *response.add_points();
         if (!closest) continue;
-        to.set_entity(frame->place_of(closest->shape).entity);
+        to.set_entity(frame->owner_of(closest->shape).entity);
         to.set_distance(closest->distance);
         write_vector(*to.mutable_point(), closest->point);
         write_vector(*to.mutable_normal(), closest->normal);

@@ -52,7 +52,7 @@ void EntityRegistry::put(EntityId id, Entity entity) {
     entity_of_body_[body.index] = id;
     generation_of_body_[body.index] = body.generation;
     list_ = nullptr;
-    places_ = nullptr;
+    shape_owners_ = nullptr;
 }
 
 EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
@@ -101,7 +101,7 @@ void EntityRegistry::remove(EntityId id) {
     removed_.emplace(at->second.body, id);
     entities_.erase(at);
     list_ = nullptr;
-    places_ = nullptr;
+    shape_owners_ = nullptr;
 }
 
 void EntityRegistry::on_step() {
@@ -135,8 +135,8 @@ const std::shared_ptr<const EntityList>& EntityRegistry::list() {
 }
 
 const std::shared_ptr<const ShapeOwners>& EntityRegistry::places() {
-    if (!places_) places_ = std::make_shared<const ShapeOwners>(places_in(*list()));
-    return places_;
+    if (!shape_owners_) shape_owners_ = std::make_shared<const ShapeOwners>(shape_owners_in(*list()));
+    return shape_owners_;
 }
 
 }  // namespace jostle::server

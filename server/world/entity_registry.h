@@ -53,7 +53,7 @@ public:
 
     // The same pointers until an entity comes or goes.
     const std::shared_ptr<const EntityList>& list();
-    const std::shared_ptr<const ShapeOwners>& places();
+    const std::shared_ptr<const ShapeOwners>& shape_owners();
 
 private:
     // Of a body of the world.
@@ -68,7 +68,7 @@ private:
     // Bodies that were removed since the last step, and those that its events may still name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
     std::shared_ptr<const EntityList> list_;     // null: changed since it was asked for
-    std::shared_ptr<const ShapeOwners> places_;  // of that list; null: not asked for yet
+    std::shared_ptr<const ShapeOwners> shape_owners_;  // of that list; null: not asked for yet
 };
 
 }  // namespace jostle::server

@@ -102,7 +102,7 @@ private:
 
     // Ids in a module's state are those of this world: the same again only where all that the scene
     // made is still there and nothing stands before it.
-    bool ids_are_kept() const {
+    bool ids_are_preserved() const {
         return made_by_modules_ == 0 && out_.scene.joints.size() == origin_.joints.size() &&
                std::ranges::all_of(new_index_, [](const auto& index) { return index.has_value(); });
     }
@@ -115,7 +115,7 @@ private:
             body = *new_index_[body];
         }
         module.state.clear();
-        if (ids_are_kept())
+        if (ids_are_preserved())
             module.state = save_module(*running);
         else
             modules_begun_anew_++;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/follow_modules.h"
+#include "server/world/sync_module_entities.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ void forget_removed(HostedState& state) {
 
 }  // namespace
 
-void follow_modules(HostedState& state, std::vector<BodyState>& bodies) {
+void sync_module_entities(HostedState& state, std::vector<BodyState>& bodies) {
     if (state.world.modules().empty()) return;
     state.world.copy_bodies(bodies);
     const auto is_known = [&](const BodyState& body) {

@@ -12,6 +12,6 @@ namespace jostle::server {
 
 // Before anything else is asked of the entities: after the scene was built and after each step.
 // What a module made is an entity of the scene without a name. `bodies` is scratch.
-void follow_modules(HostedState& state, std::vector<physics::BodyState>& bodies);
+void sync_module_entities(HostedState& state, std::vector<physics::BodyState>& bodies);
 
 }  // namespace jostle::server

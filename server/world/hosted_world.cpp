@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "server/world/follow_modules.h"
+#include "server/world/sync_module_entities.h"
 #include "server/world/resolve_aim.h"
 
 namespace jostle::server {
@@ -36,7 +36,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
     hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
-    follow_modules(hosted.state_, hosted.bodies_);
+    sync_module_entities(hosted.state_, hosted.bodies_);
     Result<ModuleChannels> channels = ModuleChannels::of(hosted.state_.world);
     if (!channels.ok()) return channels.error();
     hosted.channels_ = *std::move(channels);
@@ -143,7 +143,7 @@ void HostedWorld::apply_again(const JournaledCommand& command) {
 Status HostedWorld::step(double dt, std::uint32_t tick) {
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
-    follow_modules(state_, bodies_);
+    sync_module_entities(state_, bodies_);
     state_.entities.on_step();
     channels_.publish(state_.world, tick,
                       [this](BodyId body) { return state_.entities.find_living(body); });
@@ -169,7 +169,7 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
     frame->tick = tick;
     frame->parts = parts;
     frame->entity_list = state_.entities.list();
-    frame->places = state_.entities.places();
+    frame->places = state_.entities.shape_owners();
     copy_parts(*frame, state_.world, state_.entities.by_body());
     return frame;
 }

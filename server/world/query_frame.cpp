@@ -76,15 +76,15 @@ BodyId QueryFrame::body_of(EntityId entity) const {
     return (*at)->shapes.front().body;
 }
 
-ShapeOwners places_in(const EntityList& entity_list) {
-    ShapeOwners places;
+ShapeOwners shape_owners_in(const EntityList& entity_list) {
+    ShapeOwners shape_owners;
     for (const auto& entity : entity_list)
         for (std::uint32_t number = 0; number < entity->shapes.size(); number++) {
             const std::size_t index = entity->shapes[number].id.index;
-            if (places.size() <= index) places.resize(index + 1);
+            if (places.size() <= index) shape_owners.resize(index + 1);
             places[index] = {entity->id, number};
         }
-    return places;
+    return shape_owners;
 }
 
 void copy_parts(QueryFrame& frame, const World& world,

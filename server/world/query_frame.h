@@ -49,7 +49,7 @@ struct QueryFrame {
     std::uint32_t tick = 0;
     CopyParts parts = 0;
     std::shared_ptr<const EntityList> entity_list;
-    std::shared_ptr<const ShapeOwners> places;  // shared like the entity list, and as long
+    std::shared_ptr<const ShapeOwners> shape_owners;  // shared like the entity list, and as long
     std::optional<physics::Queries> queries;    // with copy_shapes
 
     std::vector<DebugContact> contacts;
@@ -58,14 +58,14 @@ struct QueryFrame {
     std::vector<DebugJoint> joints;
     CopyParts truncated = 0;  // of which kinds there was more than debug_items_max
 
-    ShapeOwner place_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
+    ShapeOwner owner_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
     // A null id when there is no such entity.
     physics::BodyId body_of(EntityId entity) const;
 };
 
 using QueryFramePtr = std::shared_ptr<const QueryFrame>;
 
-ShapeOwners places_in(const EntityList& entity_list);
+ShapeOwners shape_owners_in(const EntityList& entity_list);
 
 // Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
 // body.

@@ -78,13 +78,13 @@ TEST_F(EntityRegistryTest, only_a_body_that_lives_is_a_living_entity) {
 TEST_F(EntityRegistryTest, the_list_is_the_same_until_an_entity_comes_or_goes) {
     const EntityId one = add(), two = add();
     const auto list = entities.list();
-    const auto places = entities.places();
+    const auto places = entities.shape_owners();
     ASSERT_EQ(list->size(), 2u);
     EXPECT_EQ(list->front()->id, one);
     EXPECT_EQ(list->back()->id, two);
     EXPECT_EQ((*places)[list->back()->shapes.front().id.index].entity, two);
     EXPECT_EQ(entities.list(), list);
-    EXPECT_EQ(entities.places(), places);
+    EXPECT_EQ(entities.shape_owners(), shape_owners);
     remove(one);
     EXPECT_NE(entities.list(), list);
     EXPECT_EQ(entities.list()->size(), 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/follow_modules.h"
+#include "server/world/sync_module_entities.h"
 
 #include <gtest/gtest.h>
 

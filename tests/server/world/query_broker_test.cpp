@@ -86,7 +86,7 @@ TEST(WorldHostQueries, four_threads_ask_a_world_that_ticks_on) {
                 fresh += frame->tick + 4 >= host->frame()->tick;
                 const auto hit = frame->queries->cast_ray({{0, 100, 0}, {0, -200, 0}});
                 ASSERT_TRUE(hit.ok() && *hit);
-                const ShapeOwner place = frame->place_of((*hit)->shape);
+                const ShapeOwner place = frame->owner_of((*hit)->shape);
                 hits += frame->body_of(place.entity) == (*hit)->body;
             }
         });

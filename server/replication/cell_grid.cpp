@@ -56,7 +56,7 @@ CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityL
     for (const wire::EntityState& entity : frame.entities) {
         while (description != entities.end() && (*description)->id < entity.id) ++description;
         while (old != known_.end() && old->first < entity.id) ++old;
-        const bool large = description == entities.end() || !((*description)->reach <= cell_m_);
+        const bool large = description == entities.end() || !((*description)->bounding_radius <= cell_m_);
         const bool seen = old != known_.end() && old->first == entity.id;
         const CellId cell = large ? everywhere : cell_of(entity, seen ? old->second : everywhere);
         next_.emplace_back(entity.id, cell);

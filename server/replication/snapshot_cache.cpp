@@ -22,7 +22,7 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
 // For so long all was as in the base, and changed at most in the frame's own tick.
 std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
     if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
-    const bool held = frame.changed_at == frame.tick && frame.before_changed_at <= baseline.tick;
+    const bool held = frame.changed_at == frame.tick && frame.previous_changed_at <= baseline.tick;
     return held ? frame.tick - 1 - baseline.tick : 0;
 }
 

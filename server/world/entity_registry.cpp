@@ -11,7 +11,7 @@ namespace jostle::server {
 
 namespace {
 
-double reach_of(const physics::World& world, physics::ShapeId shape, physics::Vec3 origin) {
+double bounding_radius_of(const physics::World& world, physics::ShapeId shape, physics::Vec3 origin) {
     const auto box = world.bounds(shape);
     if (!box.ok()) return std::numeric_limits<double>::infinity();
     const physics::Vec3 low = box->low - origin, high = box->high - origin;
@@ -28,8 +28,8 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
     description->type = state.type;
     for (const physics::ShapeId shape : world.shapes_of(body)) {
         description->shapes.push_back(*world.shape(shape));
-        description->reach =
-            std::max(description->reach, reach_of(world, shape, state.pose.position));
+        description->bounding_radius =
+            std::max(description->bounding_radius, bounding_radius_of(world, shape, state.pose.position));
     }
     description->mass = state.mass;
     description->jointed = !world.joints_of(body).empty();
@@ -77,7 +77,7 @@ Status EntityRegistry::restore(const physics::World& world, const HostImage& ima
         description->color = kept.color;
         description->name = kept.name;
         description->mass = kept.mass;
-        description->reach = kept.reach;
+        description->bounding_radius = kept.bounding_radius;
         put(kept.id, {kept.body, std::move(description)});
     }
     next_id_ = image.next_id;

@@ -30,7 +30,7 @@ struct EntityDescription {
     bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
-    double reach = 0;  // m from its origin to its furthest corner; infinite for planes
+    double bounding_radius = 0;  // m from its origin to its furthest corner; infinite for planes
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers
@@ -54,7 +54,7 @@ struct Frame {
     // The newest tick, this one included, in which a client could see something change: a pose, who
     // is awake, the entity list, a channel. And the newest one before that, as of the tick before:
     // until then what the frame before shows was as it is there.
-    std::uint32_t changed_at = 0, before_changed_at = 0;
+    std::uint32_t changed_at = 0, previous_changed_at = 0;
     std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client asked for events.
     std::shared_ptr<const RecentEvents> events;

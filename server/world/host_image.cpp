@@ -62,7 +62,7 @@ void visit(Visitor& v, Image& image) {
         v(e.color);
         v(e.name);
         v(e.mass);
-        v(e.reach);
+        v(e.bounding_radius);
     });
     v.list(image.owned, [&](auto& o) { v(o.client), v(o.entity); });
     v.list(image.held, [&](auto& h) {

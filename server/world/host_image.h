@@ -25,7 +25,7 @@ struct HostImage {
         ClientId owner = 0;
         std::optional<std::uint32_t> color;
         std::string name;
-        double mass = 0, reach = 0;  // as clients were told
+        double mass = 0, bounding_radius = 0;  // as clients were told
     };
     struct Held {
         ClientId client = 0;

@@ -217,7 +217,7 @@ void HostedWorld::copy_into(Frame& frame) {
     bool moved = false;
     frame.entities = poses_.take(moved);
     frame.entity_list = entity_list_ = state_.entities.list();
-    frame.before_changed_at = changed_at_;
+    frame.previous_changed_at = changed_at_;
     if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
     frame.channels = told_ = channels_.channels();

@@ -74,7 +74,7 @@ std::vector<ShapePlacement> PastView::shapes(const EntityList& now, const MayMee
         const EntityPose* from = same ? nullptr : before.find(entity->id);
         const Transform pose =
             from ? blend(from->pose, to->pose, moment_.fraction, seconds) : to->pose;
-        if (!may_meet(pose.position, entity->reach)) continue;
+        if (!may_meet(pose.position, entity->bounding_radius)) continue;
         for (const ShapeState& shape : entity->shapes)
             placements.push_back({shape.id, compose(pose, shape.pose)});
     }
@@ -86,15 +86,15 @@ PastView::MayMeet along(Vec3 origin, Vec3 motion) {
     return [=](Vec3 center, double radius) {
         const Vec3 to = center - origin;
         const double nearest = std::clamp(dot(to, motion) / size, 0.0, 1.0);
-        const double reach = radius * 1.000001 + 1e-6;  // rounding
-        return length_squared(to - motion * nearest) <= reach * reach;
+        const double bounding_radius = radius * 1.000001 + 1e-6;  // rounding
+        return length_squared(to - motion * nearest) <= bounding_radius * bounding_radius;
     };
 }
 
 PastView::MayMeet within(const Aabb& box) {
     return [=](Vec3 center, double radius) {
-        const double reach = radius * 1.000001 + 1e-6;
-        return overlap(box, grow({center, center}, reach));
+        const double bounding_radius = radius * 1.000001 + 1e-6;
+        return overlap(box, grow({center, center}, bounding_radius));
     };
 }
 

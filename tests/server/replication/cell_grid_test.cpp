@@ -13,12 +13,12 @@ namespace {
 
 constexpr double interest_cell_m = 32;
 
-EntityList described(std::size_t count, double reach = 0.5) {
+EntityList described(std::size_t count, double bounding_radius = 0.5) {
     EntityList list;
     for (std::size_t i = 1; i <= count; i++) {
         auto entity = std::make_shared<EntityDescription>();
         entity->id = static_cast<EntityId>(i);
-        entity->reach = reach;
+        entity->bounding_radius = bounding_radius;
         list.push_back(entity);
     }
     return list;
@@ -52,7 +52,7 @@ TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywher
     EntityList list = described(4);
     auto ground = std::make_shared<EntityDescription>();
     ground->id = 4;
-    ground->reach = std::numeric_limits<double>::infinity();
+    ground->bounding_radius = std::numeric_limits<double>::infinity();
     list[3] = ground;
     const auto cells = grid.split(frame, list);
     ASSERT_EQ(cells.size(), 4u);

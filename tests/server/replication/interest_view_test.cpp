@@ -32,7 +32,7 @@ struct Field {
         for (EntityId id = 1; id <= 400; id++) {
             auto entity = std::make_shared<EntityDescription>();
             entity->id = id;
-            entity->reach = 1;
+            entity->bounding_radius = 1;
             entities->push_back(entity);
         }
         list = entities;

@@ -19,15 +19,15 @@ void FrameRing::put(FramePtr frame) {
     frames_.pop_front();
 }
 
-std::optional<PastMoment> FrameRing::at(const ViewTime& view_time) const {
+std::optional<RewindFrames> FrameRing::at(const ViewTime& view_time) const {
     const std::lock_guard lock(mutex_);
     if (frames_.empty()) return std::nullopt;
     const FramePtr &oldest = frames_.front(), &newest = frames_.back();
-    if (view_time.tick >= newest->tick) return PastMoment{newest, newest, 0, false};
-    if (view_time.tick < oldest->tick) return PastMoment{oldest, oldest, 0, true};
+    if (view_time.tick >= newest->tick) return RewindFrames{newest, newest, 0, false};
+    if (view_time.tick < oldest->tick) return RewindFrames{oldest, oldest, 0, true};
     const FramePtr& before = frames_[view_time.tick - oldest->tick];
-    if (view_time.fraction == 0) return PastMoment{before, before, 0, false};
-    return PastMoment{before, frames_[view_time.tick - oldest->tick + 1], view_time.fraction, false};
+    if (view_time.fraction == 0) return RewindFrames{before, before, 0, false};
+    return RewindFrames{before, frames_[view_time.tick - oldest->tick + 1], view_time.fraction, false};
 }
 
 }  // namespace jostle::server

@@ -16,7 +16,7 @@
 namespace jostle::server {
 
 // A moment of a world's past, between two of its frames.
-struct PastMoment {
+struct RewindFrames {
     FramePtr before, after;  // the same when nothing is between them
     double fraction = 0;     // of the way from `before` to `after`, 0 to 1
     bool clamped = false;    // a moment before it was asked for, of which no frame is left
@@ -29,7 +29,7 @@ public:
 
     void put(FramePtr frame);
     // What is later than the newest frame is as it is there. Nothing before the first frame.
-    std::optional<PastMoment> at(const ViewTime& view_time) const;
+    std::optional<RewindFrames> at(const ViewTime& view_time) const;
 
     std::size_t frames_max() const { return frames_max_; }
 

@@ -24,7 +24,7 @@ const EntityPose* find(const PoseList& poses, EntityId entity) {
     return low < poses.size() && poses[low].id == entity ? &poses[low] : nullptr;
 }
 
-double seconds_between(const PastMoment& checkpoint_copy) {
+double seconds_between(const RewindFrames& checkpoint_copy) {
     return std::chrono::duration<double>(checkpoint_copy.after->due - checkpoint_copy.before->due).count();
 }
 

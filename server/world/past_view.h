@@ -19,7 +19,7 @@ namespace jostle::server {
 
 class PastView {
 public:
-    explicit PastView(PastMoment checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
+    explicit PastView(RewindFrames checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
 
     std::uint32_t tick() const { return moment_.before->tick; }
     bool clamped() const { return moment_.clamped; }
@@ -34,7 +34,7 @@ public:
                                                 const MayMeet& may_meet) const;
 
 private:
-    PastMoment moment_;
+    RewindFrames moment_;
 };
 
 // For PastView::shapes(): whether a ball meets the segment, or the box.

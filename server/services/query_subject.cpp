@@ -54,7 +54,7 @@ Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::stri
     if (!frame.ok()) return frame.error();
     QuerySubject now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
     if (!view_time) return now;
-    const PastView past(*(*world)->past().at({view_time->tick(), view_time->fraction()}));
+    const PastView past(*(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
     const Result<physics::Queries> then =
         now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, may_meet));
     if (!then.ok()) return Error{ErrorCode::internal, then.error().message};

@@ -7,8 +7,8 @@
 
 namespace jostle::server {
 
-FrameRing::FrameRing(double kept_ms, double hz)
-    : frames_max_(1 + static_cast<std::size_t>(std::ceil(std::max(0.0, kept_ms) * hz / 1000))) {}
+FrameRing::FrameRing(double history_ms, double hz)
+    : frames_max_(1 + static_cast<std::size_t>(std::ceil(std::max(0.0, history_ms) * hz / 1000))) {}
 
 void FrameRing::put(FramePtr frame) {
     FramePtr oldest;  // freed outside the lock

@@ -25,7 +25,7 @@ struct RewindFrames {
 class FrameRing {
 public:
     // As many as are in so many ms of a world of that rate, and at least the newest one.
-    FrameRing(double kept_ms, double hz);
+    FrameRing(double history_ms, double hz);
 
     void put(FramePtr frame);
     // What is later than the newest frame is as it is there. Nothing before the first frame.

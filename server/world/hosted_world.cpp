@@ -89,7 +89,7 @@ void HostedWorld::let_all_go() {
 
 void HostedWorld::set_limits(const HostLimits& limits) {
     state_.limits = limits;
-    past_ = std::make_shared<FrameRing>(limits.lag_compensation_ms_max, hz_);
+    frame_history_ = std::make_shared<FrameRing>(limits.lag_compensation_ms_max, hz_);
 }
 
 Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
@@ -121,7 +121,7 @@ Status HostedWorld::act(const Command& command, InputResult& result) {
     if (has_aim(command.action)) {
         aimed = command.action;
         action = &aimed;
-        status = resolve_aim(state_, *past_, *state_.entities.list(), aimed, result);
+        status = resolve_aim(state_, *frame_history_, *state_.entities.list(), aimed, result);
     }
     if (keeps_journal_)
         journal_.push_back({command.client, command.sequence,

@@ -84,7 +84,7 @@ public:
     const physics::World& world() const { return state_.world; }
     std::size_t entities() const { return state_.entities.size(); }
     // Where its frames go, for what clients saw. Any thread.
-    FrameRing& past() const { return *past_; }
+    FrameRing& frame_history() const { return *frame_history_; }
     // As estimated when it was created (scene_budget.h).
     double work_per_second() const { return work_per_second_; }
 
@@ -92,14 +92,14 @@ private:
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
           hz_(hz),
-          past_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
+          frame_history_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
     Status act(const Command& command, InputResult& result);
 
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
     double hz_;
-    std::shared_ptr<FrameRing> past_;  // never null
+    std::shared_ptr<FrameRing> frame_history_;  // never null
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;

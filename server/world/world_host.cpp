@@ -64,7 +64,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
-    world_.past().put(frame_);
+    world_.frame_history().put(frame_);
     if (world_journal_) world_.keep_journal();
     if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
@@ -343,7 +343,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
     bool news = frame->changed_at == frame->tick || !batch_.empty();
-    world_.past().put(frame);
+    world_.frame_history().put(frame);
     {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));

@@ -89,7 +89,7 @@ public:
     // one; null when none came. Without a thread of its own: a copy of this moment.
     QueryFramePtr query_frame(CopyParts parts);
     // Any thread: its newest frames, for what clients saw a moment ago.
-    const FrameRing& past() const { return world_.past(); }
+    const FrameRing& frame_history() const { return world_.frame_history(); }
     // Any thread: frames carry events while there are listeners.
     void add_event_listener() { event_listeners_++; }
     void remove_event_listener() { event_listeners_--; }

@@ -68,12 +68,12 @@ struct SteppedWorld {
         frame->tick = ++tick;
         frame->due = Clock::time_point() + std::chrono::microseconds(tick * 16'667);
         world.copy_into(*frame);
-        world.past().put(frame);
+        world.frame_history().put(frame);
         newest = frame;
     }
     PastView view(double at) const {
         const auto whole = static_cast<std::uint32_t>(at);
-        return PastView(*world.past().at({whole, at - whole}));
+        return PastView(*world.frame_history().at({whole, at - whole}));
     }
 
     HostedWorld world;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "server/world/past_view.h"
+#include "server/world/rewind_view.h"
 
 namespace jostle::server {
 
@@ -34,7 +34,7 @@ Result<Met> meet_now(const HostedState& state, const Aim& aim) {
 }
 
 // The point moved with its body since.
-Result<Met> meet_then(const HostedState& state, const PastView& past, const EntityList& now,
+Result<Met> meet_then(const HostedState& state, const RewindView& past, const EntityList& now,
                       const Aim& aim) {
     const Result<Queries> then =
         state.world.queries().with_shapes_at(past.shapes(now, along(aim.origin, aim.motion)));
@@ -80,7 +80,7 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
     Result<Met> found = Met{};
     const auto then = (*aim)->view_time ? past.at(*(*aim)->view_time) : std::nullopt;
     if (then) {
-        const PastView view(*then);
+        const RewindView view(*then);
         result.view_time_clamped = view.clamped();
         found = meet_then(state, view, now, **aim);
     } else {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Rays into the past of a real world against what they answered then, and what they cost.
-#include "server/world/past_view.h"
+#include "server/world/rewind_view.h"
 
 #include <gtest/gtest.h>
 
@@ -71,9 +71,9 @@ struct SteppedWorld {
         world.frame_history().put(frame);
         newest = frame;
     }
-    PastView view(double at) const {
+    RewindView view(double at) const {
         const auto whole = static_cast<std::uint32_t>(at);
-        return PastView(*world.frame_history().at({whole, at - whole}));
+        return RewindView(*world.frame_history().at({whole, at - whole}));
     }
 
     HostedWorld world;
@@ -85,7 +85,7 @@ Ray random_ray(test::Random& random, double size) {
     return {random.vector(size), random.vector(1.5 * size)};
 }
 
-TEST(PastView, a_ray_into_the_past_answers_what_it_answered_then) {
+TEST(RewindView, a_ray_into_the_past_answers_what_it_answered_then) {
     SteppedWorld stepped(300);
     const double size = 14;
     std::map<std::uint32_t, std::vector<std::pair<Ray, std::optional<RayHit>>>> told;
@@ -100,7 +100,7 @@ TEST(PastView, a_ray_into_the_past_answers_what_it_answered_then) {
     }
     int hits = 0;
     for (const auto& [tick, answers] : told) {
-        const PastView view = stepped.view(tick);
+        const RewindView view = stepped.view(tick);
         EXPECT_EQ(view.tick(), tick);
         EXPECT_FALSE(view.clamped());
         for (const auto& [ray, then] : answers) {
@@ -118,7 +118,7 @@ TEST(PastView, a_ray_into_the_past_answers_what_it_answered_then) {
     EXPECT_GT(hits, 150);
 }
 
-TEST(PastView, between_two_ticks_a_body_is_as_far_on_its_way_as_the_picture_says) {
+TEST(RewindView, between_two_ticks_a_body_is_as_far_on_its_way_as_the_picture_says) {
     SteppedWorld stepped(10);
     for (int i = 0; i < 5; i++) stepped.step();
     const Transform a = *stepped.view(3).pose_of(1), b = *stepped.view(4).pose_of(1),
@@ -129,7 +129,7 @@ TEST(PastView, between_two_ticks_a_body_is_as_far_on_its_way_as_the_picture_says
     EXPECT_FALSE(stepped.view(3).pose_of(999));
 }
 
-TEST(PastView, what_came_later_and_what_is_gone_is_not_met) {
+TEST(RewindView, what_came_later_and_what_is_gone_is_not_met) {
     SteppedWorld stepped(10);
     stepped.step();  // tick 2
     SpawnCommand ball;
@@ -158,7 +158,7 @@ TEST(PastView, what_came_later_and_what_is_gone_is_not_met) {
     EXPECT_EQ(near_ball(3), floor_alone) << "gone by now";
 }
 
-TEST(PastView, a_leap_is_seen_when_it_is_over) {
+TEST(RewindView, a_leap_is_seen_when_it_is_over) {
     const Transform here{{0, 0, 0}, {}}, there{{5, 0, 0}, {}}, near_by{{1, 0, 0}, {}};
     EXPECT_EQ(blend(here, there, 0.9, 1.0 / 60), here) << "5 m in a tick are 300 m/s";
     EXPECT_NEAR(blend(here, near_by, 0.9, 1.0 / 60).position.x, 0.9, 1e-12);
@@ -171,12 +171,12 @@ double cpu_ms() {
 }
 
 // The figures of docs/client_library.md; the bounds are far above them, for slow builds.
-TEST(PastView, a_ray_among_thousands_of_bodies_costs_a_part_of_a_tick) {
+TEST(RewindView, a_ray_among_thousands_of_bodies_costs_a_part_of_a_tick) {
     for (const int bodies : {1000, 5000}) {
         SteppedWorld stepped(bodies);
         for (int i = 0; i < 3; i++) stepped.step();
         test::Random random(2);
-        const PastView view = stepped.view(2.5);
+        const RewindView view = stepped.view(2.5);
         const Queries live = stepped.world.world().queries();
         const double size = std::cbrt(bodies) * 2;
         constexpr int rays = 50;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/past_view.h"
+#include "server/world/rewind_view.h"
 
 #include <algorithm>
 #include <chrono>
@@ -54,7 +54,7 @@ Transform blend(const Transform& a, const Transform& b, double fraction, double 
     return {a.position + (b.position - a.position) * fraction, normalized(turned)};
 }
 
-std::optional<Transform> PastView::pose_of(EntityId entity) const {
+std::optional<Transform> RewindView::pose_of(EntityId entity) const {
     const EntityPose* after = find(moment_.after->entities, entity);
     if (!after) return std::nullopt;
     const EntityPose* before = find(moment_.before->entities, entity);
@@ -63,7 +63,7 @@ std::optional<Transform> PastView::pose_of(EntityId entity) const {
 }
 
 // A body that is new stands where it appears.
-std::vector<ShapePlacement> PastView::shapes(const EntityList& now, const MayMeet& may_meet) const {
+std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const MayMeet& may_meet) const {
     std::vector<ShapePlacement> placements;
     const bool same = moment_.before == moment_.after;
     const double seconds = seconds_between(moment_);
@@ -81,7 +81,7 @@ std::vector<ShapePlacement> PastView::shapes(const EntityList& now, const MayMee
     return placements;
 }
 
-PastView::MayMeet along(Vec3 origin, Vec3 motion) {
+RewindView::MayMeet along(Vec3 origin, Vec3 motion) {
     const double size = std::max(length_squared(motion), 1e-300);
     return [=](Vec3 center, double radius) {
         const Vec3 to = center - origin;
@@ -91,7 +91,7 @@ PastView::MayMeet along(Vec3 origin, Vec3 motion) {
     };
 }
 
-PastView::MayMeet within(const Aabb& box) {
+RewindView::MayMeet within(const Aabb& box) {
     return [=](Vec3 center, double radius) {
         const double bounding_radius = radius * 1.000001 + 1e-6;
         return overlap(box, grow({center, center}, bounding_radius));

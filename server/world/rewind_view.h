@@ -17,9 +17,9 @@
 
 namespace jostle::server {
 
-class PastView {
+class RewindView {
 public:
-    explicit PastView(RewindFrames checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
+    explicit RewindView(RewindFrames checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
 
     std::uint32_t tick() const { return moment_.before->tick; }
     bool clamped() const { return moment_.clamped; }
@@ -37,9 +37,9 @@ private:
     RewindFrames moment_;
 };
 
-// For PastView::shapes(): whether a ball meets the segment, or the box.
-PastView::MayMeet along(physics::Vec3 origin, physics::Vec3 motion);
-PastView::MayMeet within(const physics::Aabb& box);
+// For RewindView::shapes(): whether a ball meets the segment, or the box.
+RewindView::MayMeet along(physics::Vec3 origin, physics::Vec3 motion);
+RewindView::MayMeet within(const physics::Aabb& box);
 
 // Between two poses of a body, as clients blend them: a leap that 100 m/s do not explain is seen
 // when it is over.

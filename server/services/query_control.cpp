@@ -133,7 +133,7 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 
 template <class Request>
 Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
-                         const RewindView::MayMeet& may_meet = anything) {
+                         const RewindView::CandidateFilter& may_meet = anything) {
     return query_subject(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
                          may_meet);
 }
@@ -145,7 +145,7 @@ void write_view_time(Response& to, const QuerySubject& asked) {
 }
 
 // What rays may meet of the past.
-RewindView::MayMeet along_rays(const v1::CastRaysRequest& request) {
+RewindView::CandidateFilter along_rays(const v1::CastRaysRequest& request) {
     if (request.rays_size() == 1)
         return along(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
     std::optional<physics::Aabb> box;

@@ -45,7 +45,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
-                                   const v1::ViewTime* view_time, const RewindView::MayMeet& may_meet) {
+                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& may_meet) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);

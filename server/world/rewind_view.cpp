@@ -63,7 +63,7 @@ std::optional<Transform> RewindView::pose_of(EntityId entity) const {
 }
 
 // A body that is new stands where it appears.
-std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const MayMeet& may_meet) const {
+std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const CandidateFilter& may_meet) const {
     std::vector<ShapePlacement> placements;
     const bool same = moment_.before == moment_.after;
     const double seconds = seconds_between(moment_);
@@ -81,7 +81,7 @@ std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const MayM
     return placements;
 }
 
-RewindView::MayMeet along(Vec3 origin, Vec3 motion) {
+RewindView::CandidateFilter along(Vec3 origin, Vec3 motion) {
     const double size = std::max(length_squared(motion), 1e-300);
     return [=](Vec3 center, double radius) {
         const Vec3 to = center - origin;
@@ -91,7 +91,7 @@ RewindView::MayMeet along(Vec3 origin, Vec3 motion) {
     };
 }
 
-RewindView::MayMeet within(const Aabb& box) {
+RewindView::CandidateFilter within(const Aabb& box) {
     return [=](Vec3 center, double radius) {
         const double bounding_radius = radius * 1.000001 + 1e-6;
         return overlap(box, grow({center, center}, bounding_radius));

@@ -29,17 +29,17 @@ public:
 
     // Shapes of entities of `now`, where they were, of those that may be met: by a ball around an
     // entity, whose radius is infinite for planes.
-    using MayMeet = std::function<bool(physics::Vec3 center, double radius)>;
+    using CandidateFilter = std::function<bool(physics::Vec3 center, double radius)>;
     std::vector<physics::ShapePlacement> shapes(const EntityList& now,
-                                                const MayMeet& may_meet) const;
+                                                const CandidateFilter& may_meet) const;
 
 private:
     RewindFrames moment_;
 };
 
 // For RewindView::shapes(): whether a ball meets the segment, or the box.
-RewindView::MayMeet along(physics::Vec3 origin, physics::Vec3 motion);
-RewindView::MayMeet within(const physics::Aabb& box);
+RewindView::CandidateFilter along(physics::Vec3 origin, physics::Vec3 motion);
+RewindView::CandidateFilter within(const physics::Aabb& box);
 
 // Between two poses of a body, as clients blend them: a leap that 100 m/s do not explain is seen
 // when it is over.

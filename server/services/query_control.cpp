@@ -133,9 +133,9 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 
 template <class Request>
 Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
-                         const RewindView::CandidateFilter& may_meet = anything) {
+                         const RewindView::CandidateFilter& candidate_filter = any_candidate) {
     return query_subject(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
-                         may_meet);
+                         candidate_filter);
 }
 
 template <class Response>
@@ -147,14 +147,14 @@ void write_view_time(Response& to, const QuerySubject& asked) {
 // What rays may meet of the past.
 RewindView::CandidateFilter along_rays(const v1::CastRaysRequest& request) {
     if (request.rays_size() == 1)
-        return along(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
+        return along_segment(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
     std::optional<physics::Aabb> box;
     for (const v1::Ray& ray : request.rays()) {
         const physics::Vec3 from = to_vector(ray.origin()), to = from + to_vector(ray.motion());
         const physics::Aabb of_ray{min(from, to), max(from, to)};
         box = box ? unite(*box, of_ray) : of_ray;
     }
-    return within(box.value_or(physics::Aabb{}));
+    return within_box(box.value_or(physics::Aabb{}));
 }
 
 Status check_ray(const v1::Ray& ray, int number) {

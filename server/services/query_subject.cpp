@@ -45,7 +45,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
-                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& may_meet) {
+                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
@@ -56,7 +56,7 @@ Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::stri
     if (!view_time) return now;
     const RewindView past(*(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
     const Result<physics::Queries> then =
-        now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, may_meet));
+        now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, candidate_filter));
     if (!then.ok()) return Error{ErrorCode::internal, then.error().message};
     return QuerySubject{now.frame, *then, past.tick(), past.clamped()};
 }

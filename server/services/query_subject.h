@@ -30,10 +30,10 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 
 // `seen` null: now. Of the past only what may be met.
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& world,
-                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& may_meet);
+                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter);
 
 // For questions about all of a world.
-inline bool anything(physics::Vec3, double) {
+inline bool any_candidate(physics::Vec3, double) {
     return true;
 }
 

@@ -28,16 +28,16 @@ Result<Met> met(const HostedState& state, const Result<std::optional<RayHit>>& h
     return Met{state.entities.entity_of((*hit)->body), (*hit)->point};
 }
 
-Result<Met> meet_now(const HostedState& state, const Aim& aim) {
+Result<Met> cast_now(const HostedState& state, const Aim& aim) {
     return met(state,
                state.world.queries().cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
 }
 
 // The point moved with its body since.
-Result<Met> meet_then(const HostedState& state, const RewindView& past, const EntityList& now,
+Result<Met> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
                       const Aim& aim) {
     const Result<Queries> then =
-        state.world.queries().with_shapes_at(past.shapes(now, along(aim.origin, aim.motion)));
+        state.world.queries().with_shapes_at(past.shapes(now, along_segment(aim.origin, aim.motion)));
     if (!then.ok()) return then.error();
     Result<Met> found = met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
     if (!found.ok()) return found;
@@ -82,9 +82,9 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
     if (then) {
         const RewindView view(*then);
         result.view_time_clamped = view.clamped();
-        found = meet_then(state, view, now, **aim);
+        found = cast_rewound(state, view, now, **aim);
     } else {
-        found = meet_now(state, **aim);
+        found = cast_now(state, **aim);
     }
     if (!found.ok()) return found.error();
     result.entity = found->entity;

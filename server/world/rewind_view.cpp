@@ -43,7 +43,7 @@ private:
 
 }  // namespace
 
-Transform blend(const Transform& a, const Transform& b, double fraction, double seconds_apart) {
+Transform interpolate(const Transform& a, const Transform& b, double fraction, double seconds_apart) {
     if (a == b) return a;
     if (length(b.position - a.position) > fastest * seconds_apart) return a;
     const Quat &p = a.rotation, &q = b.rotation;
@@ -59,11 +59,11 @@ std::optional<Transform> RewindView::pose_of(EntityId entity) const {
     if (!after) return std::nullopt;
     const EntityPose* before = find(moment_.before->entities, entity);
     if (!before || moment_.before == moment_.after) return after->pose;
-    return blend(before->pose, after->pose, moment_.fraction, seconds_between(moment_));
+    return interpolate(before->pose, after->pose, moment_.fraction, seconds_between(moment_));
 }
 
 // A body that is new stands where it appears.
-std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const CandidateFilter& may_meet) const {
+std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const CandidateFilter& candidate_filter) const {
     std::vector<ShapePlacement> placements;
     const bool same = moment_.before == moment_.after;
     const double seconds = seconds_between(moment_);
@@ -73,15 +73,15 @@ std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const Cand
         if (!to) continue;
         const EntityPose* from = same ? nullptr : before.find(entity->id);
         const Transform pose =
-            from ? blend(from->pose, to->pose, moment_.fraction, seconds) : to->pose;
-        if (!may_meet(pose.position, entity->bounding_radius)) continue;
+            from ? interpolate(from->pose, to->pose, moment_.fraction, seconds) : to->pose;
+        if (!candidate_filter(pose.position, entity->bounding_radius)) continue;
         for (const ShapeState& shape : entity->shapes)
             placements.push_back({shape.id, compose(pose, shape.pose)});
     }
     return placements;
 }
 
-RewindView::CandidateFilter along(Vec3 origin, Vec3 motion) {
+RewindView::CandidateFilter along_segment(Vec3 origin, Vec3 motion) {
     const double size = std::max(length_squared(motion), 1e-300);
     return [=](Vec3 center, double radius) {
         const Vec3 to = center - origin;
@@ -91,7 +91,7 @@ RewindView::CandidateFilter along(Vec3 origin, Vec3 motion) {
     };
 }
 
-RewindView::CandidateFilter within(const Aabb& box) {
+RewindView::CandidateFilter within_box(const Aabb& box) {
     return [=](Vec3 center, double radius) {
         const double bounding_radius = radius * 1.000001 + 1e-6;
         return overlap(box, grow({center, center}, bounding_radius));

@@ -31,19 +31,19 @@ public:
     // entity, whose radius is infinite for planes.
     using CandidateFilter = std::function<bool(physics::Vec3 center, double radius)>;
     std::vector<physics::ShapePlacement> shapes(const EntityList& now,
-                                                const CandidateFilter& may_meet) const;
+                                                const CandidateFilter& candidate_filter) const;
 
 private:
     RewindFrames moment_;
 };
 
 // For RewindView::shapes(): whether a ball meets the segment, or the box.
-RewindView::CandidateFilter along(physics::Vec3 origin, physics::Vec3 motion);
-RewindView::CandidateFilter within(const physics::Aabb& box);
+RewindView::CandidateFilter along_segment(physics::Vec3 origin, physics::Vec3 motion);
+RewindView::CandidateFilter within_box(const physics::Aabb& box);
 
 // Between two poses of a body, as clients blend them: a leap that 100 m/s do not explain is seen
 // when it is over.
-physics::Transform blend(const physics::Transform& a, const physics::Transform& b, double fraction,
+physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b, double fraction,
                          double seconds_apart);
 
 }  // namespace jostle::server

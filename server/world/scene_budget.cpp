@@ -100,7 +100,7 @@ std::size_t count_pairs(const World& world, std::size_t most) {
         for (std::size_t k = i + 1; k < boxed.size(); k++) {
             if (boxed[k].box.low.x > boxed[i].box.high.x) break;
             if ((boxed[i].moves || boxed[k].moves) && boxed[i].body != boxed[k].body &&
-                overlap(boxed[i].box, boxed[k].box) && may_meet(boxed[i].filter, boxed[k].filter))
+                overlap(boxed[i].box, boxed[k].box) && candidate_filter(boxed[i].filter, boxed[k].filter))
                 pairs++;
         }
         if (pairs > most) break;

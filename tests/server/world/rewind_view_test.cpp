@@ -105,7 +105,7 @@ TEST(RewindView, a_ray_into_the_past_answers_what_it_answered_then) {
         EXPECT_FALSE(view.clamped());
         for (const auto& [ray, then] : answers) {
             const Queries past = test::must(stepped.world.world().queries().with_shapes_at(
-                view.shapes(*stepped.newest->entity_list, along(ray.origin, ray.motion))));
+                view.shapes(*stepped.newest->entity_list, along_segment(ray.origin, ray.motion))));
             const auto hit = test::must(past.cast_ray(ray));
             ASSERT_EQ(hit.has_value(), then.has_value());
             if (!hit) continue;
@@ -141,7 +141,7 @@ TEST(RewindView, what_came_later_and_what_is_gone_is_not_met) {
     stepped.step();  // tick 3: it is there
     const auto near_ball = [&](double at) {
         return stepped.view(at)
-            .shapes(*stepped.newest->entity_list, along({90, 0, 0}, {20, 0, 0}))
+            .shapes(*stepped.newest->entity_list, along_segment({90, 0, 0}, {20, 0, 0}))
             .size();
     };
     constexpr std::size_t floor_alone = 1;  // has no end
@@ -160,8 +160,8 @@ TEST(RewindView, what_came_later_and_what_is_gone_is_not_met) {
 
 TEST(RewindView, a_leap_is_seen_when_it_is_over) {
     const Transform here{{0, 0, 0}, {}}, there{{5, 0, 0}, {}}, near_by{{1, 0, 0}, {}};
-    EXPECT_EQ(blend(here, there, 0.9, 1.0 / 60), here) << "5 m in a tick are 300 m/s";
-    EXPECT_NEAR(blend(here, near_by, 0.9, 1.0 / 60).position.x, 0.9, 1e-12);
+    EXPECT_EQ(interpolate(here, there, 0.9, 1.0 / 60), here) << "5 m in a tick are 300 m/s";
+    EXPECT_NEAR(interpolate(here, near_by, 0.9, 1.0 / 60).position.x, 0.9, 1e-12);
 }
 
 double cpu_ms() {
@@ -185,7 +185,7 @@ TEST(RewindView, a_ray_among_thousands_of_bodies_costs_a_part_of_a_tick) {
         for (int i = 0; i < rays; i++) {
             const Ray ray = random_ray(random, size);
             const Queries past = test::must(live.with_shapes_at(
-                view.shapes(*stepped.newest->entity_list, along(ray.origin, ray.motion))));
+                view.shapes(*stepped.newest->entity_list, along_segment(ray.origin, ray.motion))));
             hits += test::must(past.cast_ray(ray)) ? 1 : 0;
         }
         const double one_ms = (cpu_ms() - began) / rays;

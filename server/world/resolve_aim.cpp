@@ -12,7 +12,7 @@ using namespace physics;
 
 namespace {
 
-struct Met {
+struct AimHit {
     EntityId entity = 0;
     Vec3 point;  // as it is now
 };
@@ -22,24 +22,24 @@ QueryFilter filter_of(const HostedState& state, const Aim& aim) {
     return {.ignore = ignored ? ignored->body : BodyId{}};
 }
 
-Result<Met> met(const HostedState& state, const Result<std::optional<RayHit>>& hit) {
+Result<AimHit> met(const HostedState& state, const Result<std::optional<RayHit>>& hit) {
     if (!hit.ok()) return hit.error();
     if (!*hit) return Error{ErrorCode::not_found, "the ray of the aim meets nothing"};
-    return Met{state.entities.entity_of((*hit)->body), (*hit)->point};
+    return AimHit{state.entities.entity_of((*hit)->body), (*hit)->point};
 }
 
-Result<Met> cast_now(const HostedState& state, const Aim& aim) {
+Result<AimHit> cast_now(const HostedState& state, const Aim& aim) {
     return met(state,
                state.world.queries().cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
 }
 
 // The point moved with its body since.
-Result<Met> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
+Result<AimHit> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
                       const Aim& aim) {
     const Result<Queries> then =
         state.world.queries().with_shapes_at(past.shapes(now, along_segment(aim.origin, aim.motion)));
     if (!then.ok()) return then.error();
-    Result<Met> found = met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
+    Result<AimHit> found = met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
     if (!found.ok()) return found;
     const Transform was = *past.pose_of(found->entity);
     const Transform is = state.world.body(state.entities.find(found->entity)->body)->pose;
@@ -54,7 +54,7 @@ const std::optional<Aim>* aim_of(const Action& action) {
     return nullptr;
 }
 
-void point_at(Action& action, const Met& met) {
+void point_at(Action& action, const AimHit& met) {
     if (auto* impulse = std::get_if<ImpulseCommand>(&action)) {
         impulse->entity = met.entity;
         impulse->point = met.point;
@@ -77,7 +77,7 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
                    Action& action, InputResult& result) {
     const std::optional<Aim>* aim = aim_of(action);
     if (!aim || !*aim) return {};
-    Result<Met> found = Met{};
+    Result<AimHit> found = AimHit{};
     const auto then = (*aim)->view_time ? past.at(*(*aim)->view_time) : std::nullopt;
     if (then) {
         const RewindView view(*then);

@@ -32,7 +32,7 @@ PutNote clients_note_of(ClientId first_free) {
     return {clients_note, to.take()};
 }
 
-std::vector<PreviousClient> previous_clients_of(const HostImage& image) {
+std::vector<PreviousClient> previous_clients_of(const SavedHostState& image) {
     std::vector<PreviousClient> previous_clients;
     for (const auto& [client, sequence] : clients_of(image)) absent.push_back({client, sequence});
     return previous_clients;

@@ -6,14 +6,14 @@
 #include <cstdint>
 
 #include "jostle/physics/restore_point.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
 struct CheckpointCopy {
     std::uint32_t tick = 0;
     physics::RestorePoint bodies;
-    HostImage image;
+    SavedHostState image;
 };
 
 }  // namespace jostle::server

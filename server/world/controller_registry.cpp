@@ -72,12 +72,12 @@ std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const 
     return states;
 }
 
-void ControllerRegistry::write(HostImage& image) const {
+void ControllerRegistry::write(SavedHostState& image) const {
     for (const auto& [client, body] : controlled_) image.driven.push_back({client, body});
 }
 
-void ControllerRegistry::restore(const HostImage& image) {
-    for (const HostImage::Driven& driven : image.driven) controlled_[driven.client] = driven.body;
+void ControllerRegistry::restore(const SavedHostState& image) {
+    for (const SavedHostState::Driven& driven : image.driven) controlled_[driven.client] = driven.body;
 }
 
 }  // namespace jostle::server

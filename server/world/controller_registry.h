@@ -12,7 +12,7 @@
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
 #include "server/world/frame.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
@@ -31,8 +31,8 @@ public:
     // What is driven, for clients that foresee it.
     std::vector<ControlledEntityState> controlled_states(physics::World& world, const modules::NameOfBody& name_of) const;
 
-    void write(HostImage& image) const;
-    void restore(const HostImage& image);
+    void write(SavedHostState& image) const;
+    void restore(const SavedHostState& image);
 
 private:
     std::map<ClientId, physics::BodyId> controlled_;

@@ -66,8 +66,8 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     return id;
 }
 
-Status EntityRegistry::restore(const physics::World& world, const HostImage& image) {
-    for (const HostImage::Entity& kept : image.entities) {
+Status EntityRegistry::restore(const physics::World& world, const SavedHostState& image) {
+    for (const SavedHostState::Entity& kept : image.entities) {
         if (!world.contains(kept.body))
             return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
                                                       " is kept, but the world lacks its body"};
@@ -84,7 +84,7 @@ Status EntityRegistry::restore(const physics::World& world, const HostImage& ima
     return {};
 }
 
-void EntityRegistry::write(HostImage& image) const {
+void EntityRegistry::write(SavedHostState& image) const {
     image.next_id = next_id_;
     image.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {

@@ -44,12 +44,12 @@ void Grabs::release_body(World& world, BodyId body) {
     });
 }
 
-void Grabs::write(HostImage& image) const {
+void Grabs::write(SavedHostState& image) const {
     for (const auto& [client, held] : held_) image.held.push_back({client, held.body, held.joint});
 }
 
-void Grabs::restore(const HostImage& image) {
-    for (const HostImage::Held& held : image.held) held_[held.client] = {held.body, held.joint};
+void Grabs::restore(const SavedHostState& image) {
+    for (const SavedHostState::Held& held : image.held) held_[held.client] = {held.body, held.joint};
 }
 
 }  // namespace jostle::server

@@ -9,7 +9,7 @@
 
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
@@ -26,8 +26,8 @@ public:
     // Everyone lets go of the body.
     void release_body(physics::World& world, physics::BodyId body);
 
-    void write(HostImage& image) const;
-    void restore(const HostImage& image);
+    void write(SavedHostState& image) const;
+    void restore(const SavedHostState& image);
 
 private:
     struct Held {

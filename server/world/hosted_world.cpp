@@ -43,7 +43,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     return hosted;
 }
 
-Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
+Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& image,
                                          const HostLimits& limits, double hz,
                                          double work_per_second) {
     HostedWorld hosted({.world = std::move(world), .limits = limits}, hz);
@@ -53,7 +53,7 @@ Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
     state.ownership.restore(image);
     state.grabs.restore(image);
     state.controllers.restore(image);
-    for (const HostImage::Counted& counted : image.counted)
+    for (const SavedHostState::Counted& counted : image.counted)
         hosted.last_sequences_[counted.client] = counted.sequence;
     hosted.quarantined_.insert(image.quarantined.begin(), image.quarantined.end());
     hosted.ids_ = {image.scene_bodies, image.scene_joints};
@@ -63,8 +63,8 @@ Result<HostedWorld> HostedWorld::restore(World world, const HostImage& image,
     return hosted;
 }
 
-HostImage HostedWorld::image(std::uint32_t tick) const {
-    HostImage image{.tick = tick,
+SavedHostState HostedWorld::image(std::uint32_t tick) const {
+    SavedHostState image{.tick = tick,
                     .quarantined = {quarantined_.begin(), quarantined_.end()},
                     .scene_bodies = ids_.bodies,
                     .scene_joints = ids_.joints};

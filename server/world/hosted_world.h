@@ -18,7 +18,7 @@
 #include "server/world/export_scene.h"
 #include "server/world/frame.h"
 #include "server/world/frame_ring.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 #include "server/world/journaled_command.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
@@ -33,10 +33,10 @@ public:
 
     // One that goes on as the kept one would have: `world` is its world, to the bit. corrupt_data:
     // the two do not belong together.
-    static Result<HostedWorld> restore(physics::World world, const HostImage& image,
+    static Result<HostedWorld> restore(physics::World world, const SavedHostState& image,
                                        const HostLimits& limits, double hz, double work_per_second);
     // All but the bodies; `tick` is the last one that was stepped.
-    HostImage image(std::uint32_t tick) const;
+    SavedHostState image(std::uint32_t tick) const;
 
     // Takes the place of a later one: ids that were given and inputs that were counted stay so.
     void follow(const HostedWorld& later);

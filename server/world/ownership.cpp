@@ -24,13 +24,13 @@ std::vector<EntityId> Ownership::owned_by(ClientId client) const {
     return {at->second.begin(), at->second.end()};
 }
 
-void Ownership::write(HostImage& image) const {
+void Ownership::write(SavedHostState& image) const {
     for (const auto& [client, entities] : owned_)
         for (const EntityId entity : entities) image.owned.push_back({client, entity});
 }
 
-void Ownership::restore(const HostImage& image) {
-    for (const HostImage::Owned& owned : image.owned) add(owned.client, owned.entity);
+void Ownership::restore(const SavedHostState& image) {
+    for (const SavedHostState::Owned& owned : image.owned) add(owned.client, owned.entity);
 }
 
 }  // namespace jostle::server

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "server/world/command.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
@@ -25,8 +25,8 @@ public:
     int count(ClientId client) const;
     std::vector<EntityId> owned_by(ClientId client) const;  // in rising order
 
-    void write(HostImage& image) const;
-    void restore(const HostImage& image);
+    void write(SavedHostState& image) const;
+    void restore(const SavedHostState& image);
 
 private:
     std::map<ClientId, std::set<EntityId>> owned_;

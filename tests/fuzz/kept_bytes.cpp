@@ -7,7 +7,7 @@
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
 #include "server/storage/compressed.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 #include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {

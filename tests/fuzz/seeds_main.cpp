@@ -27,7 +27,7 @@
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
 #include "server/session/client_link.h"
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 #include "server/world/hosted_world.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/saved_world.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 #include <utility>
 
@@ -83,35 +83,35 @@ Error not_an_image(const std::string& why) {
 
 }  // namespace
 
-std::map<ClientId, std::uint32_t> clients_of(const HostImage& image) {
+std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image) {
     std::map<ClientId, std::uint32_t> clients;
-    for (const HostImage::Counted& counted : image.counted)
+    for (const SavedHostState::Counted& counted : image.counted)
         clients[counted.client] = counted.sequence;
-    for (const HostImage::Owned& owned : image.owned) clients.try_emplace(owned.client);
-    for (const HostImage::Held& held : image.held) clients.try_emplace(held.client);
-    for (const HostImage::Driven& driven : image.driven) clients.try_emplace(driven.client);
+    for (const SavedHostState::Owned& owned : image.owned) clients.try_emplace(owned.client);
+    for (const SavedHostState::Held& held : image.held) clients.try_emplace(held.client);
+    for (const SavedHostState::Driven& driven : image.driven) clients.try_emplace(driven.client);
     clients.erase(0);
     return clients;
 }
 
-std::string encode_host_image(const HostImage& image) {
+std::string encode_host_image(const SavedHostState& image) {
     ImageWriter writer;
     writer.to.number(image_version);
     visit(writer, image);
     return writer.to.take();
 }
 
-Result<HostImage> decode_host_image(std::string_view bytes) {
+Result<SavedHostState> decode_host_image(std::string_view bytes) {
     ImageReader reader{ByteReader(bytes)};
     if (const std::uint64_t version = reader.from.number(); version != image_version)
         return not_an_image("is of version " + std::to_string(version) + "; this server reads " +
                             std::to_string(image_version));
-    HostImage image;
+    SavedHostState image;
     visit(reader, image);
     if (!reader.from.ok()) return not_an_image("ends too early");
     if (!reader.from.at_end()) return not_an_image("goes on after its end");
     EntityId last = 0;
-    for (const HostImage::Entity& entity : image.entities) {
+    for (const SavedHostState::Entity& entity : image.entities) {
         if (entity.id <= last || entity.id >= image.next_id)
             return not_an_image("has entity " + std::to_string(entity.id) + " out of order");
         last = entity.id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/host_image.h"
+#include "server/world/saved_host_state.h"
 
 #include <gtest/gtest.h>
 
@@ -63,13 +63,13 @@ struct Play {
         point.keep(world.world());
         physics::World other = std::move(*physics::World::create({}));
         point.restore(other).expect();
-        const HostImage image = *decode_host_image(encode_host_image(world.image(tick)));
+        const SavedHostState image = *decode_host_image(encode_host_image(world.image(tick)));
         return {std::move(*HostedWorld::restore(std::move(other), image, limits(), 60, 0)), tick};
     }
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
 };
 
-TEST(HostImage, a_copy_goes_on_as_the_world_would_have) {
+TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
     for (const char* scene : {"stack", "race_track"}) {
         Play run{std::move(*HostedWorld::create(*scenes::find_scene(scene), Play::limits(), 1))};
         run.go_on(90);
@@ -89,7 +89,7 @@ TEST(HostImage, a_copy_goes_on_as_the_world_would_have) {
     }
 }
 
-TEST(HostImage, an_input_that_was_counted_is_not_applied_again) {
+TEST(SavedHostState, an_input_that_was_counted_is_not_applied_again) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     run.go_on(5);
     Play copy = run.copied();
@@ -97,7 +97,7 @@ TEST(HostImage, an_input_that_was_counted_is_not_applied_again) {
     EXPECT_EQ(error_of(again.status).message, "input 5 does not come after input 5");
 }
 
-TEST(HostImage, of_another_world_it_is_refused) {
+TEST(SavedHostState, of_another_world_it_is_refused) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     const Error error = error_of(HostedWorld::restore(std::move(*physics::World::create({})),
                                                       run.world.image(0), Play::limits(), 60, 0));
@@ -105,7 +105,7 @@ TEST(HostImage, of_another_world_it_is_refused) {
     EXPECT_EQ(error.message, "entity 1 is kept, but the world lacks its body");
 }
 
-TEST(HostImage, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
+TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     run.go_on(60);
     const std::string whole = encode_host_image(run.world.image(60));
@@ -118,7 +118,7 @@ TEST(HostImage, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds)
         std::string bytes = whole;
         for (int flips = 0; flips < 3; flips++)
             bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
-        const Result<HostImage> image = decode_host_image(bytes);
+        const Result<SavedHostState> image = decode_host_image(bytes);
         if (image.ok()) {
             EXPECT_LE(image->entities.size(), whole.size());
         }

@@ -18,7 +18,7 @@
 
 namespace jostle::server {
 
-struct HostImage {
+struct SavedHostState {
     struct Entity {
         EntityId id = 0;
         physics::BodyId body;
@@ -58,10 +58,10 @@ struct HostImage {
 };
 
 // Who played, and the last of the inputs of each that were counted.
-std::map<ClientId, std::uint32_t> clients_of(const HostImage& image);
+std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image);
 
-std::string encode_host_image(const HostImage& image);
+std::string encode_host_image(const SavedHostState& image);
 // corrupt_data: the bytes are not such an image.
-Result<HostImage> decode_host_image(std::string_view bytes);
+Result<SavedHostState> decode_host_image(std::string_view bytes);
 
 }  // namespace jostle::server

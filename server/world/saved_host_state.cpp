@@ -77,7 +77,7 @@ void visit(Visitor& v, Image& image) {
     v.list(image.scene_joints, [&](auto& id) { visit_id(v, id); });
 }
 
-Error not_an_image(const std::string& why) {
+Error not_a_host_state(const std::string& why) {
     return {ErrorCode::corrupt_data, "what is kept of entities and owners " + why};
 }
 
@@ -94,26 +94,26 @@ std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image) {
     return clients;
 }
 
-std::string encode_host_image(const SavedHostState& image) {
+std::string encode_host_state(const SavedHostState& image) {
     ImageWriter writer;
     writer.to.number(image_version);
     visit(writer, image);
     return writer.to.take();
 }
 
-Result<SavedHostState> decode_host_image(std::string_view bytes) {
+Result<SavedHostState> decode_host_state(std::string_view bytes) {
     ImageReader reader{ByteReader(bytes)};
     if (const std::uint64_t version = reader.from.number(); version != image_version)
-        return not_an_image("is of version " + std::to_string(version) + "; this server reads " +
+        return not_a_host_state("is of version " + std::to_string(version) + "; this server reads " +
                             std::to_string(image_version));
     SavedHostState image;
     visit(reader, image);
-    if (!reader.from.ok()) return not_an_image("ends too early");
-    if (!reader.from.at_end()) return not_an_image("goes on after its end");
+    if (!reader.from.ok()) return not_a_host_state("ends too early");
+    if (!reader.from.at_end()) return not_a_host_state("goes on after its end");
     EntityId last = 0;
     for (const SavedHostState::Entity& entity : image.entities) {
         if (entity.id <= last || entity.id >= image.next_id)
-            return not_an_image("has entity " + std::to_string(entity.id) + " out of order");
+            return not_a_host_state("has entity " + std::to_string(entity.id) + " out of order");
         last = entity.id;
     }
     return image;

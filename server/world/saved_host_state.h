@@ -60,8 +60,8 @@ struct SavedHostState {
 // Who played, and the last of the inputs of each that were counted.
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image);
 
-std::string encode_host_image(const SavedHostState& image);
+std::string encode_host_state(const SavedHostState& image);
 // corrupt_data: the bytes are not such an image.
-Result<SavedHostState> decode_host_image(std::string_view bytes);
+Result<SavedHostState> decode_host_state(std::string_view bytes);
 
 }  // namespace jostle::server

@@ -14,11 +14,11 @@ namespace jostle::fuzz {
 
 void run(Bytes input) {
     const std::string_view bytes(reinterpret_cast<const char*>(input.data()), input.size());
-    if (const auto image = server::decode_host_image(bytes); image.ok()) {
-        const std::string again = server::encode_host_image(*image);
-        const auto read = server::decode_host_image(again);
+    if (const auto image = server::decode_host_state(bytes); image.ok()) {
+        const std::string again = server::encode_host_state(*image);
+        const auto read = server::decode_host_state(again);
         expect(read.ok(), "an image that was written is read");
-        expect(server::encode_host_image(*read) == again, "and says the same");
+        expect(server::encode_host_state(*read) == again, "and says the same");
     } else {
         expect(image.error().code == ErrorCode::corrupt_data, "it is said why");
     }

@@ -537,7 +537,7 @@ void write_kept(const fs::path& folder) {
     for (const server::Action& action : actions) {
         tick++;
         world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
-        seeds.add(server::encode_host_image(world->image(tick)));
+        seeds.add(server::encode_host_state(world->image(tick)));
         journal.ticks.push_back({tick, world->take_journal()});
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }

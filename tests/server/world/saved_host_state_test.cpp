@@ -63,7 +63,7 @@ struct Play {
         point.keep(world.world());
         physics::World other = std::move(*physics::World::create({}));
         point.restore(other).expect();
-        const SavedHostState image = *decode_host_image(encode_host_image(world.image(tick)));
+        const SavedHostState image = *decode_host_state(encode_host_state(world.image(tick)));
         return {std::move(*HostedWorld::restore(std::move(other), image, limits(), 60, 0)), tick};
     }
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
@@ -80,7 +80,7 @@ TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
         EXPECT_EQ(copy.said, run.said) << scene;
         EXPECT_EQ(physics::state_hash(copy.world.world()), physics::state_hash(run.world.world()))
             << scene;
-        EXPECT_EQ(encode_host_image(copy.world.image(1)), encode_host_image(run.world.image(1)));
+        EXPECT_EQ(encode_host_state(copy.world.image(1)), encode_host_state(run.world.image(1)));
         Frame frame, other;
         run.world.copy_into(frame);
         copy.world.copy_into(other);
@@ -108,17 +108,17 @@ TEST(SavedHostState, of_another_world_it_is_refused) {
 TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     run.go_on(60);
-    const std::string whole = encode_host_image(run.world.image(60));
+    const std::string whole = encode_host_state(run.world.image(60));
     for (std::size_t size = 0; size < whole.size(); size++)
-        EXPECT_EQ(error_of(decode_host_image(whole.substr(0, size))).code, ErrorCode::corrupt_data);
-    EXPECT_EQ(error_of(decode_host_image(whole + "x")).message,
+        EXPECT_EQ(error_of(decode_host_state(whole.substr(0, size))).code, ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(decode_host_state(whole + "x")).message,
               "what is kept of entities and owners goes on after its end");
     test::Random random(4);
     for (int k = 0; k < 2000; k++) {
         std::string bytes = whole;
         for (int flips = 0; flips < 3; flips++)
             bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
-        const Result<SavedHostState> image = decode_host_image(bytes);
+        const Result<SavedHostState> image = decode_host_state(bytes);
         if (image.ok()) {
             EXPECT_LE(image->entities.size(), whole.size());
         }

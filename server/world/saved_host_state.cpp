@@ -28,7 +28,7 @@ struct ImageWriter {
         for (const Item& item : items) each(item);
     }
 };
-struct ImageReader {
+struct HostStateReader {
     ByteReader from;
 
     void operator()(std::uint32_t& value) { value = from.small(); }
@@ -102,7 +102,7 @@ std::string encode_host_state(const SavedHostState& image) {
 }
 
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
-    ImageReader reader{ByteReader(bytes)};
+    HostStateReader reader{ByteReader(bytes)};
     if (const std::uint64_t version = reader.from.number(); version != image_version)
         return not_a_host_state("is of version " + std::to_string(version) + "; this server reads " +
                             std::to_string(image_version));

@@ -13,7 +13,7 @@ constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
 
 // One function says what an image consists of; it is written with one of these and read with the
 // other.
-struct ImageWriter {
+struct HostStateWriter {
     ByteWriter to;
 
     void operator()(std::uint32_t value) { to.number(value); }
@@ -95,7 +95,7 @@ std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image) {
 }
 
 std::string encode_host_state(const SavedHostState& image) {
-    ImageWriter writer;
+    HostStateWriter writer;
     writer.to.number(image_version);
     visit(writer, image);
     return writer.to.take();

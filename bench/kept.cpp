@@ -66,17 +66,17 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
         if (Status s = world.step(1.0 / 60, tick); !s.ok())
             throw std::runtime_error(s.error().message);
     });
-    server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .image = {}};
+    server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .host_state = {}};
     time(times.moment, [&] {
-        moment.image = world.image(tick);
+        moment.host_state = world.host_state(tick);
         moment.bodies.keep(world.world());
     });
-    server::CheckpointData image;
-    time(times.encode, [&] { image = must(server::encode_checkpoint(moment)); });
+    server::CheckpointData host_state;
+    time(times.encode, [&] { host_state = must(server::encode_checkpoint(moment)); });
     spare = std::move(moment.bodies);
     std::vector<std::byte> saved;
     time(times.save, [&] { saved = physics::save(world.world()); });
-    time(times.hash, [&] { times.same &= physics::state_hash(world.world()) == image.hash; });
+    time(times.hash, [&] { times.same &= physics::state_hash(world.world()) == host_state.hash; });
     time(times.pack, [&] {
         times.packed_mb =
             static_cast<double>(
@@ -85,7 +85,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
             1e6;
     });
     time(times.decode,
-         [&] { times.same &= server::decode_checkpoint(image.bytes, image.hash).ok(); });
+         [&] { times.same &= server::decode_checkpoint(host_state.bytes, host_state.hash).ok(); });
 }
 
 Times measure(int bodies, int repetitions) {

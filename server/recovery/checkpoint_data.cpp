@@ -27,7 +27,7 @@ Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy) 
     if (!saved.ok()) return saved.error();
     ByteWriter head;
     head.number(checkpoint_version);
-    head.text(encode_host_state(checkpoint_copy.image));
+    head.text(encode_host_state(checkpoint_copy.host_state));
     head.number(saved->bytes.size());
     const std::string first = head.take();
     const std::string_view pieces[] = {
@@ -45,12 +45,12 @@ Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_
     const std::string_view image_bytes = from.text(), saved = from.text();
     if (!from.ok()) return not_a_checkpoint("ends too early");
     if (!from.at_end()) return not_a_checkpoint("goes on after its end");
-    Result<SavedHostState> image = decode_host_state(image_bytes);
-    if (!image.ok()) return image.error();
+    Result<SavedHostState> host_state = decode_host_state(image_bytes);
+    if (!host_state.ok()) return host_state.error();
     Result<physics::World> world = physics::load(std::as_bytes(std::span(saved)));
     if (!world.ok()) return world.error();
     if (physics::state_hash(*world) != hash) return not_a_checkpoint("has another hash");
-    return DecodedCheckpoint{*std::move(world), *std::move(image)};
+    return DecodedCheckpoint{*std::move(world), *std::move(host_state)};
 }
 
 }  // namespace jostle::server

@@ -22,7 +22,7 @@ Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy);
 
 struct DecodedCheckpoint {
     physics::World bodies;
-    SavedHostState image;
+    SavedHostState host_state;
 };
 // corrupt_data: the bytes are no such image, or their hash is another one.
 Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_t hash);

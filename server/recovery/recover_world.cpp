@@ -51,7 +51,7 @@ private:
         if (!saved.ok()) return saved.error();
         if (Status s = saved->bodies.set_threads(options_.threads); !s.ok()) return s.error();
         Result<HostedWorld> world =
-            HostedWorld::restore(std::move(saved->bodies), saved->image, record_.limits,
+            HostedWorld::restore(std::move(saved->bodies), saved->host_state, record_.limits,
                                  record_.scene->hz, record_.work_per_second);
         if (!world.ok()) return world.error();
         return RecoveredWorld{.world = *std::move(world),

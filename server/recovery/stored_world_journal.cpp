@@ -191,24 +191,24 @@ void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<Ch
     checkpoint_pending_ = true;
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
         std::optional<CheckpointCopy> checkpoint_copy = taker->take();
-        Result<CheckpointData> image =
+        Result<CheckpointData> host_state =
             moment ? encode_checkpoint(*checkpoint_copy)
                    : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
         if (checkpoint_copy) {
             const std::lock_guard lock(self->mutex_);
             self->spare_restore_point_ = std::move(checkpoint_copy->bodies);
         }
-        if (!image.ok()) {
+        if (!host_state.ok()) {
             log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
-                      image.error().message);
+                      host_state.error().message);
             self->checkpoint_pending_ = false;
             return;
         }
         const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
                                                              {.tick = taken.tick,
-                                                              .hash = image->hash,
+                                                              .hash = host_state->hash,
                                                               .sequence = sequence,
-                                                              .exact = std::move(image->bytes),
+                                                              .exact = std::move(host_state->bytes),
                                                               .portable = {}}},
                                                [self, taken](const Status& written) {
                                                    self->checkpoint_pending_ = false;

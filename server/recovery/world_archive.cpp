@@ -32,9 +32,9 @@ PutNote clients_note_of(ClientId first_free) {
     return {clients_note, to.take()};
 }
 
-std::vector<PreviousClient> previous_clients_of(const SavedHostState& image) {
+std::vector<PreviousClient> previous_clients_of(const SavedHostState& host_state) {
     std::vector<PreviousClient> previous_clients;
-    for (const auto& [client, sequence] : clients_of(image)) absent.push_back({client, sequence});
+    for (const auto& [client, sequence] : clients_of(host_state)) absent.push_back({client, sequence});
     return previous_clients;
 }
 
@@ -43,19 +43,19 @@ Error slow() {
 }
 
 CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
-    CheckpointCopy checkpoint_copy{.tick = tick, .bodies = {}, .image = world.image(tick)};
+    CheckpointCopy checkpoint_copy{.tick = tick, .bodies = {}, .host_state = world.host_state(tick)};
     checkpoint_copy.bodies.keep(world.world());
     return checkpoint_copy;
 }
 
 Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                                  std::uint64_t sequence) {
-    Result<CheckpointData> image = encode_checkpoint(checkpoint_copy_of(world, tick));
-    if (!image.ok()) return image.error();
+    Result<CheckpointData> host_state = encode_checkpoint(checkpoint_copy_of(world, tick));
+    if (!host_state.ok()) return host_state.error();
     return Checkpoint{.tick = tick,
-                      .hash = image->hash,
+                      .hash = host_state->hash,
                       .sequence = sequence,
-                      .exact = std::move(image->bytes),
+                      .exact = std::move(host_state->bytes),
                       .portable = {}};
 }
 
@@ -215,7 +215,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
     if (Status s = store.write(changes); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
-    std::vector<PreviousClient> previous_clients = previous_clients_of(found->world.image(found->tick));
+    std::vector<PreviousClient> previous_clients = previous_clients_of(found->world.host_state(found->tick));
     PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
                              .scene = record->scene,
                              .world = std::move(found->world),

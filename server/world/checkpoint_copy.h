@@ -13,7 +13,7 @@ namespace jostle::server {
 struct CheckpointCopy {
     std::uint32_t tick = 0;
     physics::RestorePoint bodies;
-    SavedHostState image;
+    SavedHostState host_state;
 };
 
 }  // namespace jostle::server

@@ -72,12 +72,12 @@ std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const 
     return states;
 }
 
-void ControllerRegistry::write(SavedHostState& image) const {
-    for (const auto& [client, body] : controlled_) image.driven.push_back({client, body});
+void ControllerRegistry::write(SavedHostState& host_state) const {
+    for (const auto& [client, body] : controlled_) host_state.driven.push_back({client, body});
 }
 
-void ControllerRegistry::restore(const SavedHostState& image) {
-    for (const SavedHostState::Driven& driven : image.driven) controlled_[driven.client] = driven.body;
+void ControllerRegistry::restore(const SavedHostState& host_state) {
+    for (const SavedHostState::Driven& driven : host_state.driven) controlled_[driven.client] = driven.body;
 }
 
 }  // namespace jostle::server

@@ -31,8 +31,8 @@ public:
     // What is driven, for clients that foresee it.
     std::vector<ControlledEntityState> controlled_states(physics::World& world, const modules::NameOfBody& name_of) const;
 
-    void write(SavedHostState& image) const;
-    void restore(const SavedHostState& image);
+    void write(SavedHostState& host_state) const;
+    void restore(const SavedHostState& host_state);
 
 private:
     std::map<ClientId, physics::BodyId> controlled_;

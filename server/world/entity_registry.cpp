@@ -66,8 +66,8 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     return id;
 }
 
-Status EntityRegistry::restore(const physics::World& world, const SavedHostState& image) {
-    for (const SavedHostState::Entity& kept : image.entities) {
+Status EntityRegistry::restore(const physics::World& world, const SavedHostState& host_state) {
+    for (const SavedHostState::Entity& kept : host_state.entities) {
         if (!world.contains(kept.body))
             return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
                                                       " is kept, but the world lacks its body"};
@@ -80,16 +80,16 @@ Status EntityRegistry::restore(const physics::World& world, const SavedHostState
         description->bounding_radius = kept.bounding_radius;
         put(kept.id, {kept.body, std::move(description)});
     }
-    next_id_ = image.next_id;
+    next_id_ = host_state.next_id;
     return {};
 }
 
-void EntityRegistry::write(SavedHostState& image) const {
-    image.next_id = next_id_;
-    image.entities.reserve(entities_.size());
+void EntityRegistry::write(SavedHostState& host_state) const {
+    host_state.next_id = next_id_;
+    host_state.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
         const EntityDescription& told = *entity.description;
-        image.entities.push_back(
+        host_state.entities.push_back(
             {id, entity.body, told.owner, told.color, told.name, told.mass, told.reach});
     }
 }

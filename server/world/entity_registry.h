@@ -32,8 +32,8 @@ public:
                  std::optional<std::uint32_t> color, std::string name);
     // As write() told, in a registry in which there is nothing yet. corrupt_data: of a body that
     // the world does not have.
-    Status restore(const physics::World& world, const SavedHostState& image);
-    void write(SavedHostState& image) const;
+    Status restore(const physics::World& world, const SavedHostState& host_state);
+    void write(SavedHostState& host_state) const;
     // Ids that another one gave are not given again.
     void skip_ids_of(const EntityRegistry& other) { next_id_ = std::max(next_id_, other.next_id_); }
     // One that is there. Its body can still be looked up until the step after the next has begun.

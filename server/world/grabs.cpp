@@ -44,12 +44,12 @@ void Grabs::release_body(World& world, BodyId body) {
     });
 }
 
-void Grabs::write(SavedHostState& image) const {
-    for (const auto& [client, held] : held_) image.held.push_back({client, held.body, held.joint});
+void Grabs::write(SavedHostState& host_state) const {
+    for (const auto& [client, held] : held_) host_state.held.push_back({client, held.body, held.joint});
 }
 
-void Grabs::restore(const SavedHostState& image) {
-    for (const SavedHostState::Held& held : image.held) held_[held.client] = {held.body, held.joint};
+void Grabs::restore(const SavedHostState& host_state) {
+    for (const SavedHostState::Held& held : host_state.held) held_[held.client] = {held.body, held.joint};
 }
 
 }  // namespace jostle::server

@@ -26,8 +26,8 @@ public:
     // Everyone lets go of the body.
     void release_body(physics::World& world, physics::BodyId body);
 
-    void write(SavedHostState& image) const;
-    void restore(const SavedHostState& image);
+    void write(SavedHostState& host_state) const;
+    void restore(const SavedHostState& host_state);
 
 private:
     struct Held {

@@ -43,38 +43,38 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     return hosted;
 }
 
-Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& image,
+Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host_state,
                                          const HostLimits& limits, double hz,
                                          double work_per_second) {
     HostedWorld hosted({.world = std::move(world), .limits = limits}, hz);
     hosted.work_per_second_ = work_per_second;
     HostedState& state = hosted.state_;
-    if (Status s = state.entities.restore(state.world, image); !s.ok()) return s.error();
-    state.ownership.restore(image);
-    state.grabs.restore(image);
-    state.controllers.restore(image);
-    for (const SavedHostState::Counted& counted : image.counted)
+    if (Status s = state.entities.restore(state.world, host_state); !s.ok()) return s.error();
+    state.ownership.restore(host_state);
+    state.grabs.restore(host_state);
+    state.controllers.restore(host_state);
+    for (const SavedHostState::Counted& counted : host_state.counted)
         hosted.last_sequences_[counted.client] = counted.sequence;
-    hosted.quarantined_.insert(image.quarantined.begin(), image.quarantined.end());
-    hosted.ids_ = {image.scene_bodies, image.scene_joints};
+    hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
+    hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
     Result<ModuleChannels> channels = ModuleChannels::of(state.world);
     if (!channels.ok()) return channels.error();
     hosted.channels_ = *std::move(channels);
     return hosted;
 }
 
-SavedHostState HostedWorld::image(std::uint32_t tick) const {
-    SavedHostState image{.tick = tick,
+SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
+    SavedHostState host_state{.tick = tick,
                     .quarantined = {quarantined_.begin(), quarantined_.end()},
                     .scene_bodies = ids_.bodies,
                     .scene_joints = ids_.joints};
-    state_.entities.write(image);
-    state_.ownership.write(image);
-    state_.grabs.write(image);
-    state_.controllers.write(image);
+    state_.entities.write(host_state);
+    state_.ownership.write(host_state);
+    state_.grabs.write(host_state);
+    state_.controllers.write(host_state);
     for (const auto& [client, sequence] : last_sequences_)
-        image.counted.push_back({client, sequence});
-    return image;
+        host_state.counted.push_back({client, sequence});
+    return host_state;
 }
 
 void HostedWorld::follow(const HostedWorld& later) {
@@ -83,7 +83,7 @@ void HostedWorld::follow(const HostedWorld& later) {
 }
 
 void HostedWorld::let_all_go() {
-    for (const auto& [client, sequence] : clients_of(image(0)))
+    for (const auto& [client, sequence] : clients_of(host_state(0)))
         apply({.client = client, .action = LeaveCommand{.retain_bodies = true}, .reply = nullptr}, 0);
 }
 

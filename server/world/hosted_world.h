@@ -33,10 +33,10 @@ public:
 
     // One that goes on as the kept one would have: `world` is its world, to the bit. corrupt_data:
     // the two do not belong together.
-    static Result<HostedWorld> restore(physics::World world, const SavedHostState& image,
+    static Result<HostedWorld> restore(physics::World world, const SavedHostState& host_state,
                                        const HostLimits& limits, double hz, double work_per_second);
     // All but the bodies; `tick` is the last one that was stepped.
-    SavedHostState image(std::uint32_t tick) const;
+    SavedHostState host_state(std::uint32_t tick) const;
 
     // Takes the place of a later one: ids that were given and inputs that were counted stay so.
     void follow(const HostedWorld& later);

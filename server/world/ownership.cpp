@@ -24,13 +24,13 @@ std::vector<EntityId> Ownership::owned_by(ClientId client) const {
     return {at->second.begin(), at->second.end()};
 }
 
-void Ownership::write(SavedHostState& image) const {
+void Ownership::write(SavedHostState& host_state) const {
     for (const auto& [client, entities] : owned_)
-        for (const EntityId entity : entities) image.owned.push_back({client, entity});
+        for (const EntityId entity : entities) host_state.owned.push_back({client, entity});
 }
 
-void Ownership::restore(const SavedHostState& image) {
-    for (const SavedHostState::Owned& owned : image.owned) add(owned.client, owned.entity);
+void Ownership::restore(const SavedHostState& host_state) {
+    for (const SavedHostState::Owned& owned : host_state.owned) add(owned.client, owned.entity);
 }
 
 }  // namespace jostle::server

@@ -25,8 +25,8 @@ public:
     int count(ClientId client) const;
     std::vector<EntityId> owned_by(ClientId client) const;  // in rising order
 
-    void write(SavedHostState& image) const;
-    void restore(const SavedHostState& image);
+    void write(SavedHostState& host_state) const;
+    void restore(const SavedHostState& host_state);
 
 private:
     std::map<ClientId, std::set<EntityId>> owned_;

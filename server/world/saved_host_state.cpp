@@ -8,7 +8,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t image_version = 1;
+constexpr std::uint64_t host_state_version = 1;
 constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
 
 // One function says what an image consists of; it is written with one of these and read with the
@@ -52,10 +52,10 @@ void visit_id(Visitor& v, Id& id) {
 }
 
 template <class Visitor, class Image>
-void visit(Visitor& v, Image& image) {
-    v(image.tick);
-    v(image.next_id);
-    v.list(image.entities, [&](auto& e) {
+void visit(Visitor& v, Image& host_state) {
+    v(host_state.tick);
+    v(host_state.next_id);
+    v.list(host_state.entities, [&](auto& e) {
         v(e.id);
         visit_id(v, e.body);
         v(e.owner);
@@ -64,17 +64,17 @@ void visit(Visitor& v, Image& image) {
         v(e.mass);
         v(e.bounding_radius);
     });
-    v.list(image.owned, [&](auto& o) { v(o.client), v(o.entity); });
-    v.list(image.held, [&](auto& h) {
+    v.list(host_state.owned, [&](auto& o) { v(o.client), v(o.entity); });
+    v.list(host_state.held, [&](auto& h) {
         v(h.client);
         visit_id(v, h.body);
         visit_id(v, h.joint);
     });
-    v.list(image.driven, [&](auto& d) { v(d.client), visit_id(v, d.body); });
-    v.list(image.counted, [&](auto& c) { v(c.client), v(c.sequence); });
-    v.list(image.quarantined, [&](auto& id) { v(id); });
-    v.list(image.scene_bodies, [&](auto& id) { visit_id(v, id); });
-    v.list(image.scene_joints, [&](auto& id) { visit_id(v, id); });
+    v.list(host_state.driven, [&](auto& d) { v(d.client), visit_id(v, d.body); });
+    v.list(host_state.counted, [&](auto& c) { v(c.client), v(c.sequence); });
+    v.list(host_state.quarantined, [&](auto& id) { v(id); });
+    v.list(host_state.scene_bodies, [&](auto& id) { visit_id(v, id); });
+    v.list(host_state.scene_joints, [&](auto& id) { visit_id(v, id); });
 }
 
 Error not_a_host_state(const std::string& why) {
@@ -83,40 +83,40 @@ Error not_a_host_state(const std::string& why) {
 
 }  // namespace
 
-std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image) {
+std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state) {
     std::map<ClientId, std::uint32_t> clients;
-    for (const SavedHostState::Counted& counted : image.counted)
+    for (const SavedHostState::Counted& counted : host_state.counted)
         clients[counted.client] = counted.sequence;
-    for (const SavedHostState::Owned& owned : image.owned) clients.try_emplace(owned.client);
-    for (const SavedHostState::Held& held : image.held) clients.try_emplace(held.client);
-    for (const SavedHostState::Driven& driven : image.driven) clients.try_emplace(driven.client);
+    for (const SavedHostState::Owned& owned : host_state.owned) clients.try_emplace(owned.client);
+    for (const SavedHostState::Held& held : host_state.held) clients.try_emplace(held.client);
+    for (const SavedHostState::Driven& driven : host_state.driven) clients.try_emplace(driven.client);
     clients.erase(0);
     return clients;
 }
 
-std::string encode_host_state(const SavedHostState& image) {
+std::string encode_host_state(const SavedHostState& host_state) {
     HostStateWriter writer;
-    writer.to.number(image_version);
-    visit(writer, image);
+    writer.to.number(host_state_version);
+    visit(writer, host_state);
     return writer.to.take();
 }
 
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
     HostStateReader reader{ByteReader(bytes)};
-    if (const std::uint64_t version = reader.from.number(); version != image_version)
+    if (const std::uint64_t version = reader.from.number(); version != host_state_version)
         return not_a_host_state("is of version " + std::to_string(version) + "; this server reads " +
-                            std::to_string(image_version));
-    SavedHostState image;
-    visit(reader, image);
+                            std::to_string(host_state_version));
+    SavedHostState host_state;
+    visit(reader, host_state);
     if (!reader.from.ok()) return not_a_host_state("ends too early");
     if (!reader.from.at_end()) return not_a_host_state("goes on after its end");
     EntityId last = 0;
-    for (const SavedHostState::Entity& entity : image.entities) {
-        if (entity.id <= last || entity.id >= image.next_id)
+    for (const SavedHostState::Entity& entity : host_state.entities) {
+        if (entity.id <= last || entity.id >= host_state.next_id)
             return not_a_host_state("has entity " + std::to_string(entity.id) + " out of order");
         last = entity.id;
     }
-    return image;
+    return host_state;
 }
 
 }  // namespace jostle::server

@@ -58,9 +58,9 @@ struct SavedHostState {
 };
 
 // Who played, and the last of the inputs of each that were counted.
-std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& image);
+std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state);
 
-std::string encode_host_state(const SavedHostState& image);
+std::string encode_host_state(const SavedHostState& host_state);
 // corrupt_data: the bytes are not such an image.
 Result<SavedHostState> decode_host_state(std::string_view bytes);
 

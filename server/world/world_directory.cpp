@@ -298,7 +298,7 @@ Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& fail
 
 WorldDirectory::GoesOn WorldDirectory::go_on(WorldStart start) const {
     GoesOn again;
-    for (const auto& [client, sequence] : clients_of(start.world.image(start.tick)))
+    for (const auto& [client, sequence] : clients_of(start.world.host_state(start.tick)))
         again.clients.push_back(client);
     again.host = WorldHost::start(std::move(start), settings_);
     return again;

@@ -356,7 +356,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
-    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->take_spare_restore_point(), .image = world_.image(tick_)};
+    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->take_spare_restore_point(), .host_state = world_.host_state(tick_)};
     now.bodies.keep(world_.world());
     return now;
 }

@@ -14,13 +14,13 @@ namespace jostle::fuzz {
 
 void run(Bytes input) {
     const std::string_view bytes(reinterpret_cast<const char*>(input.data()), input.size());
-    if (const auto image = server::decode_host_state(bytes); image.ok()) {
-        const std::string again = server::encode_host_state(*image);
+    if (const auto host_state = server::decode_host_state(bytes); host_state.ok()) {
+        const std::string again = server::encode_host_state(*host_state);
         const auto read = server::decode_host_state(again);
         expect(read.ok(), "an image that was written is read");
         expect(server::encode_host_state(*read) == again, "and says the same");
     } else {
-        expect(image.error().code == ErrorCode::corrupt_data, "it is said why");
+        expect(host_state.error().code == ErrorCode::corrupt_data, "it is said why");
     }
     if (const auto journal = server::decode_journal(bytes); journal.ok()) {
         const std::string again = server::encode_journal(*journal);

@@ -537,13 +537,13 @@ void write_kept(const fs::path& folder) {
     for (const server::Action& action : actions) {
         tick++;
         world->apply({.client = 1, .sequence = tick, .action = action, .reply = {}}, tick);
-        seeds.add(server::encode_host_state(world->image(tick)));
+        seeds.add(server::encode_host_state(world->host_state(tick)));
         journal.ticks.push_back({tick, world->take_journal()});
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
     seeds.add(server::encode_journal({.ticks = {}, .stood = {}, .rewind = server::Rewind{90, 30}}));
-    server::CheckpointCopy moment{.tick = tick, .bodies = {}, .image = world->image(tick)};
+    server::CheckpointCopy moment{.tick = tick, .bodies = {}, .host_state = world->host_state(tick)};
     moment.bodies.keep(world->world());
     seeds.add(server::encode_checkpoint(moment).value().bytes);
     seeds.add(server::encode_world_definition(

@@ -92,7 +92,7 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
         ASSERT_TRUE(again.step(dt, tick.tick).ok());
     }
     EXPECT_EQ(physics::state_hash(again.world()), physics::state_hash(world.world()));
-    EXPECT_EQ(encode_host_state(again.image(150)), encode_host_state(world.image(150)));
+    EXPECT_EQ(encode_host_state(again.host_state(150)), encode_host_state(world.host_state(150)));
     EXPECT_GT(aimed, 400u);
     EXPECT_GT(missed, 10u) << "rays that met nothing count, too";
     EXPECT_LT(bytes.size(), 600u * 200) << "two hundred bytes a command at most";

@@ -50,7 +50,7 @@ struct Play {
     void go_on(std::uint32_t ticks) {
         for (const std::uint32_t end = tick + ticks; tick < end;) {
             tick++;
-            for (const Command& command : inputs_of(tick, world.image(tick).entities.size())) {
+            for (const Command& command : inputs_of(tick, world.host_state(tick).entities.size())) {
                 const InputResult result = world.apply(command, tick);
                 said += std::to_string(result.entity) +
                         (result.status.ok() ? "." : result.status.error().message);
@@ -63,8 +63,8 @@ struct Play {
         point.keep(world.world());
         physics::World other = std::move(*physics::World::create({}));
         point.restore(other).expect();
-        const SavedHostState image = *decode_host_state(encode_host_state(world.image(tick)));
-        return {std::move(*HostedWorld::restore(std::move(other), image, limits(), 60, 0)), tick};
+        const SavedHostState host_state = *decode_host_state(encode_host_state(world.host_state(tick)));
+        return {std::move(*HostedWorld::restore(std::move(other), host_state, limits(), 60, 0)), tick};
     }
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
 };
@@ -80,12 +80,12 @@ TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
         EXPECT_EQ(copy.said, run.said) << scene;
         EXPECT_EQ(physics::state_hash(copy.world.world()), physics::state_hash(run.world.world()))
             << scene;
-        EXPECT_EQ(encode_host_state(copy.world.image(1)), encode_host_state(run.world.image(1)));
+        EXPECT_EQ(encode_host_state(copy.world.host_state(1)), encode_host_state(run.world.host_state(1)));
         Frame frame, other;
         run.world.copy_into(frame);
         copy.world.copy_into(other);
         EXPECT_EQ(frame.entity_list->size(), other.entity_list->size());
-        EXPECT_GT(run.world.image(1).owned.size(), 5u) << "the three did something";
+        EXPECT_GT(run.world.host_state(1).owned.size(), 5u) << "the three did something";
     }
 }
 
@@ -100,7 +100,7 @@ TEST(SavedHostState, an_input_that_was_counted_is_not_applied_again) {
 TEST(SavedHostState, of_another_world_it_is_refused) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     const Error error = error_of(HostedWorld::restore(std::move(*physics::World::create({})),
-                                                      run.world.image(0), Play::limits(), 60, 0));
+                                                      run.world.host_state(0), Play::limits(), 60, 0));
     EXPECT_EQ(error.code, ErrorCode::corrupt_data);
     EXPECT_EQ(error.message, "entity 1 is kept, but the world lacks its body");
 }
@@ -108,7 +108,7 @@ TEST(SavedHostState, of_another_world_it_is_refused) {
 TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     run.go_on(60);
-    const std::string whole = encode_host_state(run.world.image(60));
+    const std::string whole = encode_host_state(run.world.host_state(60));
     for (std::size_t size = 0; size < whole.size(); size++)
         EXPECT_EQ(error_of(decode_host_state(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_host_state(whole + "x")).message,
@@ -118,9 +118,9 @@ TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bo
         std::string bytes = whole;
         for (int flips = 0; flips < 3; flips++)
             bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
-        const Result<SavedHostState> image = decode_host_state(bytes);
-        if (image.ok()) {
-            EXPECT_LE(image->entities.size(), whole.size());
+        const Result<SavedHostState> host_state = decode_host_state(bytes);
+        if (host_state.ok()) {
+            EXPECT_LE(host_state->entities.size(), whole.size());
         }
     }
 }

@@ -77,7 +77,7 @@ void ControllerRegistry::write(SavedHostState& host_state) const {
 }
 
 void ControllerRegistry::restore(const SavedHostState& host_state) {
-    for (const SavedHostState::Driven& driven : host_state.driven) controlled_[driven.client] = driven.body;
+    for (const SavedHostState::Controlled& driven : host_state.driven) controlled_[driven.client] = driven.body;
 }
 
 }  // namespace jostle::server

@@ -89,7 +89,7 @@ std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state) {
         clients[counted.client] = counted.sequence;
     for (const SavedHostState::Owned& owned : host_state.owned) clients.try_emplace(owned.client);
     for (const SavedHostState::Held& held : host_state.held) clients.try_emplace(held.client);
-    for (const SavedHostState::Driven& driven : host_state.driven) clients.try_emplace(driven.client);
+    for (const SavedHostState::Controlled& driven : host_state.driven) clients.try_emplace(driven.client);
     clients.erase(0);
     return clients;
 }

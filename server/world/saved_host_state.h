@@ -32,7 +32,7 @@ struct SavedHostState {
         physics::BodyId body;
         physics::JointId joint;
     };
-    struct Driven {
+    struct Controlled {
         ClientId client = 0;
         physics::BodyId body;
     };
@@ -50,7 +50,7 @@ struct SavedHostState {
     std::vector<Entity> entities;  // in rising order of id
     std::vector<Owned> owned;
     std::vector<Held> held;
-    std::vector<Driven> driven;
+    std::vector<Controlled> driven;
     std::vector<Counted> counted;
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;

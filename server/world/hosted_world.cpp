@@ -53,7 +53,7 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
-    for (const SavedHostState::Counted& counted : host_state.counted)
+    for (const SavedHostState::ProcessedInput& counted : host_state.counted)
         hosted.last_sequences_[counted.client] = counted.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};

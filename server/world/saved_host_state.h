@@ -40,7 +40,7 @@ struct SavedHostState {
         ClientId client = 0;
         EntityId entity = 0;
     };
-    struct Counted {
+    struct ProcessedInput {
         ClientId client = 0;
         std::uint32_t sequence = 0;
     };
@@ -51,7 +51,7 @@ struct SavedHostState {
     std::vector<Owned> owned;
     std::vector<Held> held;
     std::vector<Controlled> driven;
-    std::vector<Counted> counted;
+    std::vector<ProcessedInput> counted;
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;

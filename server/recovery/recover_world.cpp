@@ -147,7 +147,7 @@ private:
         if (!then.ok()) return Error{then.error().code, from_to + ": " + then.error().message};
         if (then->tick != rewind.to)
             return Error{ErrorCode::not_found, from_to + ", which is not kept any longer"};
-        then->world.follow(world.world);
+        then->world.continue_from(world.world);
         world.world = std::move(then->world);
         world.tick = rewind.tick;
         if (options_.after_tick) options_.after_tick(world.world, world.tick);
@@ -158,9 +158,9 @@ private:
         const bool admitted = !options_.may_apply || options_.may_apply(tick);
         for (const JournaledCommand& command : tick.commands) {
             if (admitted)
-                world.apply_again(command);
+                world.replay(command);
             else if (command.sequence != 0)  // nobody says it again
-                world.apply_again({command.client, command.sequence, std::nullopt});
+                world.replay({command.client, command.sequence, std::nullopt});
         }
         // One that is refused was refused then, too.
         if (!stands) static_cast<void>(world.step(1 / record_.scene->hz, tick.tick + 1).ok());

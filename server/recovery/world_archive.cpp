@@ -373,7 +373,7 @@ Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tic
     Result<StoppedWorld> last = load_stopped_world(id);
     if (!last.ok()) return last.error();
     RecoveredWorld& found = last->found;
-    then.follow(found.world);
+    then.continue_from(found.world);
     found.world = std::move(then);
     found.tick++;
     JournalEntry entry{

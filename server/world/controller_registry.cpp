@@ -64,7 +64,7 @@ std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const 
     for (const auto& [client, body] : controlled_) {
         Module* const module = controlling_module(world, body);
         if (module == nullptr) continue;
-        auto words = modules::tell_driven(world, *module, body, name_of);
+        auto words = modules::publish_controlled_entities(world, *module, body, name_of);
         if (words)
             states.push_back(
                 {client, name_of(body), std::string(module->tag()), *std::move(words)});

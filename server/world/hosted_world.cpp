@@ -53,8 +53,8 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
-    for (const SavedHostState::ProcessedInput& counted : host_state.counted)
-        hosted.last_sequences_[counted.client] = counted.sequence;
+    for (const SavedHostState::ProcessedInput& counted : host_state.processed)
+        hosted.last_sequences_[counted.client] = processed.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
     Result<ModuleChannels> channels = ModuleChannels::of(state.world);
@@ -73,16 +73,16 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.grabs.write(host_state);
     state_.controllers.write(host_state);
     for (const auto& [client, sequence] : last_sequences_)
-        host_state.counted.push_back({client, sequence});
+        host_state.processed.push_back({client, sequence});
     return host_state;
 }
 
-void HostedWorld::follow(const HostedWorld& later) {
+void HostedWorld::continue_from(const HostedWorld& later) {
     last_sequences_ = later.last_sequences_;
     state_.entities.skip_ids_of(later.state_.entities);
 }
 
-void HostedWorld::let_all_go() {
+void HostedWorld::release_all_clients() {
     for (const auto& [client, sequence] : clients_of(host_state(0)))
         apply({.client = client, .action = LeaveCommand{.retain_bodies = true}, .reply = nullptr}, 0);
 }
@@ -123,13 +123,13 @@ Status HostedWorld::act(const Command& command, InputResult& result) {
         action = &aimed;
         status = resolve_aim(state_, *frame_history_, *state_.entities.list(), aimed, result);
     }
-    if (keeps_journal_)
+    if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
     return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
 }
 
-void HostedWorld::apply_again(const JournaledCommand& command) {
+void HostedWorld::replay(const JournaledCommand& command) {
     const bool has = command.action.has_value();
     const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
     if (is_leave)
@@ -221,7 +221,7 @@ void HostedWorld::copy_into(Frame& frame) {
     if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
     frame.channels = told_ = channels_.channels();
-    if (tells_driven_) {
+    if (publishes_controlled_entities_) {
         auto controlled_entities = state_.controllers.told(
             state_.world, [this](BodyId body) { return state_.entities.find_living(body); });
         if (!driven.empty())

@@ -39,27 +39,27 @@ public:
     SavedHostState host_state(std::uint32_t tick) const;
 
     // Takes the place of a later one: ids that were given and inputs that were counted stay so.
-    void follow(const HostedWorld& later);
+    void continue_from(const HostedWorld& later);
     // All clients are gone, and their bodies stay.
-    void let_all_go();
+    void release_all_clients();
     // Before its first tick in this process.
     void set_limits(const HostLimits& limits);
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
     // From now on what is applied is kept for take_journal().
-    void keep_journal() { keeps_journal_ = true; }
+    void enable_journal() { journal_enabled_ = true; }
     // What was applied since it was last asked.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
     // As apply() did, of a world that is as it was then.
-    void apply_again(const JournaledCommand& command);
+    void replay(const JournaledCommand& command);
     // Pulls what is held, then steps, and asks modules what they tell of that tick, from 1.
     // `aborted`: it took too long and was told to end.
     Status step(double dt, std::uint32_t tick = 1);
     // Whether its frames say how bodies move (module_channels.h).
-    void tell_motion(bool wanted) { channels_.tell_motion(wanted); }
+    void publish_motion(bool wanted) { channels_.publish_motion(wanted); }
     // Whether they say what is driven.
-    void tell_driven(bool wanted) { tells_driven_ = wanted; }
+    void publish_controlled_entities(bool wanted) { publishes_controlled_entities_ = wanted; }
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
@@ -72,8 +72,8 @@ public:
     // What modules tell, for as long as the world is there.
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channels_.kinds(); }
     // Kinds whose channels of the last step were too large for clients, each told once.
-    const std::vector<ModuleChannels::TooLarge>& newly_too_large() const {
-        return channels_.newly_too_large();
+    const std::vector<ModuleChannels::TooLarge>& newly_oversized() const {
+        return channels_.newly_oversized();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
     // As it is now; `origin` is the scene that it was created of.
@@ -103,10 +103,10 @@ private:
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;
-    bool tells_driven_ = false;
+    bool publishes_controlled_entities_ = false;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
-    bool keeps_journal_ = false;
+    bool journal_enabled_ = false;
     std::vector<JournaledCommand> journal_;
     void copy_poses(bool all);
 

@@ -74,8 +74,8 @@ std::vector<bool> ModuleChannels::due(const Told& module, std::uint32_t tick) co
 
 void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                              const physics::ChannelWriter::NameOf& name_of) {
-    newly_too_large_.clear();
-    if (modules_.empty() && !tells_motion_ && channels_->empty()) return;
+    newly_oversized_.clear();
+    if (modules_.empty() && !publishes_motion_ && channels_->empty()) return;
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
     for (const Told& module : modules_) {
@@ -93,7 +93,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                 add({module.first + written.kind, written.entity,
                      std::make_shared<const std::vector<std::int32_t>>(std::move(written.values))});
     }
-    if (tells_motion_ && motion_) add_motion(world, name_of);
+    if (publishes_motion_ && motion_) add_motion(world, name_of);
     std::stable_sort(next_->begin(), next_->end(), comes_before);
     const auto same = [](const Channel& a, const Channel& b) {
         return a.kind == b.kind && a.entity == b.entity;
@@ -142,7 +142,7 @@ void ModuleChannels::add(Channel channel) {
 void ModuleChannels::leave_out(const Channel& channel, std::size_t size, std::size_t most,
                                const char* noun) {
     if (!warned_.insert(channel.kind).second) return;
-    newly_too_large_.push_back(
+    newly_oversized_.push_back(
         {kinds_[channel.kind].name, channel.entity,
          std::to_string(size) + noun + "; clients are sent " + std::to_string(most) + " at most"});
 }

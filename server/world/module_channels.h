@@ -52,7 +52,7 @@ public:
 
     const std::vector<physics::ChannelKind>& kinds() const { return kinds_; }
     // Whether what is published next has the motion of bodies, too.
-    void tell_motion(bool wanted) { tells_motion_ = wanted; }
+    void publish_motion(bool wanted) { publishes_motion_ = wanted; }
     // After a step: asks each module for the kinds that are due. Too large ones are left out.
     void publish(const physics::World& world, std::uint32_t tick,
                  const physics::ChannelWriter::NameOf& name_of);
@@ -65,7 +65,7 @@ public:
         std::string what;  // how large, and what is the most
     };
     // What the last publish() left out, each kind told once.
-    const std::vector<TooLarge>& newly_too_large() const { return newly_too_large_; }
+    const std::vector<TooLarge>& newly_oversized() const { return newly_oversized_; }
 
 private:
     struct Told {
@@ -83,13 +83,13 @@ private:
     std::vector<physics::ChannelKind> kinds_;
     std::vector<Told> modules_;
     std::optional<std::uint32_t> motion_;  // its kind
-    bool tells_motion_ = false;
+    bool publishes_motion_ = false;
     std::vector<physics::BodyState> bodies_;  // memory of add_motion()
     std::shared_ptr<const Channels> channels_ = std::make_shared<const Channels>();
     std::shared_ptr<Channels> next_;
     std::size_t next_values_ = 0;
-    std::vector<TooLarge> newly_too_large_;
-    std::set<std::uint32_t> warned_;  // kinds of whom newly_too_large() told
+    std::vector<TooLarge> newly_oversized_;
+    std::set<std::uint32_t> warned_;  // kinds of whom newly_oversized() told
 };
 
 }  // namespace jostle::server

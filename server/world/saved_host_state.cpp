@@ -85,8 +85,8 @@ Error not_a_host_state(const std::string& why) {
 
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state) {
     std::map<ClientId, std::uint32_t> clients;
-    for (const SavedHostState::ProcessedInput& counted : host_state.counted)
-        clients[counted.client] = counted.sequence;
+    for (const SavedHostState::ProcessedInput& counted : host_state.processed)
+        clients[counted.client] = processed.sequence;
     for (const SavedHostState::Owned& owned : host_state.owned) clients.try_emplace(owned.client);
     for (const SavedHostState::Held& held : host_state.held) clients.try_emplace(held.client);
     for (const SavedHostState::Controlled& driven : host_state.driven) clients.try_emplace(driven.client);

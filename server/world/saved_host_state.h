@@ -51,7 +51,7 @@ struct SavedHostState {
     std::vector<Owned> owned;
     std::vector<Held> held;
     std::vector<Controlled> driven;
-    std::vector<ProcessedInput> counted;
+    std::vector<ProcessedInput> processed;
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;

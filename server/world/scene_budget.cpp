@@ -27,7 +27,7 @@ Error too_much(std::string message) {
 
 Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBudget& budget) {
     double bytes = 0;
-    std::set<const void*> counted;
+    std::set<const void*> processed;
     for (std::size_t i = 0; i < scene.bodies.size(); i++) {
         double own = 0;
         for (const ShapeDef& shape : scene.bodies[i].shapes) {

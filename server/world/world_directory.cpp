@@ -106,7 +106,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string
                                                                const std::string& owner) {
     Result<HostedWorld> then = world_at(world, tick);
     if (!then.ok()) return then.error();
-    then->let_all_go();
+    then->release_all_clients();
     const std::size_t bodies = then->entities();
     auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
         return WorldHost::begin({std::move(label), world.description(), *std::move(then), tick},

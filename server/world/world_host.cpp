@@ -65,7 +65,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     world_.copy_into(*first);
     frame_ = std::move(first);
     world_.frame_history().put(frame_);
-    if (world_journal_) world_.keep_journal();
+    if (world_journal_) world_.enable_journal();
     if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
 
@@ -261,8 +261,8 @@ InputResult WorldHost::answer(const Command& command, const std::optional<Error>
 }
 
 bool WorldHost::step(bool allowed) {
-    world_.tell_motion(motion_listeners_.load() > 0);
-    world_.tell_driven(driven_listeners_.load() > 0);
+    world_.publish_motion(motion_listeners_.load() > 0);
+    world_.publish_controlled_entities(driven_listeners_.load() > 0);
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
     // The journal has a step there.
@@ -313,7 +313,7 @@ void WorldHost::warn_of_quarantine() {
 }
 
 void WorldHost::warn_of_large_channels() {
-    for (const auto& [kind, entity, what] : world_.newly_too_large())
+    for (const auto& [kind, entity, what] : world_.newly_oversized())
         log_warn("world {}: what \"{}\" tells of entity {} has {}, so it is left out of such ticks",
                  id(), kind, entity, what);
 }

@@ -517,7 +517,7 @@ void write_http2(const fs::path& folder) {
 void write_kept(const fs::path& folder) {
     Seeds seeds(folder, "kept_bytes");
     auto world = server::HostedWorld::create(*scenes::find_scene("stack"), {}, 1);
-    world->keep_journal();
+    world->enable_journal();
     server::SpawnCommand ball;
     ball.shape.geometry = physics::Sphere{0.3};
     ball.pose.position = {5, 9, 0};

@@ -60,7 +60,7 @@ Action any_action(test::Random& random) {
 
 // Four players for so many ticks; what they did, as it is kept.
 JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
-    world.keep_journal();
+    world.enable_journal();
     test::Random random(77);
     JournalSegment journal{{}, {{3, 3}, {90, 94}}};
     for (std::uint32_t tick = 1; tick <= ticks; tick++) {
@@ -86,7 +86,7 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
     EXPECT_EQ(kept->paused_ticks, journal.paused_ticks);
     for (const JournaledTick& tick : kept->ticks) {
         for (const JournaledCommand& command : tick.commands) {
-            again.apply_again(command);
+            again.replay(command);
             (command.action ? aimed : missed)++;
         }
         ASSERT_TRUE(again.step(dt, tick.tick).ok());

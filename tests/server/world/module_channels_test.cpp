@@ -89,16 +89,16 @@ TEST_F(ModuleChannelsTest, what_is_too_large_is_left_out_and_told_of_once) {
     add("small");
     large.padding = channel_values_max - 1;
     EXPECT_EQ(step().size(), 2u) << "16384 values fit";
-    EXPECT_TRUE(channels.newly_too_large().empty());
+    EXPECT_TRUE(channels.newly_oversized().empty());
     large.padding++;
     for (int k = 0; k < 3; k++) {
         const Channels now = step();
         ASSERT_EQ(now.size(), 1u);
         EXPECT_EQ(now[0].kind, 1u);
-        ASSERT_EQ(channels.newly_too_large().size(), k == 0 ? 1u : 0u);
+        ASSERT_EQ(channels.newly_oversized().size(), k == 0 ? 1u : 0u);
         if (k == 0) {
-            EXPECT_EQ(channels.newly_too_large()[0].kind, "large");
-            EXPECT_EQ(channels.newly_too_large()[0].what,
+            EXPECT_EQ(channels.newly_oversized()[0].kind, "large");
+            EXPECT_EQ(channels.newly_oversized()[0].what,
                       "16385 values; clients are sent 16384 at most");
         }
     }

@@ -72,7 +72,7 @@ public:
     // What modules tell, for as long as the world is there.
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channels_.kinds(); }
     // Kinds whose channels of the last step were too large for clients, each told once.
-    const std::vector<ModuleChannels::TooLarge>& newly_oversized() const {
+    const std::vector<ModuleChannels::OversizedChannel>& newly_oversized() const {
         return channels_.newly_oversized();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);

@@ -59,13 +59,13 @@ public:
     // Never null.
     const std::shared_ptr<const Channels>& channels() const { return channels_; }
 
-    struct TooLarge {
+    struct OversizedChannel {
         std::string kind;
         EntityId entity = 0;
         std::string what;  // how large, and what is the most
     };
     // What the last publish() left out, each kind told once.
-    const std::vector<TooLarge>& newly_oversized() const { return newly_oversized_; }
+    const std::vector<OversizedChannel>& newly_oversized() const { return newly_oversized_; }
 
 private:
     struct Told {
@@ -88,7 +88,7 @@ private:
     std::shared_ptr<const Channels> channels_ = std::make_shared<const Channels>();
     std::shared_ptr<Channels> next_;
     std::size_t next_values_ = 0;
-    std::vector<TooLarge> newly_oversized_;
+    std::vector<OversizedChannel> newly_oversized_;
     std::set<std::uint32_t> warned_;  // kinds of whom newly_oversized() told
 };
 

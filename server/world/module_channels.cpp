@@ -126,11 +126,11 @@ void ModuleChannels::add_motion(const physics::World& world,
 
 void ModuleChannels::add(Channel channel) {
     if (channel.values->size() > channel_values_max)
-        return leave_out(channel, channel.values->size(), channel_values_max, " values");
+        return skip_oversized(channel, channel.values->size(), channel_values_max, " values");
     if (next_->size() == channels_max)
-        return leave_out(channel, channels_max + 1, channels_max, " channels in a world");
+        return skip_oversized(channel, channels_max + 1, channels_max, " channels in a world");
     if (next_values_ + channel.values->size() > frame_values_max)
-        return leave_out(channel, next_values_ + channel.values->size(), frame_values_max,
+        return skip_oversized(channel, next_values_ + channel.values->size(), frame_values_max,
                          " values in a world");
     next_values_ += channel.values->size();
     const auto old = std::lower_bound(channels_->begin(), channels_->end(), channel, comes_before);
@@ -139,7 +139,7 @@ void ModuleChannels::add(Channel channel) {
     next_->push_back(std::move(channel));
 }
 
-void ModuleChannels::leave_out(const Channel& channel, std::size_t size, std::size_t most,
+void ModuleChannels::skip_oversized(const Channel& channel, std::size_t size, std::size_t most,
                                const char* noun) {
     if (!warned_.insert(channel.kind).second) return;
     newly_oversized_.push_back(

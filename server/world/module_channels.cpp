@@ -42,7 +42,7 @@ Result<physics::ChannelKind> full_kind(const std::string& tag, physics::ChannelK
 Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
     ModuleChannels made;
     for (const std::string& tag : world.modules()) {
-        Told told{tag, static_cast<std::uint32_t>(made.kinds_.size()), 0};
+        ModuleKinds told{tag, static_cast<std::uint32_t>(made.kinds_.size()), 0};
         for (physics::ChannelKind& kind : world.module(tag)->channels()) {
             Result<physics::ChannelKind> full = full_kind(tag, std::move(kind));
             if (!full.ok()) return full.error();
@@ -65,7 +65,7 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
     return made;
 }
 
-std::vector<bool> ModuleChannels::due(const Told& module, std::uint32_t tick) const {
+std::vector<bool> ModuleChannels::due(const ModuleKinds& module, std::uint32_t tick) const {
     std::vector<bool> due(module.count);
     for (std::uint32_t k = 0; k < module.count; k++)
         due[k] = (tick - 1) % static_cast<std::uint32_t>(kinds_[module.first + k].divisor) == 0;
@@ -78,7 +78,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
     if (modules_.empty() && !publishes_motion_ && channels_->empty()) return;
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
-    for (const Told& module : modules_) {
+    for (const ModuleKinds& module : modules_) {
         const std::vector<bool> now = due(module, tick);
         // Between its ticks a kind stays as it was told, also of an entity that has gone since.
         for (const Channel& channel : *channels_)

@@ -68,20 +68,20 @@ public:
     const std::vector<OversizedChannel>& newly_oversized() const { return newly_oversized_; }
 
 private:
-    struct Told {
+    struct ModuleKinds {
         std::string tag;
         std::uint32_t first = 0, count = 0;  // of kinds_
     };
 
     // Whether a kind is told in that tick: the first one, and so on.
-    std::vector<bool> due(const Told& module, std::uint32_t tick) const;
+    std::vector<bool> due(const ModuleKinds& module, std::uint32_t tick) const;
     void add_motion(const physics::World& world, const physics::ChannelWriter::NameOf& name_of);
     // Keeps the values that say the same as before.
     void add(Channel channel);
     void skip_oversized(const Channel& channel, std::size_t size, std::size_t most, const char* noun);
 
     std::vector<physics::ChannelKind> kinds_;
-    std::vector<Told> modules_;
+    std::vector<ModuleKinds> modules_;
     std::optional<std::uint32_t> motion_;  // its kind
     bool publishes_motion_ = false;
     std::vector<physics::BodyState> bodies_;  // memory of add_motion()

@@ -187,17 +187,17 @@ void HostedWorld::copy_poses(bool all) {
         // Bodies come by index; an index that was used again holds a later entity.
         std::ranges::sort(poses, {}, &EntityPose::id);
         poses_.assign(poses);
-        place_of_body_.assign(by_body.size(), 0);
+        index_of_body_.assign(by_body.size(), 0);
         std::size_t place = 0;
         for (const auto& [id, entity] : state_.entities.all())
-            place_of_body_[entity.body.index] = place++;
+            index_of_body_[entity.body.index] = place++;
         return;
     }
     for (const BodyId id : awake_)
         if (const Result<BodyState> body = world.body(id); body.ok() && !body->awake)
-            poses_.set(place_of_body_[id.index], body->pose, false);
+            poses_.set(index_of_body_[id.index], body->pose, false);
     for (const BodyState& body : bodies_)
-        poses_.set(place_of_body_[body.id.index], body.pose, body.awake);
+        poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
 void HostedWorld::copy_into(Frame& frame) {
@@ -210,17 +210,17 @@ void HostedWorld::copy_into(Frame& frame) {
     std::vector<BodyId> awake;
     awake.reserve(bodies_.size());
     for (const BodyState& body : bodies_) awake.push_back(body.id);
-    copy_poses(list_changed || changes_at_rest_ != world.changes_at_rest());
+    copy_poses(list_changed || static_revision_ != world.changes_at_rest());
     awake_ = std::move(awake);
-    changes_at_rest_ = world.changes_at_rest();
+    static_revision_ = world.changes_at_rest();
 
     bool moved = false;
     frame.entities = poses_.take(moved);
     frame.entity_list = entity_list_ = state_.entities.list();
     frame.previous_changed_at = changed_at_;
-    if (moved || list_changed || told_ != channels_.channels()) changed_at_ = frame.tick;
+    if (moved || list_changed || published_channels_ != channels_.channels()) changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
-    frame.channels = told_ = channels_.channels();
+    frame.channels = published_channels_ = channels_.channels();
     if (publishes_controlled_entities_) {
         auto controlled_entities = state_.controllers.told(
             state_.world, [this](BodyId body) { return state_.entities.find_living(body); });

@@ -113,11 +113,11 @@ private:
     std::vector<physics::BodyState> bodies_;  // reused from tick to tick
     // As of the last frame.
     PoseEditor poses_;
-    std::vector<std::size_t> place_of_body_;  // in the entity list, by index of the body
+    std::vector<std::size_t> index_of_body_;  // in the entity list, by index of the body
     std::vector<physics::BodyId> awake_;
-    std::uint64_t changes_at_rest_ = 0;
+    std::uint64_t static_revision_ = 0;
     std::shared_ptr<const EntityList> entity_list_;
-    std::shared_ptr<const Channels> told_;
+    std::shared_ptr<const Channels> published_channels_;
     std::uint32_t changed_at_ = 0;
 };
 

@@ -22,13 +22,13 @@ class QueryBroker {
 public:
     static constexpr std::uint32_t age_ticks_max = 3;  // of a copy that is good enough
     static constexpr auto timeout = std::chrono::milliseconds(250);
-    static constexpr auto interest = std::chrono::seconds(1);  // how long a question keeps it up
+    static constexpr auto request_lifetime = std::chrono::seconds(1);  // how long a question keeps it up
 
     // Any thread: a copy with at least these parts. Null: the world left none in time, or is
     // closed.
-    QueryFramePtr ask(CopyParts parts);
+    QueryFramePtr acquire(CopyParts parts);
     // Any thread: the same interest, without waiting.
-    void want(CopyParts parts, Clock::time_point now);
+    void request(CopyParts parts, Clock::time_point now);
 
     // The world's thread, once per tick: what is asked for. When nothing is, the last copy is
     // dropped.
@@ -40,7 +40,7 @@ public:
 private:
     bool is_good(CopyParts parts) const;  // under the lock
 
-    std::array<std::atomic<Clock::rep>, copy_parts_count> wanted_until_{};  // of each part
+    std::array<std::atomic<Clock::rep>, copy_parts_count> requested_until_{};  // of each part
     std::atomic<std::uint32_t> newest_tick_{0};
     std::mutex mutex_;
     std::condition_variable changed_;

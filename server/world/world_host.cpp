@@ -179,10 +179,10 @@ void WorldHost::tick(Clock::time_point due) {
 
 QueryFramePtr WorldHost::query_frame(CopyParts parts) {
     if (!settings_.own_thread && !stopped()) {
-        queries_.want(parts, Clock::now());
+        queries_.request(parts, Clock::now());
         serve_queries();
     }
-    return queries_.ask(parts);
+    return queries_.acquire(parts);
 }
 
 // One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.

@@ -28,7 +28,7 @@ TEST(QueryBroker, nothing_is_copied_before_a_question_and_a_second_after_the_las
     QueryBroker desk;
     const auto now = Clock::now();
     EXPECT_EQ(desk.begin_tick(1, now), 0u);
-    std::thread asker([&] { EXPECT_NE(desk.ask(copy_shapes | copy_bounds), nullptr); });
+    std::thread asker([&] { EXPECT_NE(desk.acquire(copy_shapes | copy_bounds), nullptr); });
     while (desk.begin_tick(2, Clock::now()) == 0) std::this_thread::sleep_for(1ms);
     const auto asked = Clock::now();
     EXPECT_EQ(desk.begin_tick(3, asked), copy_shapes | copy_bounds) << "these parts and no others";
@@ -41,21 +41,21 @@ TEST(QueryBroker, nothing_is_copied_before_a_question_and_a_second_after_the_las
 TEST(QueryBroker, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
     QueryBroker desk;
     desk.put(copy_with(copy_shapes, 10));
-    ASSERT_NE(desk.ask(copy_shapes), nullptr);
+    ASSERT_NE(desk.acquire(copy_shapes), nullptr);
     desk.begin_tick(13, Clock::now());
-    ASSERT_NE(desk.ask(copy_shapes), nullptr);
-    EXPECT_EQ(desk.ask(copy_shapes)->tick, 10u);
+    ASSERT_NE(desk.acquire(copy_shapes), nullptr);
+    EXPECT_EQ(desk.acquire(copy_shapes)->tick, 10u);
     desk.begin_tick(14, Clock::now());
     const auto begin = Clock::now();
-    EXPECT_EQ(desk.ask(copy_shapes), nullptr);
+    EXPECT_EQ(desk.acquire(copy_shapes), nullptr);
     EXPECT_NEAR(to_ms(Clock::now() - begin), 250, 100) << "the longest that anyone waits";
 }
 
 TEST(QueryBroker, a_copy_without_the_part_is_not_good) {
     QueryBroker desk;
     desk.put(copy_with(copy_contacts, 10));
-    EXPECT_EQ(desk.ask(copy_shapes), nullptr);
-    EXPECT_NE(desk.ask(copy_contacts), nullptr);
+    EXPECT_EQ(desk.acquire(copy_shapes), nullptr);
+    EXPECT_NE(desk.acquire(copy_contacts), nullptr);
 }
 
 TEST(QueryBroker, closing_answers_those_who_wait_at_once) {
@@ -63,7 +63,7 @@ TEST(QueryBroker, closing_answers_those_who_wait_at_once) {
     std::atomic<bool> answered{false};
     const auto begin = Clock::now();
     std::thread asker([&] {
-        EXPECT_EQ(desk.ask(copy_shapes), nullptr);
+        EXPECT_EQ(desk.acquire(copy_shapes), nullptr);
         answered = true;
     });
     std::this_thread::sleep_for(20ms);

@@ -182,7 +182,7 @@ Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryF
     return {};
 }
 
-CopyParts parts_of(const v1::DebugRequest& request) {
+CopyLayers parts_of(const v1::DebugRequest& request) {
     return (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
            (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
            (request.broad_phase() ? copy_broad_phase : 0);
@@ -323,7 +323,7 @@ Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& r
 }
 
 Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request) const {
-    const CopyParts parts = parts_of(request);
+    const CopyLayers parts = parts_of(request);
     if (parts == 0)
         return invalid_argument(
             "ask for at least one of contacts, islands, bounds, joints, broad_phase");

@@ -21,7 +21,7 @@ Result<std::shared_ptr<WorldHost>> find_host(const WorldDirectory& worlds,
                                            : fmt::format("there is no world \"{}\"", name)};
 }
 
-Result<QueryFramePtr> frame_of(WorldHost& world, CopyParts parts) {
+Result<QueryFramePtr> frame_of(WorldHost& world, CopyLayers parts) {
     if (QueryFramePtr frame = world.query_frame(parts)) return frame;
     if (world.stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
     return Error{ErrorCode::unavailable,
@@ -38,7 +38,7 @@ Status check_view_time(const v1::ViewTime& view_time) {
 }  // namespace
 
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& name,
-                                     CopyParts parts) {
+                                     CopyLayers parts) {
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
     if (!world.ok()) return world.error();
     return frame_of(**world, parts);

@@ -26,7 +26,7 @@ struct QuerySubject {
 
 // unavailable: the world is closed, or its step takes long. not_found: there is no such world.
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& world,
-                                     CopyParts parts);
+                                     CopyLayers parts);
 
 // `seen` null: now. Of the past only what may be met.
 Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& world,

@@ -164,7 +164,7 @@ std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarant
     return fresh;
 }
 
-QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
+QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers parts) {
     auto frame = std::make_shared<QueryFrame>();
     frame->tick = tick;
     frame->parts = parts;

@@ -5,30 +5,30 @@
 
 namespace jostle::server {
 
-bool QueryBroker::is_good(CopyParts parts) const {
+bool QueryBroker::is_good(CopyLayers parts) const {
     return frame_ && (frame_->parts & parts) == parts &&
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
 
-void QueryBroker::request(CopyParts parts, Clock::time_point now) {
+void QueryBroker::request(CopyLayers parts, Clock::time_point now) {
     const Clock::rep until = (now + request_lifetime).time_since_epoch().count();
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (parts >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
 }
 
-QueryFramePtr QueryBroker::acquire(CopyParts parts) {
+QueryFramePtr QueryBroker::acquire(CopyLayers parts) {
     request(parts, Clock::now());
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(parts); });
     return !closed_ && is_good(parts) ? frame_ : nullptr;
 }
 
-CopyParts QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
+CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
     newest_tick_.store(tick, std::memory_order_relaxed);
-    CopyParts parts = 0;
+    CopyLayers parts = 0;
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (requested_until_[i].load(std::memory_order_relaxed) > now.time_since_epoch().count())
-            parts |= CopyParts{1} << i;
+            parts |= CopyLayers{1} << i;
     if (parts == 0) put(nullptr);
     return parts;
 }

@@ -26,19 +26,19 @@ public:
 
     // Any thread: a copy with at least these parts. Null: the world left none in time, or is
     // closed.
-    QueryFramePtr acquire(CopyParts parts);
+    QueryFramePtr acquire(CopyLayers parts);
     // Any thread: the same interest, without waiting.
-    void request(CopyParts parts, Clock::time_point now);
+    void request(CopyLayers parts, Clock::time_point now);
 
     // The world's thread, once per tick: what is asked for. When nothing is, the last copy is
     // dropped.
-    CopyParts begin_tick(std::uint32_t tick, Clock::time_point now);
+    CopyLayers begin_tick(std::uint32_t tick, Clock::time_point now);
     void put(QueryFramePtr frame);
     // Any thread: nobody waits any longer, and nobody is answered.
     void close();
 
 private:
-    bool is_good(CopyParts parts) const;  // under the lock
+    bool is_good(CopyLayers parts) const;  // under the lock
 
     std::array<std::atomic<Clock::rep>, copy_parts_count> requested_until_{};  // of each part
     std::atomic<std::uint32_t> newest_tick_{0};

@@ -11,7 +11,7 @@ namespace {
 
 // Adds unless the list is full; then notes that there was more.
 template <class Item>
-void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyParts part) {
+void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyLayers part) {
     if (list.size() < debug_items_max)
         list.push_back(std::move(item));
     else

@@ -15,9 +15,9 @@
 namespace jostle::server {
 
 // Bits: what of a world is copied.
-using CopyParts = std::uint32_t;
-inline constexpr CopyParts copy_shapes = 1;  // what rays, casts, overlaps and distances need
-inline constexpr CopyParts copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
+using CopyLayers = std::uint32_t;
+inline constexpr CopyLayers copy_shapes = 1;  // what rays, casts, overlaps and distances need
+inline constexpr CopyLayers copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
                            copy_broad_phase = 32;
 inline constexpr int copy_parts_count = 6;
 
@@ -47,7 +47,7 @@ using ShapeOwners = std::vector<ShapeOwner>;  // by index of the shape
 
 struct QueryFrame {
     std::uint32_t tick = 0;
-    CopyParts parts = 0;
+    CopyLayers parts = 0;
     std::shared_ptr<const EntityList> entity_list;
     std::shared_ptr<const ShapeOwners> shape_owners;  // shared like the entity list, and as long
     std::optional<physics::Queries> queries;    // with copy_shapes
@@ -56,7 +56,7 @@ struct QueryFrame {
     std::vector<DebugIsland> islands;
     std::vector<physics::Aabb> bounds, cells;
     std::vector<DebugJoint> joints;
-    CopyParts truncated = 0;  // of which kinds there was more than debug_items_max
+    CopyLayers truncated = 0;  // of which kinds there was more than debug_items_max
 
     ShapeOwner owner_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
     // A null id when there is no such entity.

@@ -177,7 +177,7 @@ void WorldHost::tick(Clock::time_point due) {
     tick_late(due, 0);
 }
 
-QueryFramePtr WorldHost::query_frame(CopyParts parts) {
+QueryFramePtr WorldHost::query_frame(CopyLayers parts) {
     if (!settings_.own_thread && !stopped()) {
         queries_.request(parts, Clock::now());
         serve_queries();
@@ -319,7 +319,7 @@ void WorldHost::warn_of_large_channels() {
 }
 
 void WorldHost::serve_queries() {
-    if (const CopyParts parts = queries_.begin_tick(tick_, Clock::now()))
+    if (const CopyLayers parts = queries_.begin_tick(tick_, Clock::now()))
         queries_.put(world_.query_frame(tick_, parts));
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-QueryFramePtr copy_with(CopyParts parts, std::uint32_t tick) {
+QueryFramePtr copy_with(CopyLayers parts, std::uint32_t tick) {
     QueryFrame frame;
     frame.tick = tick;
     frame.parts = parts;

@@ -182,7 +182,7 @@ Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryF
     return {};
 }
 
-CopyLayers parts_of(const v1::DebugRequest& request) {
+CopyLayers layers_of(const v1::DebugRequest& request) {
     return (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
            (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
            (request.broad_phase() ? copy_broad_phase : 0);
@@ -323,17 +323,17 @@ Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& r
 }
 
 Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request) const {
-    const CopyLayers parts = parts_of(request);
-    if (parts == 0)
+    const CopyLayers layers = layers_of(request);
+    if (layers == 0)
         return invalid_argument(
             "ask for at least one of contacts, islands, bounds, joints, broad_phase");
-    return query_frame_of(context_.worlds, request.world(), parts);
+    return query_frame_of(context_.worlds, request.world(), layers);
 }
 
 void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
                                v1::DebugResponse& response) {
     response.set_tick(frame.tick);
-    response.set_truncated((frame.truncated & parts_of(request)) != 0);
+    response.set_truncated((frame.truncated & layers_of(request)) != 0);
     // The copy may hold more than this request asked for: others ask as well.
     if (request.contacts())
         for (const DebugContact& from : frame.contacts) {

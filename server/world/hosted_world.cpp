@@ -164,13 +164,13 @@ std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarant
     return fresh;
 }
 
-QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers parts) {
+QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     auto frame = std::make_shared<QueryFrame>();
     frame->tick = tick;
-    frame->parts = parts;
+    frame->layers = layers;
     frame->entity_list = state_.entities.list();
     frame->places = state_.entities.shape_owners();
-    copy_parts(*frame, state_.world, state_.entities.by_body());
+    copy_layers(*frame, state_.world, state_.entities.by_body());
     return frame;
 }
 

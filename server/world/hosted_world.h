@@ -75,7 +75,7 @@ public:
     const std::vector<ModuleChannels::OversizedChannel>& newly_oversized() const {
         return channels_.newly_oversized();
     }
-    QueryFramePtr query_frame(std::uint32_t tick, CopyLayers parts);
+    QueryFramePtr query_frame(std::uint32_t tick, CopyLayers layers);
     // As it is now; `origin` is the scene that it was created of.
     ExportedScene exported(const scenes::SceneDescription& origin) {
         return export_scene(state_, origin, ids_);

@@ -5,32 +5,32 @@
 
 namespace jostle::server {
 
-bool QueryBroker::is_good(CopyLayers parts) const {
-    return frame_ && (frame_->parts & parts) == parts &&
+bool QueryBroker::is_good(CopyLayers layers) const {
+    return frame_ && (frame_->layers & layers) == layers &&
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
 
-void QueryBroker::request(CopyLayers parts, Clock::time_point now) {
+void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
     const Clock::rep until = (now + request_lifetime).time_since_epoch().count();
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (parts >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
 }
 
-QueryFramePtr QueryBroker::acquire(CopyLayers parts) {
-    request(parts, Clock::now());
+QueryFramePtr QueryBroker::acquire(CopyLayers layers) {
+    request(layers, Clock::now());
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(parts); });
-    return !closed_ && is_good(parts) ? frame_ : nullptr;
+    changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(layers); });
+    return !closed_ && is_good(layers) ? frame_ : nullptr;
 }
 
 CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
     newest_tick_.store(tick, std::memory_order_relaxed);
-    CopyLayers parts = 0;
+    CopyLayers layers = 0;
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (requested_until_[i].load(std::memory_order_relaxed) > now.time_since_epoch().count())
-            parts |= CopyLayers{1} << i;
-    if (parts == 0) put(nullptr);
-    return parts;
+            layers |= CopyLayers{1} << i;
+    if (layers == 0) put(nullptr);
+    return layers;
 }
 
 void QueryBroker::put(QueryFramePtr frame) {

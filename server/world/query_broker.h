@@ -26,9 +26,9 @@ public:
 
     // Any thread: a copy with at least these parts. Null: the world left none in time, or is
     // closed.
-    QueryFramePtr acquire(CopyLayers parts);
+    QueryFramePtr acquire(CopyLayers layers);
     // Any thread: the same interest, without waiting.
-    void request(CopyLayers parts, Clock::time_point now);
+    void request(CopyLayers layers, Clock::time_point now);
 
     // The world's thread, once per tick: what is asked for. When nothing is, the last copy is
     // dropped.
@@ -38,9 +38,9 @@ public:
     void close();
 
 private:
-    bool is_good(CopyLayers parts) const;  // under the lock
+    bool is_good(CopyLayers layers) const;  // under the lock
 
-    std::array<std::atomic<Clock::rep>, copy_parts_count> requested_until_{};  // of each part
+    std::array<std::atomic<Clock::rep>, copy_layer_count> requested_until_{};  // of each part
     std::atomic<std::uint32_t> newest_tick_{0};
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -87,14 +87,14 @@ ShapeOwners shape_owners_in(const EntityList& entity_list) {
     return shape_owners;
 }
 
-void copy_parts(QueryFrame& frame, const World& world,
+void copy_layers(QueryFrame& frame, const World& world,
                 const std::vector<EntityId>& entity_of_body) {
-    if (frame.parts & copy_shapes) frame.queries = world.query_frame();
-    if (frame.parts & copy_contacts) add_contacts(frame, world);
-    if (frame.parts & copy_islands) add_islands(frame, world, entity_of_body);
-    if (frame.parts & copy_bounds) add_bounds(frame, world);
-    if (frame.parts & copy_joints) add_joints(frame, world, entity_of_body);
-    if (frame.parts & copy_broad_phase)
+    if (frame.layers & copy_shapes) frame.queries = world.query_frame();
+    if (frame.layers & copy_contacts) add_contacts(frame, world);
+    if (frame.layers & copy_islands) add_islands(frame, world, entity_of_body);
+    if (frame.layers & copy_bounds) add_bounds(frame, world);
+    if (frame.layers & copy_joints) add_joints(frame, world, entity_of_body);
+    if (frame.layers & copy_broad_phase)
         for (const Aabb& cell : world.broad_phase_cells())
             add(frame.cells, cell, frame, copy_broad_phase);
 }

@@ -19,7 +19,7 @@ using CopyLayers = std::uint32_t;
 inline constexpr CopyLayers copy_shapes = 1;  // what rays, casts, overlaps and distances need
 inline constexpr CopyLayers copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
                            copy_broad_phase = 32;
-inline constexpr int copy_parts_count = 6;
+inline constexpr int copy_layer_count = 6;
 
 inline constexpr std::size_t debug_items_max = 20000;  // of a kind
 
@@ -47,7 +47,7 @@ using ShapeOwners = std::vector<ShapeOwner>;  // by index of the shape
 
 struct QueryFrame {
     std::uint32_t tick = 0;
-    CopyLayers parts = 0;
+    CopyLayers layers = 0;
     std::shared_ptr<const EntityList> entity_list;
     std::shared_ptr<const ShapeOwners> shape_owners;  // shared like the entity list, and as long
     std::optional<physics::Queries> queries;    // with copy_shapes
@@ -69,7 +69,7 @@ ShapeOwners shape_owners_in(const EntityList& entity_list);
 
 // Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
 // body.
-void copy_parts(QueryFrame& frame, const physics::World& world,
+void copy_layers(QueryFrame& frame, const physics::World& world,
                 const std::vector<EntityId>& entity_of_body);
 
 }  // namespace jostle::server

@@ -177,12 +177,12 @@ void WorldHost::tick(Clock::time_point due) {
     tick_late(due, 0);
 }
 
-QueryFramePtr WorldHost::query_frame(CopyLayers parts) {
+QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
     if (!settings_.own_thread && !stopped()) {
-        queries_.request(parts, Clock::now());
+        queries_.request(layers, Clock::now());
         serve_queries();
     }
-    return queries_.acquire(parts);
+    return queries_.acquire(layers);
 }
 
 // One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.
@@ -319,8 +319,8 @@ void WorldHost::warn_of_large_channels() {
 }
 
 void WorldHost::serve_queries() {
-    if (const CopyLayers parts = queries_.begin_tick(tick_, Clock::now()))
-        queries_.put(world_.query_frame(tick_, parts));
+    if (const CopyLayers layers = queries_.begin_tick(tick_, Clock::now()))
+        queries_.put(world_.query_frame(tick_, layers));
 }
 
 // A microsecond is rounding.

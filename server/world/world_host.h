@@ -87,7 +87,7 @@ public:
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
     // one; null when none came. Without a thread of its own: a copy of this moment.
-    QueryFramePtr query_frame(CopyLayers parts);
+    QueryFramePtr query_frame(CopyLayers layers);
     // Any thread: its newest frames, for what clients saw a moment ago.
     const FrameRing& frame_history() const { return world_.frame_history(); }
     // Any thread: frames carry events while there are listeners.

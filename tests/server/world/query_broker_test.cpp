@@ -17,10 +17,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-QueryFramePtr copy_with(CopyLayers parts, std::uint32_t tick) {
+QueryFramePtr copy_with(CopyLayers layers, std::uint32_t tick) {
     QueryFrame frame;
     frame.tick = tick;
-    frame.parts = parts;
+    frame.layers = layers;
     return std::make_shared<const QueryFrame>(frame);
 }
 

@@ -3,7 +3,7 @@
 
 namespace jostle::server {
 
-Result<int> StepAllowance::take(int steps, Clock::duration timeout) {
+Result<int> SingleStepControl::take(int steps, Clock::duration timeout) {
     const Clock::time_point end = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
@@ -18,7 +18,7 @@ Result<int> StepAllowance::take(int steps, Clock::duration timeout) {
     return shown_;
 }
 
-bool StepAllowance::begin_step() {
+bool SingleStepControl::begin_step() {
     if (!wanted_.load(std::memory_order_relaxed)) return false;
     const std::lock_guard lock(mutex_);
     if (!wanted_ || allowed_ == 0) return false;
@@ -27,7 +27,7 @@ bool StepAllowance::begin_step() {
     return true;
 }
 
-void StepAllowance::end_tick() {
+void SingleStepControl::end_tick() {
     if (!wanted_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);
@@ -37,7 +37,7 @@ void StepAllowance::end_tick() {
     taken_.notify_all();
 }
 
-void StepAllowance::withdraw() {
+void SingleStepControl::withdraw() {
     {
         const std::lock_guard lock(mutex_);
         wanted_ = false;
@@ -45,7 +45,7 @@ void StepAllowance::withdraw() {
     taken_.notify_all();
 }
 
-void StepAllowance::close() {
+void SingleStepControl::close() {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;

@@ -13,7 +13,7 @@
 
 namespace jostle::server {
 
-class StepAllowance {
+class SingleStepControl {
 public:
     // Any thread: lets a paused world take so many steps, and waits until frames show them, or for
     // `patience`. How many were taken. Errors: somebody else steps it, or the world ended.

@@ -120,7 +120,7 @@ public:
     void resume();
     std::optional<std::string> paused() const;  // why
     // Any thread: what else operators do.
-    StepAllowance& steps() { return steps_; }
+    SingleStepControl& steps() { return steps_; }
     TickWatch& watch() { return watch_; }
     WorldVisits& visits() { return visits_; }
     // Any thread: nobody waits for this world any longer, and nobody is answered.
@@ -206,7 +206,7 @@ private:
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
-    StepAllowance steps_;
+    SingleStepControl steps_;
     TickWatch watch_;
     WorldVisits visits_;
     std::atomic<int> event_listeners_{0}, motion_listeners_{0}, driven_listeners_{0};

@@ -64,7 +64,7 @@ TEST(StepAllowanceTest, inputs_of_a_paused_world_are_answered_and_not_applied) {
 }
 
 TEST(StepAllowanceTest, says_why_it_does_not_step) {
-    StepAllowance steps;
+    SingleStepControl steps;
     // Nobody ticks: patience ends, and what was allowed is so no more.
     EXPECT_EQ(*steps.take(3, 10ms), 0);
     EXPECT_FALSE(steps.begin_step());

@@ -16,7 +16,7 @@
 #include "server/world/scheduled_inputs.h"
 #include "server/world/hosted_world.h"
 #include "server/world/query_broker.h"
-#include "server/world/step_allowance.h"
+#include "server/world/single_step_control.h"
 #include "server/world/tick_clock.h"
 #include "server/world/tick_watch.h"
 #include "server/world/world_persistence.h"

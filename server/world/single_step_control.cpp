@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/step_allowance.h"
+#include "server/world/single_step_control.h"
 
 namespace jostle::server {
 

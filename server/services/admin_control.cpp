@@ -127,7 +127,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
     if (Status s = waiting.admitted(); !s.ok()) return s;
     const auto steps = static_cast<int>(request.steps());
     const Result<int> taken =
-        (*world)->steps().take(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
+        (*world)->single_step().take(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
     if (!taken.ok()) return taken.error();
     response.set_tick((*world)->frame()->tick);
     response.set_steps_taken(static_cast<std::uint32_t>(*taken));

@@ -3,44 +3,44 @@
 
 namespace jostle::server {
 
-Result<int> SingleStepControl::take(int steps, Clock::duration timeout) {
+Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
     const Clock::time_point end = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
-    if (wanted_)
+    if (requested_)
         return Error{ErrorCode::resource_exhausted,
                      "somebody else steps this world; try again when they are done"};
     allowed_ = steps;
-    shown_ = begun_ = 0;
-    wanted_ = true;
-    taken_.wait_until(lock, end, [&] { return !wanted_ || shown_ == steps; });
-    wanted_ = false;
-    return shown_;
+    published_ = begun_ = 0;
+    requested_ = true;
+    taken_.wait_until(lock, end, [&] { return !requested_ || published_ == steps; });
+    requested_ = false;
+    return published_;
 }
 
 bool SingleStepControl::begin_step() {
-    if (!wanted_.load(std::memory_order_relaxed)) return false;
+    if (!requested_.load(std::memory_order_relaxed)) return false;
     const std::lock_guard lock(mutex_);
-    if (!wanted_ || allowed_ == 0) return false;
+    if (!requested_ || allowed_ == 0) return false;
     allowed_--;
     begun_++;
     return true;
 }
 
 void SingleStepControl::end_tick() {
-    if (!wanted_.load(std::memory_order_relaxed)) return;
+    if (!requested_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);
-        shown_ = begun_;
+        published_ = begun_;
         if (allowed_ > 0) return;
     }
     taken_.notify_all();
 }
 
-void SingleStepControl::withdraw() {
+void SingleStepControl::cancel() {
     {
         const std::lock_guard lock(mutex_);
-        wanted_ = false;
+        requested_ = false;
     }
     taken_.notify_all();
 }
@@ -49,7 +49,7 @@ void SingleStepControl::close() {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;
-        wanted_ = false;
+        requested_ = false;
     }
     taken_.notify_all();
 }

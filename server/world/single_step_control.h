@@ -17,22 +17,22 @@ class SingleStepControl {
 public:
     // Any thread: lets a paused world take so many steps, and waits until frames show them, or for
     // `patience`. How many were taken. Errors: somebody else steps it, or the world ended.
-    Result<int> take(int steps, Clock::duration timeout);
+    Result<int> step(int steps, Clock::duration timeout);
 
     // The thread of a paused world, in each tick: whether it takes a step all the same; and when
     // the tick's frame is out.
     bool begin_step();
     void end_tick();
     // Any thread: the world ends or goes on by itself, and nobody waits for it any longer.
-    void withdraw();
+    void cancel();
     void close();
 
 private:
-    std::atomic<bool> wanted_{false};
+    std::atomic<bool> requested_{false};
     std::mutex mutex_;
     std::condition_variable taken_;
     int allowed_ = 0;  // that may still be taken
-    int shown_ = 0;    // of those that were: whose frames are out
+    int published_ = 0;    // of those that were: whose frames are out
     int begun_ = 0;    // ... or not yet
     bool closed_ = false;
 };

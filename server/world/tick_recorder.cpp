@@ -15,9 +15,9 @@ Result<std::vector<TickRecord>> TickRecorder::record(Clock::duration time) {
     recording_ = true;
     ticks_.clear();
     ticks_.reserve(ticks_max);  // here, so that the world's thread never waits for memory
-    wanted_ = true;
+    requested_ = true;
     changed_.wait_until(lock, end, [&] { return closed_ || ticks_.size() >= ticks_max; });
-    wanted_ = false;
+    requested_ = false;
     recording_ = false;
     return std::exchange(ticks_, {});
 }

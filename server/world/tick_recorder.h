@@ -37,13 +37,13 @@ public:
     Result<std::vector<TickRecord>> record(Clock::duration time);
 
     // The world's thread.
-    bool wanted() const { return wanted_.load(std::memory_order_relaxed); }
+    bool wanted() const { return requested_.load(std::memory_order_relaxed); }
     void put(const TickRecord& tick);
     // Any thread: nothing will come any more.
     void close();
 
 private:
-    std::atomic<bool> wanted_{false};
+    std::atomic<bool> requested_{false};
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<TickRecord> ticks_;

@@ -122,7 +122,7 @@ void WorldHost::resume() {
         const std::lock_guard lock(pause_mutex_);
         paused_.reset();
     }
-    steps_.withdraw();
+    steps_.cancel();
 }
 
 void WorldHost::close_doors() {

@@ -34,7 +34,7 @@ TEST(SingleStepControlTest, a_paused_world_takes_the_steps_that_are_allowed_and_
     const double before = height();
     wait_for_ticks(10);
     EXPECT_EQ(height(), before) << "it ticks, and no time passes";
-    EXPECT_EQ(*host->steps().take(7, 20s), 7);
+    EXPECT_EQ(*host->single_step().take(7, 20s), 7);
     const double after = height();
     EXPECT_LT(after, before - 7 * 6 / 2 * 9.81 / 3600) << "seven steps from rest fall so far";
     wait_for_ticks(10);

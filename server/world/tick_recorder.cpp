@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-Result<std::vector<TickRecord>> TickRecorder::record(Clock::duration time) {
+Result<std::vector<TickProfile>> TickRecorder::record(Clock::duration time) {
     const Clock::time_point end = Clock::now() + time;
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
@@ -22,7 +22,7 @@ Result<std::vector<TickRecord>> TickRecorder::record(Clock::duration time) {
     return std::exchange(ticks_, {});
 }
 
-void TickRecorder::put(const TickRecord& tick) {
+void TickRecorder::put(const TickProfile& tick) {
     bool is_full;
     {
         const std::lock_guard lock(mutex_);

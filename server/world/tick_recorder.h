@@ -18,7 +18,7 @@
 namespace jostle::server {
 
 // One tick, as its thread saw it.
-struct TickRecord {
+struct TickProfile {
     std::uint32_t tick = 0;
     Clock::time_point due, begun, ended;
     Clock::time_point step_begun;  // after the inputs
@@ -34,11 +34,11 @@ public:
 
     // Any thread: waits for so long and gives what was recorded; less when ticks_max were or the
     // world ended. Errors: somebody else records (resource_exhausted).
-    Result<std::vector<TickRecord>> record(Clock::duration time);
+    Result<std::vector<TickProfile>> record(Clock::duration time);
 
     // The world's thread.
     bool wanted() const { return requested_.load(std::memory_order_relaxed); }
-    void put(const TickRecord& tick);
+    void put(const TickProfile& tick);
     // Any thread: nothing will come any more.
     void close();
 
@@ -46,7 +46,7 @@ private:
     std::atomic<bool> requested_{false};
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<TickRecord> ticks_;
+    std::vector<TickProfile> ticks_;
     bool recording_ = false, closed_ = false;
 };
 

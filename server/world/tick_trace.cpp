@@ -13,7 +13,7 @@ double us_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double, std::micro>(to - from).count();
 }
 
-void add_tick(std::vector<TraceSpan>& spans, const TickRecord& tick, Clock::time_point zero) {
+void add_tick(std::vector<TraceSpan>& spans, const TickProfile& tick, Clock::time_point zero) {
     const double begun = us_between(zero, tick.begun), ended = us_between(zero, tick.ended);
     const double step_begun = us_between(zero, tick.step_begun);
     spans.push_back({.name = "tick",
@@ -44,10 +44,10 @@ void add_tick(std::vector<TraceSpan>& spans, const TickRecord& tick, Clock::time
 
 }  // namespace
 
-std::string tick_trace(const std::string& world, std::span<const TickRecord> ticks) {
+std::string tick_trace(const std::string& world, std::span<const TickProfile> ticks) {
     std::vector<TraceSpan> spans;
     spans.reserve(ticks.size() * (physics::stage_count + 3));
-    for (const TickRecord& tick : ticks) add_tick(spans, tick, ticks.front().begun);
+    for (const TickProfile& tick : ticks) add_tick(spans, tick, ticks.front().begun);
     return write_chrome_trace({.process = "world " + world, .rows = {"ticks", "stages"}}, spans);
 }
 

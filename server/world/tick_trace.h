@@ -12,6 +12,6 @@
 namespace jostle::server {
 
 // JSON in Chrome's format; time 0 is the first tick's beginning.
-std::string tick_trace(const std::string& world, std::span<const TickRecord> ticks);
+std::string tick_trace(const std::string& world, std::span<const TickProfile> ticks);
 
 }  // namespace jostle::server

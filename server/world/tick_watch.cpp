@@ -23,7 +23,7 @@ void TickWatch::end_tick(const Frame& frame, const physics::StepProfile* profile
 
 void TickWatch::record_tick(const Frame& frame, const physics::StepProfile* profile,
                             std::size_t inputs, Clock::time_point now) {
-    TickRecord record{.tick = frame.tick,
+    TickProfile record{.tick = frame.tick,
                       .due = frame.due,
                       .begun = begun_,
                       .ended = now,

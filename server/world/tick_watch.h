@@ -21,7 +21,7 @@ public:
     TickWatch(Metrics* metrics, const std::string& world);
 
     // Any thread.
-    Result<std::vector<TickRecord>> record(Clock::duration time) { return recorder_.record(time); }
+    Result<std::vector<TickProfile>> record(Clock::duration time) { return recorder_.record(time); }
     void close() { recorder_.close(); }
     WorldMetrics* metrics() { return metrics_.get(); }  // null: nobody counts
 

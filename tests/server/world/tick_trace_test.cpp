@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
     const Clock::time_point zero{1000s};
-    TickRecord tick{.tick = 42,
+    TickProfile tick{.tick = 42,
                     .due = zero - 50us,
                     .begun = zero,
                     .ended = zero + 900us,

@@ -39,7 +39,7 @@ TEST(TickWatchTest, records_the_ticks_of_a_world_that_runs) {
     ASSERT_GE(ticks.size(), 5u);
     EXPECT_LE(ticks.size(), 40u);
     for (std::size_t i = 0; i < ticks.size(); i++) {
-        const TickRecord& tick = ticks[i];
+        const TickProfile& tick = ticks[i];
         EXPECT_TRUE(i == 0 || tick.tick == ticks[i - 1].tick + 1);
         EXPECT_LE(tick.begun, tick.step_begun);
         double step_ms = 0;

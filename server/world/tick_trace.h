@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "server/world/tick_recorder.h"
+#include "server/world/tick_profiler.h"
 
 namespace jostle::server {
 

@@ -11,7 +11,7 @@
 #include "server/metrics/world_metrics.h"
 #include "server/util/clock.h"
 #include "server/world/frame.h"
-#include "server/world/tick_recorder.h"
+#include "server/world/tick_profiler.h"
 
 namespace jostle::server {
 
@@ -38,7 +38,7 @@ private:
                      Clock::time_point now);
 
     const std::unique_ptr<WorldMetrics> metrics_;
-    TickRecorder recorder_;
+    TickProfiler recorder_;
     Clock::time_point begun_{}, step_begun_{};
 };
 

@@ -129,9 +129,9 @@ Cost cost_of_watching(const char* name, Metrics& metrics) {
         return (thread_cpu_seconds() - begun) / calls;
     };
     Cost cost{.counting = seconds_of_a_tick(20000)};
-    std::thread other([&] { EXPECT_EQ(watch.record(20s)->size(), TickRecorder::ticks_max); });
+    std::thread other([&] { EXPECT_EQ(watch.record(20s)->size(), TickProfiler::ticks_max); });
     std::this_thread::sleep_for(50ms);
-    cost.recording = seconds_of_a_tick(TickRecorder::ticks_max);
+    cost.recording = seconds_of_a_tick(TickProfiler::ticks_max);
     other.join();
     return cost;
 }

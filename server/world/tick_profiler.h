@@ -28,7 +28,7 @@ struct TickProfile {
     std::uint32_t late_ticks = 0;  // that were given up since the world began
 };
 
-class TickRecorder {
+class TickProfiler {
 public:
     static constexpr std::size_t ticks_max = 4000;  // of one recording: 30 s at 120 Hz and some
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/tick_recorder.h"
+#include "server/world/tick_profiler.h"
 
 #include <utility>
 
 namespace jostle::server {
 
-Result<std::vector<TickProfile>> TickRecorder::record(Clock::duration time) {
+Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
     const Clock::time_point end = Clock::now() + time;
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
@@ -22,7 +22,7 @@ Result<std::vector<TickProfile>> TickRecorder::record(Clock::duration time) {
     return std::exchange(ticks_, {});
 }
 
-void TickRecorder::put(const TickProfile& tick) {
+void TickProfiler::put(const TickProfile& tick) {
     bool is_full;
     {
         const std::lock_guard lock(mutex_);
@@ -33,7 +33,7 @@ void TickRecorder::put(const TickProfile& tick) {
     if (is_full) changed_.notify_all();
 }
 
-void TickRecorder::close() {
+void TickProfiler::close() {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;

@@ -37,7 +37,7 @@ public:
     Result<std::vector<TickProfile>> record(Clock::duration time);
 
     // The world's thread.
-    bool wanted() const { return requested_.load(std::memory_order_relaxed); }
+    bool is_requested() const { return requested_.load(std::memory_order_relaxed); }
     void put(const TickProfile& tick);
     // Any thread: nothing will come any more.
     void close();

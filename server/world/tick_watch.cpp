@@ -18,10 +18,10 @@ void TickWatch::end_tick(const Frame& frame, const physics::StepProfile* profile
         if (profile) count.stage_ms = profile->stage_ms;
         metrics_->count_tick(count);
     }
-    if (recorder_.wanted()) record_tick(frame, profile, inputs, now);
+    if (profiler_.is_requested()) profile_tick(frame, profile, inputs, now);
 }
 
-void TickWatch::record_tick(const Frame& frame, const physics::StepProfile* profile,
+void TickWatch::profile_tick(const Frame& frame, const physics::StepProfile* profile,
                             std::size_t inputs, Clock::time_point now) {
     TickProfile record{.tick = frame.tick,
                       .due = frame.due,
@@ -35,7 +35,7 @@ void TickWatch::record_tick(const Frame& frame, const physics::StepProfile* prof
     // Somebody may have begun to record in the middle of this tick.
     if (step_begun_ < begun_) return;
     if (profile) record.stage_ms = profile->stage_ms;
-    recorder_.put(record);
+    profiler_.put(record);
 }
 
 }  // namespace jostle::server

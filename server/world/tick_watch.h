@@ -21,24 +21,24 @@ public:
     TickWatch(Metrics* metrics, const std::string& world);
 
     // Any thread.
-    Result<std::vector<TickProfile>> record(Clock::duration time) { return recorder_.record(time); }
-    void close() { recorder_.close(); }
+    Result<std::vector<TickProfile>> record(Clock::duration time) { return profiler_.record(time); }
+    void close() { profiler_.close(); }
     WorldMetrics* metrics() { return metrics_.get(); }  // null: nobody counts
 
     // The world's thread, in this order.
     void begin_tick(Clock::time_point now) { begun_ = now; }
     void begin_step() {
-        if (recorder_.wanted()) step_begun_ = Clock::now();
+        if (profiler_.is_requested()) step_begun_ = Clock::now();
     }
     // `profile`: of the step; null when the tick took none.
     void end_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs);
 
 private:
-    void record_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs,
+    void profile_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs,
                      Clock::time_point now);
 
     const std::unique_ptr<WorldMetrics> metrics_;
-    TickProfiler recorder_;
+    TickProfiler profiler_;
     Clock::time_point begun_{}, step_begun_{};
 };
 

@@ -3,10 +3,10 @@
 
 namespace jostle::server {
 
-TickWatch::TickWatch(Metrics* metrics, const std::string& world)
+TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
     : metrics_(metrics ? std::make_unique<WorldMetrics>(*metrics, world) : nullptr) {}
 
-void TickWatch::end_tick(const Frame& frame, const physics::StepProfile* profile,
+void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profile,
                          std::size_t inputs) {
     const Clock::time_point now = Clock::now();
     if (metrics_) {
@@ -21,7 +21,7 @@ void TickWatch::end_tick(const Frame& frame, const physics::StepProfile* profile
     if (profiler_.is_requested()) profile_tick(frame, profile, inputs, now);
 }
 
-void TickWatch::profile_tick(const Frame& frame, const physics::StepProfile* profile,
+void TickMetrics::profile_tick(const Frame& frame, const physics::StepProfile* profile,
                             std::size_t inputs, Clock::time_point now) {
     TickProfile record{.tick = frame.tick,
                       .due = frame.due,

@@ -15,10 +15,10 @@
 
 namespace jostle::server {
 
-class TickWatch {
+class TickMetrics {
 public:
     // Without metrics nothing is counted; recording works all the same.
-    TickWatch(Metrics* metrics, const std::string& world);
+    TickMetrics(Metrics* metrics, const std::string& world);
 
     // Any thread.
     Result<std::vector<TickProfile>> record(Clock::duration time) { return profiler_.record(time); }

@@ -118,7 +118,7 @@ Cost cost_of_watching(const char* name, Metrics& metrics) {
     for (int i = 0; i < 30; i++) EXPECT_TRUE(world.step(1.0 / 60).ok());
     Frame frame;
     world.copy_into(frame);
-    TickWatch watch(&metrics, name);
+    TickMetrics watch(&metrics, name);
     const auto seconds_of_a_tick = [&](int calls) {
         const double begun = thread_cpu_seconds();
         for (int i = 0; i < calls; i++) {

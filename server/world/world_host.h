@@ -18,7 +18,7 @@
 #include "server/world/query_broker.h"
 #include "server/world/single_step_control.h"
 #include "server/world/tick_clock.h"
-#include "server/world/tick_watch.h"
+#include "server/world/tick_metrics.h"
 #include "server/world/world_persistence.h"
 #include "server/world/world_visits.h"
 

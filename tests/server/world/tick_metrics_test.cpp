@@ -3,7 +3,7 @@
 // What is seen of ticks, and what seeing costs: under a hundredth of a tick. The figures are
 // printed:
 //   server_test --gtest_filter='*costs*'
-#include "server/world/tick_watch.h"
+#include "server/world/tick_metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/tick_watch.h"
+#include "server/world/tick_metrics.h"
 
 namespace jostle::server {
 

@@ -2,7 +2,7 @@
 //
 // What is seen from outside of a world's ticks: each is counted for the metrics, and recorded for
 // whoever profiles. The world's thread calls it at the ends of a tick; what that costs is measured
-// in tests/server/world/tick_watch_test.cpp.
+// in tests/server/world/tick_metrics_test.cpp.
 #pragma once
 
 #include <memory>

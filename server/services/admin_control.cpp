@@ -193,7 +193,7 @@ Status AdminControl::profile(const v1::ProfileRequest& request, v1::ProfileRespo
     if (!world.ok()) return world.error();
     const Waiting waiting(waiting_);
     if (Status s = waiting.admitted(); !s.ok()) return s;
-    const auto ticks = (*world)->watch().record(from_seconds(request.seconds()));
+    const auto ticks = (*world)->tick_metrics().record(from_seconds(request.seconds()));
     if (!ticks.ok()) return ticks.error();
     response.set_ticks(static_cast<std::uint32_t>(ticks->size()));
     response.set_trace(tick_trace((*world)->name(), *ticks));

@@ -55,7 +55,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
       scheduled_(static_cast<std::size_t>(settings.command_queue_max)),
       paused_(std::move(start.paused)),
-      watch_(settings.metrics, label_.name),
+      tick_metrics_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
@@ -128,7 +128,7 @@ void WorldHost::resume() {
 void WorldHost::close_doors() {
     queries_.close();
     steps_.close();
-    watch_.close();
+    tick_metrics_.close();
     visits_.close();
 }
 
@@ -189,7 +189,7 @@ QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
 void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
-    watch_.begin_tick(began);
+    tick_metrics_.begin_tick(began);
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
     const std::optional<std::string> why = paused();
@@ -198,7 +198,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const bool allowed = why && steps_.begin_step();
     const bool steps = !why || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
-    watch_.begin_step();
+    tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
@@ -217,7 +217,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
-    watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
+    tick_metrics_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
     hand_over_checkpoint();
     tick_began_.store(0, std::memory_order_relaxed);
 }

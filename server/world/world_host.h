@@ -121,7 +121,7 @@ public:
     std::optional<std::string> paused() const;  // why
     // Any thread: what else operators do.
     SingleStepControl& steps() { return steps_; }
-    TickMetrics& watch() { return watch_; }
+    TickMetrics& tick_metrics() { return tick_metrics_; }
     WorldVisits& visits() { return visits_; }
     // Any thread: nobody waits for this world any longer, and nobody is answered.
     void close_doors();
@@ -207,7 +207,7 @@ private:
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
     SingleStepControl steps_;
-    TickMetrics watch_;
+    TickMetrics tick_metrics_;
     WorldVisits visits_;
     std::atomic<int> event_listeners_{0}, motion_listeners_{0}, driven_listeners_{0};
     mutable std::mutex frame_mutex_;

@@ -34,7 +34,7 @@ std::vector<std::string> stage_names() {
 
 TEST(TickMetricsTest, records_the_ticks_of_a_world_that_runs) {
     const auto host = *WorldHost::start("w1", "yard", *scenes::find_scene("sandbox"), {});
-    const auto ticks = *host->watch().record(500ms);
+    const auto ticks = *host->tick_metrics().record(500ms);
     // 30 at 60 Hz; a busy machine may give some up.
     ASSERT_GE(ticks.size(), 5u);
     EXPECT_LE(ticks.size(), 40u);
@@ -52,19 +52,19 @@ TEST(TickMetricsTest, records_the_ticks_of_a_world_that_runs) {
 
 TEST(TickMetricsTest, one_recording_at_a_time_and_none_of_a_world_that_ended) {
     const auto host = *WorldHost::start("w1", "stack", *scenes::find_scene("stack"), {});
-    std::thread other([&] { EXPECT_TRUE(host->watch().record(400ms).ok()); });
+    std::thread other([&] { EXPECT_TRUE(host->tick_metrics().record(400ms).ok()); });
     std::this_thread::sleep_for(100ms);
-    EXPECT_EQ(error_of(host->watch().record(1s)).code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(error_of(host->tick_metrics().record(1s)).code, ErrorCode::resource_exhausted);
     other.join();
     std::thread closes([&] {
         std::this_thread::sleep_for(100ms);
         host->stop();
     });
     const auto begun = Clock::now();
-    EXPECT_TRUE(host->watch().record(30s).ok()) << "what there was until then";
+    EXPECT_TRUE(host->tick_metrics().record(30s).ok()) << "what there was until then";
     EXPECT_LT(Clock::now() - begun, 10s);
     closes.join();
-    EXPECT_EQ(error_of(host->watch().record(1s)).code, ErrorCode::aborted);
+    EXPECT_EQ(error_of(host->tick_metrics().record(1s)).code, ErrorCode::aborted);
 }
 
 TEST(TickMetricsTest, ticks_of_a_host_are_counted) {

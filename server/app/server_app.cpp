@@ -282,7 +282,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                         .metrics = &metrics,
                         .rpc_metrics = &rpc_metrics,
                         .datagrams = datagrams ? &*datagrams : nullptr};
-    worlds.on_goes_on(
+    worlds.on_replaced(
         [&](const std::shared_ptr<WorldHost>& world, const std::vector<ClientId>& clients) {
             settle_clients(context, *world, clients);
         });

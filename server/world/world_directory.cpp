@@ -226,7 +226,7 @@ bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, con
         }
         at->second = again.host;
     }
-    if (on_goes_on_) on_goes_on_(again.host, again.clients);
+    if (on_replaced_) on_replaced_(again.host, again.clients);
     return true;
 }
 

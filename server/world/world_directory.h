@@ -50,7 +50,7 @@ public:
     // any world is there.
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
                                         const std::vector<ClientId>& clients)>;
-    void on_goes_on(OnReplaced told) { on_goes_on_ = std::move(told); }
+    void on_replaced(OnReplaced told) { on_replaced_ = std::move(told); }
     // Stops the world; its clients notice. Null when there is none.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();
@@ -83,7 +83,7 @@ private:
     const WorldHostSettings settings_;
     const int worlds_max_;
     const std::string process_;
-    OnReplaced on_goes_on_;
+    OnReplaced on_replaced_;
     mutable std::mutex mutex_;
     std::map<std::uint32_t, std::shared_ptr<WorldHost>> worlds_;  // by number, "w1" is 1
     std::uint32_t next_ = 1;

@@ -231,7 +231,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
         EXPECT_FALSE(first->stopped()) << "it goes on when that is not kept";
 
         std::vector<ClientId> told;
-        process.worlds->on_goes_on(
+        process.worlds->on_replaced(
             [&](const auto&, const std::vector<ClientId>& clients) { told = clients; });
         const auto again = process.worlds->rewind(first, back_to).value();
         EXPECT_EQ(told, (std::vector<ClientId>{1, 2}));

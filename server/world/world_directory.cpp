@@ -190,7 +190,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
     if (!world->stop_to_go_on())
         return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
     Status done;
-    Result<GoesOn> again = built([&]() -> Result<GoesOn> {
+    Result<Replacement> again = built([&]() -> Result<Replacement> {
         Result<WorldStart> start = settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
         if (!start.ok()) return start.error();
         start->paused = world->paused();
@@ -214,7 +214,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
     return again->host;
 }
 
-bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, const GoesOn& again) {
+bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, const Replacement& again) {
     {
         const std::lock_guard lock(mutex_);
         const auto at = std::ranges::find_if(
@@ -261,7 +261,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::vector<Clock::time_point>& before = restarts_[number];
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
-    const Result<GoesOn> again = before.size() < restarts_max
+    const Result<Replacement> again = before.size() < restarts_max
                                      ? start_again(*failed)
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
@@ -282,8 +282,8 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
               again.error().message);
 }
 
-Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& failed) const {
-    return built([&]() -> Result<GoesOn> {
+Result<WorldDirectory::Replacement> WorldDirectory::start_again(const WorldHost& failed) const {
+    return built([&]() -> Result<Replacement> {
         if (failed.is_kept()) {
             Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());
             if (!kept.ok()) return kept.error();
@@ -292,12 +292,12 @@ Result<WorldDirectory::GoesOn> WorldDirectory::start_again(const WorldHost& fail
         }
         auto host = WorldHost::start(failed.label(), failed.description(), settings_);
         if (!host.ok()) return host.error();
-        return GoesOn{*std::move(host), {}};
+        return Replacement{*std::move(host), {}};
     });
 }
 
-WorldDirectory::GoesOn WorldDirectory::go_on(WorldStart start) const {
-    GoesOn again;
+WorldDirectory::Replacement WorldDirectory::go_on(WorldStart start) const {
+    Replacement again;
     for (const auto& [client, sequence] : clients_of(start.world.host_state(start.tick)))
         again.clients.push_back(client);
     again.host = WorldHost::start(std::move(start), settings_);

@@ -87,8 +87,8 @@ WorldHostSettings host_settings(const Config& config, FrameNotifier& wakers, Met
             .catch_up_ticks_max = config.tick.catch_up_ticks_max,
             .physics_threads = config.tick.physics_threads,
             .on_frame =
-                [&wakers](bool news) {
-                    if (news) wakers.wake();
+                [&wakers](bool has_events) {
+                    if (has_events) wakers.wake();
                 },
             .metrics = &metrics};
 }

@@ -72,7 +72,7 @@ void write(v1::ClientInfo& out, const ClientSight& sight) {
 }  // namespace
 
 void AdminControl::stop() {
-    for (const auto& world : context_.worlds.list()) world->close_doors();
+    for (const auto& world : context_.worlds.list()) world->cancel_waiters();
 }
 
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,

@@ -209,7 +209,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
     const std::uint64_t motion = motion_bit(world->channel_kinds());
     wants_driven_ = (channel_kinds_ & motion) != 0;
-    if (wants_driven_) world->add_driven_listener();
+    if (wants_driven_) world->add_controlled_entity_listener();
     // That is of all bodies, and such a client is told of some.
     if (sight_) channel_kinds_ &= ~motion;
     wants_motion_ = (channel_kinds_ & motion) != 0;
@@ -352,7 +352,7 @@ void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
     end_ = std::move(status);
     end_time_ = now;
     // Who is there when the server goes down has not left a world that is kept.
-    const bool world_goes_on = feed_ && feed_->host().is_kept();
+    const bool world_goes_on = feed_ && feed_->host().is_persisted();
     lost = seat_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
     if (client_ != 0)
         log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
@@ -364,7 +364,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     watch_.left();
     if (wants_events_) feed_->host().remove_event_listener();
     if (wants_motion_) feed_->host().remove_motion_listener();
-    if (wants_driven_) feed_->host().remove_driven_listener();
+    if (wants_driven_) feed_->host().remove_controlled_entity_listener();
     if (lost) {
         keep_place(*lost);
     } else {
@@ -419,14 +419,14 @@ void ClientLink::check_timeouts(Clock::time_point now) {
                       now, true);
     }
     if (feed_->host().failed()) {
-        const bool kept = feed_->host().is_kept();
+        const bool kept = feed_->host().is_persisted();
         const char* why =
             kept ? "a fault of the server ended the world; it goes on from what was kept of it"
                  : "a fault of the server ended the world; it starts anew from its scene";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, kept);
     }
-    if (feed_->host().goes_on_elsewhere()) {
+    if (feed_->host().was_replaced()) {
         const char* why = "the world is taken back to an earlier tick";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, true);

@@ -94,7 +94,7 @@ private:
     Result<ClientId> take_place(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
     std::uint32_t confirmed() const {
-        return feed_->host().is_kept() ? kept_sequence_ : last_sequence_;
+        return feed_->host().is_persisted() ? kept_sequence_ : last_sequence_;
     }
     std::shared_ptr<ResumeSeat> open_seat(const WorldHost& world);
     void keep_place(Clock::time_point now);

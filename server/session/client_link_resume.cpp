@@ -88,7 +88,7 @@ std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
                           .spectator = spectator_,
                           .expires = std::chrono::floor<std::chrono::seconds>(
                               std::chrono::system_clock::now() + token_life)};
-    return context_.resumes.open(client_, world.is_kept() ? &who : nullptr);
+    return context_.resumes.open(client_, world.is_persisted() ? &who : nullptr);
 }
 
 void ClientLink::keep_place(Clock::time_point now) {
@@ -144,8 +144,8 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
         lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
-    const auto timeout = lost.feed->host().goes_on_elsewhere() ? world_back_max : give_way_max;
-    if (!world_is_there && lost.feed->host().is_kept() && now - begun_ <= timeout) {
+    const auto timeout = lost.feed->host().was_replaced() ? world_back_max : give_way_max;
+    if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
         context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;

@@ -76,7 +76,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
     if (!fits.ok()) {
         worlds_.erase(number);
         if (host.ok() && settings_.world_persistence) {
-            (*host)->forget();
+            (*host)->skip_final_checkpoint();
             (*host)->stop();
             settings_.world_persistence->drop(id);
         }
@@ -170,7 +170,7 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
 }
 
 Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32_t tick) const {
-    if (!world.is_kept())
+    if (!world.is_persisted())
         return Error{ErrorCode::failed_precondition,
                      "the world is not kept, so only what it is now can be had; "
                      "persistence.database says where worlds are kept"};
@@ -187,18 +187,18 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
                                                           std::uint32_t tick) {
     Result<HostedWorld> then = world_at(*world, tick);  // the world runs on meanwhile
     if (!then.ok()) return then.error();
-    if (!world->stop_to_go_on())
+    if (!world->stop_for_replacement())
         return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
     Status done;
     Result<Replacement> again = built([&]() -> Result<Replacement> {
         Result<WorldStart> start = settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
         if (!start.ok()) return start.error();
         start->paused = world->paused();
-        return go_on(*std::move(start));
+        return start_replacement(*std::move(start));
     });
     if (!again.ok()) {
         done = again.error();
-        again = start_again(*world);
+        again = restart_failed_world(*world);
     }
     if (!again.ok()) {
         const std::lock_guard lock(mutex_);
@@ -207,20 +207,20 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
                   world->id(), world->name(), again.error().message);
         return again.error();
     }
-    if (!put_in_place(world, *again))
+    if (!replace(world, *again))
         return Error{ErrorCode::not_found, "the world was deleted meanwhile"};
     if (!done.ok()) return done.error();
     log_info("world {} \"{}\" is as it was after tick {}", world->id(), world->name(), tick);
     return again->host;
 }
 
-bool WorldDirectory::put_in_place(const std::shared_ptr<WorldHost>& stopped, const Replacement& again) {
+bool WorldDirectory::replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& again) {
     {
         const std::lock_guard lock(mutex_);
         const auto at = std::ranges::find_if(
             worlds_, [&](const auto& entry) { return entry.second == stopped; });
         if (at == worlds_.end()) {
-            again.host->forget();
+            again.host->skip_final_checkpoint();
             again.host->stop();
             return false;
         }
@@ -239,7 +239,7 @@ std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name)
         if (!world) return nullptr;
         std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
     }
-    world->forget();
+    world->skip_final_checkpoint();
     world->stop();
     if (settings_.world_persistence) settings_.world_persistence->drop(world->id());
     log_info("world {} \"{}\" was deleted", world->id(), world->name());
@@ -262,14 +262,14 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
     const Result<Replacement> again = before.size() < restarts_max
-                                     ? start_again(*failed)
+                                     ? restart_failed_world(*failed)
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
     if (again.ok()) {
-        if (!put_in_place(failed, *again)) return;
+        if (!replace(failed, *again)) return;
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();
         log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
-                 failed->is_kept() ? "goes on from what was kept of it"
+                 failed->is_persisted() ? "goes on from what was kept of it"
                                    : "was started anew from its scene");
         return;
     }
@@ -282,13 +282,13 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
               again.error().message);
 }
 
-Result<WorldDirectory::Replacement> WorldDirectory::start_again(const WorldHost& failed) const {
+Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(const WorldHost& failed) const {
     return built([&]() -> Result<Replacement> {
-        if (failed.is_kept()) {
+        if (failed.is_persisted()) {
             Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());
             if (!kept.ok()) return kept.error();
             kept->paused = failed.paused();
-            return go_on(*std::move(kept));
+            return start_replacement(*std::move(kept));
         }
         auto host = WorldHost::start(failed.label(), failed.description(), settings_);
         if (!host.ok()) return host.error();
@@ -296,7 +296,7 @@ Result<WorldDirectory::Replacement> WorldDirectory::start_again(const WorldHost&
     });
 }
 
-WorldDirectory::Replacement WorldDirectory::go_on(WorldStart start) const {
+WorldDirectory::Replacement WorldDirectory::start_replacement(WorldStart start) const {
     Replacement again;
     for (const auto& [client, sequence] : clients_of(start.world.host_state(start.tick)))
         again.clients.push_back(client);

@@ -71,11 +71,11 @@ private:
     Result<std::shared_ptr<WorldHost>> create_with(const std::string& name,
                                                    const std::string& owner, std::size_t bodies,
                                                    Start start);
-    Result<Replacement> start_again(const WorldHost& failed) const;
-    Replacement go_on(WorldStart start) const;
+    Result<Replacement> restart_failed_world(const WorldHost& failed) const;
+    Replacement start_replacement(WorldStart start) const;
     Result<HostedWorld> world_at(const WorldHost& world, std::uint32_t tick) const;
     // In the place of one that was stopped. False: that was deleted meanwhile.
-    bool put_in_place(const std::shared_ptr<WorldHost>& stopped, const Replacement& again);
+    bool replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& again);
     Status check_totals(std::size_t bodies, double work) const;
     void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
                  Clock::time_point now);

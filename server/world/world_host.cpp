@@ -82,20 +82,20 @@ void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
     world_.stop_stepping();
-    close_doors();
+    cancel_waiters();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
     if (checkpoint_copier_) checkpoint_copier_->finish();
-    if (world_journal_ && !failed() && !forgotten_ && !ended_)
-        world_journal_->end(cut_short_ ? std::nullopt : std::optional(checkpoint_copy()));
+    if (world_journal_ && !failed() && !skips_final_checkpoint_ && !ended_)
+        world_journal_->end(step_aborted_ ? std::nullopt : std::optional(checkpoint_copy()));
     ended_ = true;
 }
 
-bool WorldHost::stop_to_go_on() {
+bool WorldHost::stop_for_replacement() {
     {
         const std::lock_guard lock(stop_mutex_);
         if (stopped()) return false;
-        goes_on_elsewhere_.store(true);  // before anybody sees that it stopped
+        was_replaced_.store(true);  // before anybody sees that it stopped
         stopping_.store(true);
     }
     stop();
@@ -125,7 +125,7 @@ void WorldHost::resume() {
     steps_.cancel();
 }
 
-void WorldHost::close_doors() {
+void WorldHost::cancel_waiters() {
     queries_.close();
     steps_.close();
     tick_metrics_.close();
@@ -168,7 +168,7 @@ void WorldHost::run() {
         log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
         failed_.store(true);
         stopping_.store(true);
-        close_doors();
+        cancel_waiters();
     }
     tick_began_.store(0, std::memory_order_relaxed);
 }
@@ -193,7 +193,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
     const std::optional<std::string> why = paused();
-    const std::optional<Error> refusal = why_no_inputs(why);
+    const std::optional<Error> refusal = input_refusal(why);
     apply_commands(refusal, due);
     const bool allowed = why && steps_.begin_step();
     const bool steps = !why || allowed;
@@ -213,7 +213,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const FramePtr shown = frame;
     const bool answered = !world_journal_ || refusal;
     publish(std::move(frame), answered);
-    if (world_journal_) keep_shown(shown->step_ms, answered);
+    if (world_journal_) persist_published(shown->step_ms, answered);
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
@@ -232,12 +232,12 @@ void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_
     commands_.drain_into(batch_);
     scheduled_.select_due(batch_, tick_, leave_commands_taken_);
     results_.clear();
-    for (const Command& command : batch_) results_.push_back(answer(command, refusal, due));
+    for (const Command& command : batch_) results_.push_back(execute(command, refusal, due));
     for (const Command& command : leave_commands_taken_) world_.apply(command, tick_);
     leave_commands_taken_.clear();
 }
 
-std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& paused) const {
+std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& paused) const {
     if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
     if (!world_journal_) return std::nullopt;
     const std::optional<std::string> failure_reason = world_journal_->failure_reason();
@@ -245,7 +245,7 @@ std::optional<Error> WorldHost::why_no_inputs(const std::optional<std::string>& 
     return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *failure_reason};
 }
 
-InputResult WorldHost::answer(const Command& command, const std::optional<Error>& refusal,
+InputResult WorldHost::execute(const Command& command, const std::optional<Error>& refusal,
                               Clock::time_point due) {
     InputResult result{.sequence = command.sequence, .tick = tick_};
     if (refusal)
@@ -262,12 +262,12 @@ InputResult WorldHost::answer(const Command& command, const std::optional<Error>
 
 bool WorldHost::step(bool allowed) {
     world_.publish_motion(motion_listeners_.load() > 0);
-    world_.publish_controlled_entities(driven_listeners_.load() > 0);
+    world_.publish_controlled_entities(controlled_entity_listeners_.load() > 0);
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
     // The journal has a step there.
     if (stopping_ || (paused() && !allowed)) {
-        (stopping_ ? cut_short_ : step_interrupted_) = true;
+        (stopping_ ? step_aborted_ : step_interrupted_) = true;
         return false;
     }
     if (const auto stepped = world_.step(1 / hz_, tick_ + 1); stepped.ok()) {
@@ -276,7 +276,7 @@ bool WorldHost::step(bool allowed) {
         warn_of_large_channels();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
-        (stopping_ ? cut_short_ : step_interrupted_) = true;
+        (stopping_ ? step_aborted_ : step_interrupted_) = true;
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
@@ -342,7 +342,7 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
 void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
-    bool news = frame->changed_at == frame->tick || !batch_.empty();
+    bool has_events = frame->changed_at == frame->tick || !batch_.empty();
     world_.frame_history().put(frame);
     {
         const std::lock_guard lock(frame_mutex_);
@@ -351,8 +351,8 @@ void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     // After the frame: who hears that a body was spawned finds it there.
     for (std::size_t i = 0; answers && i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
-    news = news || events != old->events->count;
-    if (settings_.on_frame) settings_.on_frame(news);
+    has_events = has_events || events != old->events->count;
+    if (settings_.on_frame) settings_.on_frame(has_events);
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
@@ -361,7 +361,7 @@ CheckpointCopy WorldHost::checkpoint_copy() const {
     return now;
 }
 
-void WorldHost::keep_shown(double step_ms, bool answered) {
+void WorldHost::persist_published(double step_ms, bool answered) {
     if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
     std::vector<WaitingResult> results;
     for (std::size_t i = 0; !answered && i < batch_.size(); i++)
@@ -371,7 +371,7 @@ void WorldHost::keep_shown(double step_ms, bool answered) {
 
 // The last thing in a tick: from here on others read the world, until the next one begins.
 void WorldHost::hand_over_checkpoint() {
-    if (!world_journal_ || cut_short_ || !world_journal_->wants_checkpoint()) return;
+    if (!world_journal_ || step_aborted_ || !world_journal_->wants_checkpoint()) return;
     auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
     world_journal_->append(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now

@@ -40,7 +40,7 @@ struct WorldHostSettings {
     WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
     // Called on the world's thread after each frame, with whether something happened in it; must
     // only wake somebody.
-    std::function<void(bool news)> on_frame;
+    std::function<void(bool has_events)> on_frame;
     Metrics* metrics = nullptr;  // null: nobody counts
 };
 
@@ -97,8 +97,8 @@ public:
     void add_motion_listener() { motion_listeners_++; }
     void remove_motion_listener() { motion_listeners_--; }
     // Likewise, of what is driven.
-    void add_driven_listener() { driven_listeners_++; }
-    void remove_driven_listener() { driven_listeners_--; }
+    void add_controlled_entity_listener() { controlled_entity_listeners_++; }
+    void remove_controlled_entity_listener() { controlled_entity_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
     // Any thread: ... by an error.
@@ -107,11 +107,11 @@ public:
     void stop();
     // stop(), and another host will go on with it: its clients are to come back. False: it was
     // stopped already.
-    bool stop_to_go_on();
+    bool stop_for_replacement();
     // Any thread: whether it ended so.
-    bool goes_on_elsewhere() const { return goes_on_elsewhere_.load(); }
+    bool was_replaced() const { return was_replaced_.load(); }
     // Any thread: what it is at its end will not be asked for.
-    void forget() { forgotten_.store(true); }
+    void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
     // A world without a thread of its own, one thread at a time: the tick that was due then.
     void tick(Clock::time_point due);
 
@@ -124,7 +124,7 @@ public:
     TickMetrics& tick_metrics() { return tick_metrics_; }
     WorldVisits& visits() { return visits_; }
     // Any thread: nobody waits for this world any longer, and nobody is answered.
-    void close_doors();
+    void cancel_waiters();
     // Any thread: when the tick that runs began; nothing between two ticks.
     std::optional<Clock::time_point> tick_began() const;
     // Any thread: the step that runs leaves out what it still can, and the world is paused.
@@ -138,7 +138,7 @@ public:
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
     // What clients did is still there after the process.
-    bool is_kept() const { return world_journal_ != nullptr; }
+    bool is_persisted() const { return world_journal_ != nullptr; }
     // The one after which this host began.
     std::uint32_t first_tick() const { return first_tick_; }
     // Any thread: the first tick that can be had again; 0: none can.
@@ -158,15 +158,15 @@ private:
     void tick_late(Clock::time_point due, std::uint32_t late_ticks);
     // `refusal`: why no input is applied.
     void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
-    InputResult answer(const Command& command, const std::optional<Error>& refusal,
+    InputResult execute(const Command& command, const std::optional<Error>& refusal,
                        Clock::time_point due);
-    std::optional<Error> why_no_inputs(const std::optional<std::string>& paused) const;
+    std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
     void publish(std::shared_ptr<Frame> frame, bool answers);
     // Hands the results of this tick, and now and then the world, to who keeps it.
-    void keep_shown(double step_ms, bool answered);
+    void persist_published(double step_ms, bool answered);
     CheckpointCopy checkpoint_copy() const;
     void hand_over_checkpoint();
     std::int64_t late_us(Clock::time_point due) const;
@@ -191,7 +191,7 @@ private:
     std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;
-    bool cut_short_ = false;  // the last step, by the world's end
+    bool step_aborted_ = false;  // the last step, by the world's end
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_, leave_commands_taken_;
     std::vector<InputResult> results_;    // of batch_, one each
@@ -209,11 +209,11 @@ private:
     SingleStepControl steps_;
     TickMetrics tick_metrics_;
     WorldVisits visits_;
-    std::atomic<int> event_listeners_{0}, motion_listeners_{0}, driven_listeners_{0};
+    std::atomic<int> event_listeners_{0}, motion_listeners_{0}, controlled_entity_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
-    std::atomic<bool> stopping_{false}, failed_{false}, forgotten_{false},
-        goes_on_elsewhere_{false};
+    std::atomic<bool> stopping_{false}, failed_{false}, skips_final_checkpoint_{false},
+        was_replaced_{false};
     std::mutex stop_mutex_;
     bool ended_ = false;
     struct Timer;  // Asio's, kept out of this header

@@ -235,7 +235,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
             [&](const auto&, const std::vector<ClientId>& clients) { told = clients; });
         const auto again = process.worlds->rewind(first, back_to).value();
         EXPECT_EQ(told, (std::vector<ClientId>{1, 2}));
-        EXPECT_TRUE(first->goes_on_elsewhere());
+        EXPECT_TRUE(first->was_replaced());
         EXPECT_EQ(process.worlds->find("yard"), again);
         EXPECT_EQ(again->id(), first->id());
         EXPECT_EQ(again->first_tick(), newest + 1);

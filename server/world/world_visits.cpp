@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-Status WorldVisits::make(const Visit& visit) {
+Status BetweenTicksExecutor::make(const Visit& visit) {
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (waiting_)
@@ -23,7 +23,7 @@ Status WorldVisits::make(const Visit& visit) {
     return Error{ErrorCode::deadline_exceeded, "the world's tick has not ended for 5 s"};
 }
 
-void WorldVisits::admit(HostedWorld& world) {
+void BetweenTicksExecutor::admit(HostedWorld& world) {
     if (!waiting_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);
@@ -40,7 +40,7 @@ void WorldVisits::admit(HostedWorld& world) {
     changed_.notify_all();
 }
 
-void WorldVisits::close() {
+void BetweenTicksExecutor::close() {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;

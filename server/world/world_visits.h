@@ -17,7 +17,7 @@ namespace jostle::server {
 
 class HostedWorld;
 
-class WorldVisits {
+class BetweenTicksExecutor {
 public:
     using Visit = std::function<void(HostedWorld&)>;
     // A tick may take long; one that takes longer is hung.

@@ -21,7 +21,7 @@ namespace {
 class WorldVisitsTest : public testing::Test {
 protected:
     // Ticks of the world's thread until `make` has returned.
-    Status visit(const WorldVisits::Visit& look) {
+    Status visit(const BetweenTicksExecutor::Visit& look) {
         Status result;
         std::atomic<bool> over{false};
         std::thread asker([&] {
@@ -34,7 +34,7 @@ protected:
     }
 
     HostedWorld world = std::move(*HostedWorld::create(*scenes::find_scene("stack"), {}, 1));
-    WorldVisits visits;
+    BetweenTicksExecutor visits;
 };
 
 TEST_F(WorldVisitsTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {

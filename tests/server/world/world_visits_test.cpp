@@ -18,7 +18,7 @@ using test::error_of;
 
 namespace {
 
-class WorldVisitsTest : public testing::Test {
+class BetweenTicksExecutorTest : public testing::Test {
 protected:
     // Ticks of the world's thread until `make` has returned.
     Status visit(const BetweenTicksExecutor::Visit& look) {
@@ -37,7 +37,7 @@ protected:
     BetweenTicksExecutor visits;
 };
 
-TEST_F(WorldVisitsTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {
+TEST_F(BetweenTicksExecutorTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {
     std::thread::id ran_on;
     int bodies = 0;
     EXPECT_TRUE(visit([&](HostedWorld& seen) {
@@ -48,7 +48,7 @@ TEST_F(WorldVisitsTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {
     EXPECT_GT(bodies, 5);
 }
 
-TEST_F(WorldVisitsTest, who_cannot_be_let_in_is_told_why) {
+TEST_F(BetweenTicksExecutorTest, who_cannot_be_let_in_is_told_why) {
     EXPECT_EQ(error_of(visit([](HostedWorld&) { throw std::bad_alloc(); })).code,
               ErrorCode::resource_exhausted);
     EXPECT_TRUE(visit([](HostedWorld&) {}).ok()) << "the next one is let in";

@@ -20,7 +20,7 @@
 #include "server/world/tick_clock.h"
 #include "server/world/tick_metrics.h"
 #include "server/world/world_persistence.h"
-#include "server/world/world_visits.h"
+#include "server/world/between_ticks_executor.h"
 
 namespace jostle::server {
 

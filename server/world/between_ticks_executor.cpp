@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/world_visits.h"
+#include "server/world/between_ticks_executor.h"
 
 #include <new>
 

@@ -19,13 +19,13 @@ class HostedWorld;
 
 class BetweenTicksExecutor {
 public:
-    using Visit = std::function<void(HostedWorld&)>;
+    using Task = std::function<void(HostedWorld&)>;
     // A tick may take long; one that takes longer is hung.
     static constexpr auto timeout = std::chrono::seconds(5);
 
     // Any thread: returns when the visit is over. Errors: somebody else visits, the world ended or
     // does not come to a tick's end.
-    Status make(const Visit& visit);
+    Status make(const Task& visit);
 
     // The world's thread, between two ticks.
     void admit(HostedWorld& world);
@@ -33,7 +33,7 @@ public:
     void close();
 
 private:
-    std::atomic<const Visit*> waiting_{nullptr};
+    std::atomic<const Task*> waiting_{nullptr};
     std::mutex mutex_;
     std::condition_variable changed_;
     bool failed_ = false;  // the last visit

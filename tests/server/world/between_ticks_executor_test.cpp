@@ -21,7 +21,7 @@ namespace {
 class BetweenTicksExecutorTest : public testing::Test {
 protected:
     // Ticks of the world's thread until `make` has returned.
-    Status visit(const BetweenTicksExecutor::Visit& look) {
+    Status visit(const BetweenTicksExecutor::Task& look) {
         Status result;
         std::atomic<bool> over{false};
         std::thread asker([&] {

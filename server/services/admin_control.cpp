@@ -148,7 +148,7 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
         response.set_tick(request.tick());
         return answer_export(std::move(exported), response);
     }
-    const Status visited = (*world)->visits().make([&](HostedWorld& hosted) {
+    const Status visited = (*world)->between_ticks().run([&](HostedWorld& hosted) {
         exported = hosted.exported(*(*world)->description());
         response.set_tick((*world)->frame()->tick);
     });

@@ -5,16 +5,16 @@
 
 namespace jostle::server {
 
-Status BetweenTicksExecutor::make(const Task& visit) {
+Status BetweenTicksExecutor::make(const Task& task) {
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (waiting_)
         return Error{ErrorCode::resource_exhausted,
                      "somebody else looks at this world; try again in a moment"};
-    waiting_ = &visit;
-    changed_.wait_for(lock, timeout, [&] { return closed_ || waiting_ != &visit; });
+    waiting_ = &task;
+    changed_.wait_for(lock, timeout, [&] { return closed_ || waiting_ != &task; });
     // The world's thread takes it under the lock: what is still here was not begun.
-    if (waiting_ != &visit) {
+    if (waiting_ != &task) {
         if (!failed_) return {};
         return Error{ErrorCode::resource_exhausted, "there is no memory to look at this world"};
     }
@@ -23,7 +23,7 @@ Status BetweenTicksExecutor::make(const Task& visit) {
     return Error{ErrorCode::deadline_exceeded, "the world's tick has not ended for 5 s"};
 }
 
-void BetweenTicksExecutor::admit(HostedWorld& world) {
+void BetweenTicksExecutor::run_pending(HostedWorld& world) {
     if (!waiting_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);

@@ -25,10 +25,10 @@ public:
 
     // Any thread: returns when the visit is over. Errors: somebody else visits, the world ended or
     // does not come to a tick's end.
-    Status make(const Task& visit);
+    Status make(const Task& task);
 
     // The world's thread, between two ticks.
-    void admit(HostedWorld& world);
+    void run_pending(HostedWorld& world);
     // Any thread: the world ends.
     void close();
 

@@ -129,7 +129,7 @@ void WorldHost::cancel_waiters() {
     queries_.close();
     steps_.close();
     tick_metrics_.close();
-    visits_.close();
+    between_ticks_.close();
 }
 
 std::optional<std::string> WorldHost::paused() const {
@@ -216,7 +216,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     if (world_journal_) persist_published(shown->step_ms, answered);
     serve_queries();  // players first
     steps_.end_tick();
-    visits_.admit(world_);
+    between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
     hand_over_checkpoint();
     tick_began_.store(0, std::memory_order_relaxed);

@@ -122,7 +122,7 @@ public:
     // Any thread: what else operators do.
     SingleStepControl& steps() { return steps_; }
     TickMetrics& tick_metrics() { return tick_metrics_; }
-    BetweenTicksExecutor& visits() { return visits_; }
+    BetweenTicksExecutor& between_ticks() { return between_ticks_; }
     // Any thread: nobody waits for this world any longer, and nobody is answered.
     void cancel_waiters();
     // Any thread: when the tick that runs began; nothing between two ticks.
@@ -208,7 +208,7 @@ private:
     QueryBroker queries_;
     SingleStepControl steps_;
     TickMetrics tick_metrics_;
-    BetweenTicksExecutor visits_;
+    BetweenTicksExecutor between_ticks_;
     std::atomic<int> event_listeners_{0}, motion_listeners_{0}, controlled_entity_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

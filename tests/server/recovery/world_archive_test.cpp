@@ -87,7 +87,7 @@ std::uint64_t hash_of(WorldHost& world) {
     std::uint64_t hash = 0;
     world.pause("to be looked at");
     std::jthread visitor([&] {
-        world.visits()
+        world.between_ticks()
             .make([&](HostedWorld& hosted) { hash = state_hash(hosted.world()); })
             .expect();
     });

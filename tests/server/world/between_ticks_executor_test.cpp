@@ -28,7 +28,7 @@ protected:
             result = visits.make(look);
             over = true;
         });
-        while (!over) visits.admit(world);
+        while (!over) visits.run_pending(world);
         asker.join();
         return result;
     }
@@ -53,13 +53,13 @@ TEST_F(BetweenTicksExecutorTest, who_cannot_be_let_in_is_told_why) {
               ErrorCode::resource_exhausted);
     EXPECT_TRUE(visit([](HostedWorld&) {}).ok()) << "the next one is let in";
     std::thread waits(
-        [&] { EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::aborted); });
+        [&] { EXPECT_EQ(error_of(visits.run([](HostedWorld&) {})).code, ErrorCode::aborted); });
     // Until the other one stands in the door, this one waits there itself.
     std::this_thread::sleep_for(20ms);
-    EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(error_of(visits.run([](HostedWorld&) {})).code, ErrorCode::resource_exhausted);
     visits.close();
     waits.join();
-    EXPECT_EQ(error_of(visits.make([](HostedWorld&) {})).code, ErrorCode::aborted);
+    EXPECT_EQ(error_of(visits.run([](HostedWorld&) {})).code, ErrorCode::aborted);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@
 #include "server/services/world_control.h"
 #include "server/tls/certificate_store.h"
 #include "server/util/log.h"
-#include "server/world/world_watch.h"
+#include "server/world/tick_watchdog.h"
 
 namespace jostle::server {
 namespace {
@@ -286,7 +286,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         [&](const std::shared_ptr<WorldHost>& world, const std::vector<ClientId>& clients) {
             settle_clients(context, *world, clients);
         });
-    WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
+    TickWatchdog watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
     if (archive) {
         context.resumes.use_secret(archive->secret());
         go_on(*archive, context);

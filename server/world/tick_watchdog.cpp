@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/world/world_watch.h"
+#include "server/world/tick_watchdog.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -13,13 +13,13 @@ constexpr auto period = std::chrono::milliseconds(100);
 
 }  // namespace
 
-WorldWatch::WorldWatch(WorldDirectory& worlds, Settings settings)
+TickWatchdog::TickWatchdog(WorldDirectory& worlds, Settings settings)
     : worlds_(worlds),
       settings_(settings),
       looked_at_(Clock::now().time_since_epoch().count()),
       thread_([this] { run(); }) {}
 
-WorldWatch::~WorldWatch() {
+TickWatchdog::~TickWatchdog() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
@@ -28,12 +28,12 @@ WorldWatch::~WorldWatch() {
     thread_.join();
 }
 
-bool WorldWatch::all_tick(Clock::time_point now) const {
+bool TickWatchdog::all_tick(Clock::time_point now) const {
     const Clock::time_point looked{Clock::duration(looked_at_.load())};
     return !hung_ && now - looked < settings_.hung_after;
 }
 
-void WorldWatch::look(Clock::time_point now) {
+void TickWatchdog::look(Clock::time_point now) {
     const Clock::time_point looked{Clock::duration(looked_at_.load())};
     bool hung = false;
     for (const auto& world : worlds_.list()) {
@@ -50,7 +50,7 @@ void WorldWatch::look(Clock::time_point now) {
     worlds_.restart_failed(now);
 }
 
-void WorldWatch::run() {
+void TickWatchdog::run() {
     std::unique_lock lock(mutex_);
     while (!wake_.wait_for(lock, period, [&] { return stopping_; })) {
         lock.unlock();

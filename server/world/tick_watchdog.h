@@ -14,15 +14,15 @@
 
 namespace jostle::server {
 
-class WorldWatch {
+class TickWatchdog {
 public:
     // Both limits are of one tick. The directory outlives the watch.
     struct Settings {
         Clock::duration step_max = std::chrono::seconds(2);  // then it is interrupted
         Clock::duration hung_after = std::chrono::milliseconds(1500);
     };
-    WorldWatch(WorldDirectory& worlds, Settings settings);
-    ~WorldWatch();
+    TickWatchdog(WorldDirectory& worlds, Settings settings);
+    ~TickWatchdog();
 
     // Any thread: false while a tick runs for too long. Of a watch that itself does not get to
     // look, as well.

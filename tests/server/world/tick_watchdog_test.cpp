@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Worlds that hang and worlds that fail, and what is done about them.
-#include "server/world/world_watch.h"
+#include "server/world/tick_watchdog.h"
 
 #include <gtest/gtest.h>
 
@@ -39,12 +39,12 @@ scenes::SceneDescription heavy() {
     return scene;
 }
 
-TEST(WorldWatch, a_step_that_takes_too_long_is_interrupted_and_its_world_paused) {
+TEST(TickWatchdog, a_step_that_takes_too_long_is_interrupted_and_its_world_paused) {
     WorldDirectory worlds(
         {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 2);
     const auto slow = *worlds.create("", heavy());
     const auto other = *worlds.create("", *scenes::find_scene("stack"));
-    const WorldWatch watch(worlds, {.step_max = 100ms});
+    const TickWatchdog watch(worlds, {.step_max = 100ms});
     ASSERT_TRUE(wait_until([&] { return slow->paused().has_value(); }));
     EXPECT_EQ(slow->paused()->find("a step took more than "), 0u) << *slow->paused();
     // It ticks on, without steps, and the other one never noticed.
@@ -57,7 +57,7 @@ TEST(WorldWatch, a_step_that_takes_too_long_is_interrupted_and_its_world_paused)
     EXPECT_LT(Clock::now() - began, 2s);
 }
 
-TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
+TEST(TickWatchdog, a_world_in_a_long_step_can_be_stopped) {
     const auto slow = *WorldHost::start(
         "w1", "slow", heavy(),
         {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
@@ -68,7 +68,7 @@ TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
     EXPECT_LT(Clock::now() - began, 3s) << "whatever the step alone would take";
 }
 
-TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
+TEST(TickWatchdog, health_knows_of_a_tick_that_hangs) {
     WorldDirectory worlds({.on_frame =
                                [](bool) {
                                    static std::atomic<int> frames{0};
@@ -76,12 +76,12 @@ TEST(WorldWatch, health_knows_of_a_tick_that_hangs) {
                                }},
                           1);
     ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok());
-    const WorldWatch watch(worlds, {.step_max = 60s, .hung_after = 500ms});
+    const TickWatchdog watch(worlds, {.step_max = 60s, .hung_after = 500ms});
     EXPECT_TRUE(wait_until([&] { return !watch.all_tick(Clock::now()); }));
     EXPECT_TRUE(wait_until([&] { return watch.all_tick(Clock::now()); }));
 }
 
-TEST(WorldWatch, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
+TEST(TickWatchdog, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
     std::atomic<int> failures{0};
     WorldHostSettings settings;
     settings.on_frame = [&](bool) {

@@ -303,7 +303,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     };
     const auto failure_reason = [&]() -> std::optional<std::string> {
         const Clock::time_point now = Clock::now();
-        if (!watch.all_tick(now)) return "a tick hangs";
+        if (!watch.all_worlds_tick(now)) return "a tick hangs";
         return grpc_to_ask ? grpc_to_ask->failure_reason(now) : std::nullopt;
     };
     const HttpRoutes routes(control, queries,
@@ -323,7 +323,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     std::vector<CallMethod> methods = world_methods(control, worlds);
     std::ranges::move(query_methods(queries, worlds), std::back_inserter(methods));
     std::ranges::move(admin_methods(admin_control, worlds), std::back_inserter(methods));
-    const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
+    const auto is_healthy = [&] { return watch.all_worlds_tick(Clock::now()); };
     GrpcServer grpc(context, std::move(methods), is_healthy,
                     {.host = listen.host,
                      .port = listen.port,
@@ -375,7 +375,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
         const MaintenanceThread maintenance_thread(gate, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
-            return watch.all_tick(now) && !grpc.failure_reason(now);
+            return watch.all_worlds_tick(now) && !grpc.failure_reason(now);
         });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));

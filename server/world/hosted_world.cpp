@@ -22,7 +22,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                          " in a world"};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
-    const Result<double> work = work_of(scene, built->world, limits.scene);
+    const Result<double> work = estimate_work(scene, built->world, limits.scene);
     if (!work.ok()) return work.error();
     // Then it is built anew: what is hosted begins at its beginning.
     if (Status s = check_first_step(scene, std::move(built->world), limits.scene); !s.ok())

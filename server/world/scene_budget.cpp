@@ -118,7 +118,7 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
     return check_geometry_size(scene, budget);
 }
 
-Result<double> work_of(const scenes::SceneDescription& scene, const World& world,
+Result<double> estimate_work(const scenes::SceneDescription& scene, const World& world,
                        const SceneBudget& budget) {
     const double passes = scene.hz * scene.world.substeps;
     std::size_t fixed = scene.joints.size();

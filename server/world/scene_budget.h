@@ -29,7 +29,7 @@ struct SceneBudget {
 Status check_description(const scenes::SceneDescription& scene, const SceneBudget& budget);
 // Of the world that was built of it, before its first step, whose time goes with the pairs. Solver
 // visits a second.
-Result<double> work_of(const scenes::SceneDescription& scene, const physics::World& world,
+Result<double> estimate_work(const scenes::SceneDescription& scene, const physics::World& world,
                        const SceneBudget& budget);
 // Steps a world that is thrown away.
 Status check_first_step(const scenes::SceneDescription& scene, physics::World world,

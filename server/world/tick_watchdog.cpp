@@ -16,7 +16,7 @@ constexpr auto period = std::chrono::milliseconds(100);
 TickWatchdog::TickWatchdog(WorldDirectory& worlds, Settings settings)
     : worlds_(worlds),
       settings_(settings),
-      looked_at_(Clock::now().time_since_epoch().count()),
+      checked_at_(Clock::now().time_since_epoch().count()),
       thread_([this] { run(); }) {}
 
 TickWatchdog::~TickWatchdog() {
@@ -28,13 +28,13 @@ TickWatchdog::~TickWatchdog() {
     thread_.join();
 }
 
-bool TickWatchdog::all_tick(Clock::time_point now) const {
-    const Clock::time_point looked{Clock::duration(looked_at_.load())};
+bool TickWatchdog::all_worlds_tick(Clock::time_point now) const {
+    const Clock::time_point looked{Clock::duration(checked_at_.load())};
     return !hung_ && now - looked < settings_.hung_after;
 }
 
-void TickWatchdog::look(Clock::time_point now) {
-    const Clock::time_point looked{Clock::duration(looked_at_.load())};
+void TickWatchdog::check(Clock::time_point now) {
+    const Clock::time_point looked{Clock::duration(checked_at_.load())};
     bool hung = false;
     for (const auto& world : worlds_.list()) {
         const auto began = world->tick_began();
@@ -46,7 +46,7 @@ void TickWatchdog::look(Clock::time_point now) {
         world->interrupt(fmt::format("a step took more than {:.1f} s", to_ms(took) / 1000));
     }
     hung_ = hung && now - looked <= process_stall_min;
-    looked_at_ = now.time_since_epoch().count();
+    checked_at_ = now.time_since_epoch().count();
     worlds_.restart_failed(now);
 }
 
@@ -54,7 +54,7 @@ void TickWatchdog::run() {
     std::unique_lock lock(mutex_);
     while (!wake_.wait_for(lock, period, [&] { return stopping_; })) {
         lock.unlock();
-        look(Clock::now());
+        check(Clock::now());
         lock.lock();
     }
 }

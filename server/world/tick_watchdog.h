@@ -26,17 +26,17 @@ public:
 
     // Any thread: false while a tick runs for too long. Of a watch that itself does not get to
     // look, as well.
-    bool all_tick(Clock::time_point now) const;
+    bool all_worlds_tick(Clock::time_point now) const;
 
     // What the thread does every now and then.
-    void look(Clock::time_point now);
+    void check(Clock::time_point now);
 
 private:
     void run();
 
     WorldDirectory& worlds_;
     const Settings settings_;
-    std::atomic<Clock::rep> looked_at_;
+    std::atomic<Clock::rep> checked_at_;
     std::atomic<bool> hung_{false};
     std::mutex mutex_;
     std::condition_variable wake_;

@@ -225,7 +225,7 @@ void Simulation::night() {
 void Simulation::check_that_nothing_is_left() {
     if (server_->sessions.clients() != 0)
         complain(std::to_string(server_->sessions.clients()) + " clients are still counted");
-    if (const auto sights = server_->context.records.look(now_); !sights.empty())
+    if (const auto sights = server_->context.records.check(now_); !sights.empty())
         complain("there is still a record of client " + std::to_string(sights.front().who.id));
     for (const auto& entity : *server_->world->frame()->entity_list)
         if (entity->owner != 0)

@@ -77,8 +77,8 @@ TEST(TickWatchdog, health_knows_of_a_tick_that_hangs) {
                           1);
     ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok());
     const TickWatchdog watch(worlds, {.step_max = 60s, .hung_after = 500ms});
-    EXPECT_TRUE(wait_until([&] { return !watch.all_tick(Clock::now()); }));
-    EXPECT_TRUE(wait_until([&] { return watch.all_tick(Clock::now()); }));
+    EXPECT_TRUE(wait_until([&] { return !watch.all_worlds_tick(Clock::now()); }));
+    EXPECT_TRUE(wait_until([&] { return watch.all_worlds_tick(Clock::now()); }));
 }
 
 TEST(TickWatchdog, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {

@@ -8,7 +8,7 @@
 
 namespace jostle::server {
 
-MaintenanceThread::MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+MaintenanceThread::MaintenanceThread(Authorizer& gate, CertificateStore* certificates, std::function<void()> every_second,
                std::function<bool()> is_healthy)
     : gate_(gate),
       certificates_(certificates),

@@ -21,7 +21,7 @@ class MaintenanceThread {
 public:
     // Gate and certificates outlive it; null certificates: there are none. `every_second`,
     // `is_healthy`: any thread.
-    MaintenanceThread(Gate& gate, CertificateStore* certificates, std::function<void()> every_second,
+    MaintenanceThread(Authorizer& gate, CertificateStore* certificates, std::function<void()> every_second,
            std::function<bool()> is_healthy);
     ~MaintenanceThread();
 
@@ -30,7 +30,7 @@ private:
     void poll_files();
     void ping_watchdog();
 
-    Gate& gate_;
+    Authorizer& gate_;
     CertificateStore* const certificates_;
     const std::function<void()> every_second_;
     const std::function<bool()> is_healthy_;

@@ -261,9 +261,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         log_warn("development.network_conditions makes the link to every client worse on purpose: {}",
                  config.development.network_conditions);
 
-    const auto opened = Gate::open(config);
+    const auto opened = Authorizer::open(config);
     if (!opened.ok()) return failed(opened.error());
-    Gate& gate = **opened;
+    Authorizer& gate = **opened;
     std::unique_ptr<CertificateStore> certificates;
     if (!config.tls.certificate.empty()) {
         auto store = CertificateStore::open(config.tls, std::chrono::system_clock::now());

@@ -132,7 +132,7 @@ std::string_view reason_of(TicketFate fate) {
 
 }  // namespace
 
-Result<std::unique_ptr<Gate>> Gate::open(const Config& config) {
+Result<std::unique_ptr<Authorizer>> Authorizer::open(const Config& config) {
     std::unique_ptr<KeySet> keys;
     if (!config.auth.keys.empty()) {
         Result<std::unique_ptr<KeySet>> opened = KeySet::open(config.auth.keys);
@@ -141,10 +141,10 @@ Result<std::unique_ptr<Gate>> Gate::open(const Config& config) {
     }
     Result<std::unique_ptr<AuditLog>> audit = AuditLog::open(config.auth.audit_log);
     if (!audit.ok()) return audit.error();
-    return std::unique_ptr<Gate>(new Gate(config, std::move(keys), std::move(*audit)));
+    return std::unique_ptr<Authorizer>(new Authorizer(config, std::move(keys), std::move(*audit)));
 }
 
-Gate::Gate(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit)
+Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit)
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
              .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
@@ -154,7 +154,7 @@ Gate::Gate(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<A
       quotas_(config.quota),
       logins_(logins_max) {}
 
-Result<Identity> Gate::identify(const Caller& caller, const Moment& now) {
+Result<Identity> Authorizer::identify(const Caller& caller, const Moment& now) {
     if (caller.bearer.empty() && caller.certificate.empty())
         return Identity{.role = anonymous_role_};
     Result<Identity> who =
@@ -169,7 +169,7 @@ Result<Identity> Gate::identify(const Caller& caller, const Moment& now) {
 
 // Checking a signature is the most that a stranger can make this server do before it knows him. So
 // an address whose tokens are refused all the time is made to wait, whatever it shows.
-Result<Identity> Gate::identify_token(const Caller& caller, const Moment& now) {
+Result<Identity> Authorizer::identify_token(const Caller& caller, const Moment& now) {
     const std::string network = network_of(caller.address);
     AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
     entry.address = caller.address;
@@ -188,7 +188,7 @@ Result<Identity> Gate::identify_token(const Caller& caller, const Moment& now) {
     return refuse(who.error());
 }
 
-Status Gate::admit(const Identity& who, const Ask& ask, const Moment& now) {
+Status Authorizer::admit(const Identity& who, const Ask& ask, const Moment& now) {
     const AccessRow* row = find_call(ask.call);
     Status status = check_rights(who, row, ask.world, now);
     if (const std::optional<Paid> paid = row ? paid_by(row->kind) : std::nullopt;
@@ -208,21 +208,21 @@ Status Gate::admit(const Identity& who, const Ask& ask, const Moment& now) {
     return status;
 }
 
-void Gate::record(const Identity& who, const Ask& ask, const Status& outcome, const Moment& now) {
+void Authorizer::record(const Identity& who, const Ask& ask, const Status& outcome, const Moment& now) {
     AuditEntry entry = entry_of(who, ask, now);
     entry.outcome = outcome.ok() ? "done" : "failed";
     if (!outcome.ok()) entry.reason = outcome.error().message;
     audit_->record(entry);
 }
 
-Result<std::string> Gate::issue_ticket(const Identity& who, std::string_view world_id,
+Result<std::string> Authorizer::issue_ticket(const Identity& who, std::string_view world_id,
                                        std::string_view address, const Moment& now) {
     return tickets_.issue(who, account_of(who, address), std::string(world_id), now.steady);
 }
 
 // Which of the three was wrong with a ticket is for the audit log alone: to a guesser it would say
 // how near he is.
-Result<Gate::Entry> Gate::redeem_ticket(std::string_view ticket, std::string_view world_id,
+Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket, std::string_view world_id,
                                         std::string_view address, const Moment& now) {
     Tickets::Redeemed redeemed = tickets_.redeem(ticket, now.steady);
     std::string_view reason = reason_of(redeemed.fate);
@@ -243,17 +243,17 @@ Result<Gate::Entry> Gate::redeem_ticket(std::string_view ticket, std::string_vie
     return unauthenticated("the ticket is not good (any more); ask JoinWorld for another");
 }
 
-void Gate::poll(const Moment& now) {
+void Authorizer::poll(const Moment& now) {
     if (keys_) keys_->poll(now.steady);
 }
 
-void Gate::reload() {
+void Authorizer::reload() {
     if (keys_) keys_->reload();
     audit_->reopen();
 }
 
 // One line for a token at an address, not one for each of its calls.
-void Gate::audit_login(const Identity& who, std::string_view address, const Moment& now) {
+void Authorizer::audit_login(const Identity& who, std::string_view address, const Moment& now) {
     const std::string key = fmt::format("{}\n{}\n{}\n{}", who.subject, address, who.token_id,
                                         who.expires.time_since_epoch().count());
     {
@@ -267,7 +267,7 @@ void Gate::audit_login(const Identity& who, std::string_view address, const Mome
 }
 
 // Whoever is refused all the time must not fill the disk with that.
-void Gate::audit_refusal(const AuditEntry& entry, const Moment& now) {
+void Authorizer::audit_refusal(const AuditEntry& entry, const Moment& now) {
     const std::string network = network_of(entry.address);
     if (quotas_.take(Work::audited_refusals, {}, network, now.steady).granted) {
         audit_->record(entry);

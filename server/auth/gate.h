@@ -49,10 +49,10 @@ struct Ask {
     std::string_view address;
 };
 
-class Gate {
+class Authorizer {
 public:
     // Reads the keys and opens the audit log.
-    static Result<std::unique_ptr<Gate>> open(const Config& config);
+    static Result<std::unique_ptr<Authorizer>> open(const Config& config);
 
     // A token decides, if there is one; then a certificate, whose holder is an admin; who shows
     // neither is anonymous.
@@ -86,7 +86,7 @@ public:
     AuditLog& audit() { return *audit_; }
 
 private:
-    Gate(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
+    Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
 
     Result<Identity> identify_token(const Caller& caller, const Moment& now);
     void audit_login(const Identity& who, std::string_view address, const Moment& now);

@@ -61,7 +61,7 @@ struct CallFront::Call {
     void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-CallFront::CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& gate, CallLimits limits,
                      RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;

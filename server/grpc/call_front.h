@@ -41,7 +41,7 @@ struct CallLimits {
 class CallFront {
 public:
     // The gate outlives the front, and so do `metrics`; null: nobody counts.
-    CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+    CallFront(std::vector<CallMethod> methods, Authorizer& gate, CallLimits limits,
               RpcMetrics* metrics = nullptr);
     ~CallFront();
 
@@ -79,7 +79,7 @@ private:
     CallContext context_of(const Call& call) const;
 
     const std::map<std::string, CallMethod> methods_;  // by path
-    Gate& gate_;
+    Authorizer& gate_;
     const CallLimits limits_;
     RpcMetrics* const metrics_;
     grpc::AsyncGenericService service_;

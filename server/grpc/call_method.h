@@ -21,7 +21,7 @@ namespace jostle::server {
 
 // Who calls, and until when the answer is of use.
 struct CallContext {
-    Gate& gate;
+    Authorizer& gate;
     std::string_view call;  // the row of the access table
     const Identity& who;
     std::string address;

@@ -18,7 +18,7 @@ std::string_view header_of(const grpc::ServerContext& call, const char* name) {
 }  // namespace
 
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Gate& gate) {
+                          Authorizer& gate) {
     const Result<std::string_view> bearer = bearer_in(header_of(call, "authorization"));
     if (!bearer.ok()) return bearer.error();
     return gate.identify(

@@ -12,6 +12,6 @@
 namespace jostle::server {
 
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Gate& gate);
+                          Authorizer& gate);
 
 }  // namespace jostle::server

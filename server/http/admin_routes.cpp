@@ -78,7 +78,7 @@ Status AdminRoutes::authorize(const HttpRequest& request, const std::string& wor
     if (!row) return Error{ErrorCode::not_found, "There is no such path."};
     const Result<std::string_view> bearer = bearer_in(request.authorization);
     if (!bearer.ok()) return bearer.error();
-    Gate& gate = control_.gate();
+    Authorizer& gate = control_.gate();
     const Result<Identity> who = gate.identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();

@@ -39,7 +39,7 @@ public:
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
-    Gate& gate() const { return context_.gate; }
+    Authorizer& gate() const { return context_.gate; }
     // What a request is about, for the gate; null: there is no such world.
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);

@@ -50,7 +50,7 @@ public:
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);
     }
-    Gate& gate() const { return context_.gate; }
+    Authorizer& gate() const { return context_.gate; }
 
 private:
     Result<std::shared_ptr<WorldHost>> create_from(const v1::CreateWorldRequest& request,

@@ -167,7 +167,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hel
         if (!world.ok()) return world.error();
         named = (*world)->id();
     }
-    const Result<Gate::Entry> entry =
+    const Result<Authorizer::Entry> entry =
         context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
     if (!entry.ok()) return entry.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);

@@ -23,7 +23,7 @@ struct PlayContext {
     const Config& config;
     WorldDirectory& worlds;
     SessionDirectory& sessions;
-    Gate& gate;
+    Authorizer& gate;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     DatagramServer* datagrams = nullptr;  // null: all goes by streams

@@ -27,7 +27,7 @@ struct SmallServer {
         c.client.bodies_owned_max = 6;
         return c;
     }();
-    server::Gate& gate = open_gate();
+    server::Authorizer& gate = open_gate();
     server::SessionDirectory sessions{2};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
@@ -43,15 +43,15 @@ struct SmallServer {
 private:
     // One for all inputs, because its log has a thread: everybody may do everything, as often as
     // he likes.
-    static server::Gate& open_gate() {
-        static const std::unique_ptr<server::Gate> gate = [] {
+    static server::Authorizer& open_gate() {
+        static const std::unique_ptr<server::Authorizer> gate = [] {
             server::Config c;
             c.auth.anonymous_role = "admin";
             c.auth.audit_log = "/dev/null";
             for (double* rate : {&c.quota.creates_per_minute, &c.quota.joins_per_minute,
                                  &c.quota.queries_per_second})
                 *rate = 1e9;
-            return server::Gate::open(c).value();
+            return server::Authorizer::open(c).value();
         }();
         return *gate;
     }

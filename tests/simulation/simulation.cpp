@@ -42,12 +42,12 @@ server::Config small_config() {
 
 // A process, from start to end.
 struct Simulation::Server {
-    explicit Server(server::Gate& opened) : gate(opened) {
+    explicit Server(server::Authorizer& opened) : gate(opened) {
         world = worlds.create("", scene()).value();
     }
 
     const server::Config config = small_config();
-    server::Gate& gate;
+    server::Authorizer& gate;
     server::SessionDirectory sessions{5};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
@@ -78,7 +78,7 @@ void Simulation::complain(const std::string& what) {
 
 void Simulation::start_server() {
     // Its log has a thread, so there is one for all.
-    static const std::unique_ptr<server::Gate> gate = server::Gate::open(small_config()).value();
+    static const std::unique_ptr<server::Authorizer> gate = server::Authorizer::open(small_config()).value();
     lines_.clear();
     frames_.clear();
     server_.reset();

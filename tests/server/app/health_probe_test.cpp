@@ -57,7 +57,7 @@ private:
     const Config config_;
     SessionDirectory sessions_{1};
     WorldDirectory worlds_{{}, 1};
-    const std::unique_ptr<Gate> gate_ = *Gate::open(config_);
+    const std::unique_ptr<Authorizer> gate_ = *Authorizer::open(config_);
     PlayContext context_{
         .config = config_, .worlds = worlds_, .sessions = sessions_, .gate = *gate_};
     WorldControl control_{context_};

@@ -36,7 +36,7 @@ protected:
     }
     void open() {
         gate.reset();
-        Result<std::unique_ptr<Gate>> opened = Gate::open(config);
+        Result<std::unique_ptr<Authorizer>> opened = Authorizer::open(config);
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         gate = std::move(*opened);
     }
@@ -68,7 +68,7 @@ protected:
     const LoginService login;
     Config config;
     Moment now{Clock::time_point{}, WallTime(1'790'000'000s)};
-    std::unique_ptr<Gate> gate;
+    std::unique_ptr<Authorizer> gate;
 };
 
 TEST_F(GateTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
@@ -223,7 +223,7 @@ TEST_F(GateTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
 TEST_F(GateTest, a_ticket_lets_in_once_whom_it_was_given_to) {
     const Identity anna = known("anna", "player");
     const std::string ticket = gate->issue_ticket(anna, "w1", home, now).value();
-    const Gate::Entry entry = gate->redeem_ticket(ticket, "", home, now).value();
+    const Authorizer::Entry entry = gate->redeem_ticket(ticket, "", home, now).value();
     EXPECT_EQ(entry.who.subject, "anna");
     EXPECT_EQ(entry.who.role, Role::player);
     EXPECT_EQ(entry.world_id, "w1");
@@ -372,10 +372,10 @@ TEST_F(GateTest, a_new_key_set_is_taken_over_while_it_runs) {
 
 TEST_F(GateTest, settings_that_cannot_work_are_named) {
     config.auth.keys = folder / "missing.json";
-    EXPECT_FALSE(Gate::open(config).ok());
+    EXPECT_FALSE(Authorizer::open(config).ok());
     config.auth.keys.clear();
     config.auth.audit_log = "/no/such/folder/audit";
-    EXPECT_FALSE(Gate::open(config).ok());
+    EXPECT_FALSE(Authorizer::open(config).ok());
 }
 
 TEST_F(GateTest, many_threads_ask_while_keys_change) {

@@ -43,7 +43,7 @@ protected:
                        .audit_log = folder / "audit.jsonl"};
         config.quota.creates_per_minute = config.quota.joins_per_minute =
             config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
-        gate = *Gate::open(config);
+        gate = *Authorizer::open(config);
         context.reset(new PlayContext{
             .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
         control = std::make_unique<WorldControl>(*context);
@@ -130,7 +130,7 @@ protected:
     Config config;
     SessionDirectory sessions{100};
     WorldDirectory worlds{{}, 40};
-    std::unique_ptr<Gate> gate;
+    std::unique_ptr<Authorizer> gate;
     std::unique_ptr<PlayContext> context;
     std::unique_ptr<WorldControl> control;
     std::unique_ptr<QueryControl> queries;

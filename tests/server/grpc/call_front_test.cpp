@@ -74,7 +74,7 @@ protected:
     Config config;
     SessionDirectory sessions{4};
     WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();

@@ -81,7 +81,7 @@ protected:
     DatagramServer port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,

@@ -36,7 +36,7 @@ protected:
                 .value();
         ASSERT_TRUE(worlds.create("sandbox", *scenes::find_scene("stack")).ok());
         config.quota.joins_per_minute = config.quota.queries_per_second = 1e6;
-        gate = *Gate::open(config);
+        gate = *Authorizer::open(config);
         context.reset(new PlayContext{
             .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
         control = std::make_unique<WorldControl>(*context);
@@ -69,7 +69,7 @@ protected:
                                    if (GrpcServer* const s = woken) s->wake();
                                }},
                           4};
-    std::unique_ptr<Gate> gate;
+    std::unique_ptr<Authorizer> gate;
     std::unique_ptr<PlayContext> context;
     std::unique_ptr<WorldControl> control;
     std::unique_ptr<GrpcServer> server;

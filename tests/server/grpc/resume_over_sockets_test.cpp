@@ -67,7 +67,7 @@ protected:
     SessionDirectory sessions{4};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
     client::Loop loop;

@@ -57,7 +57,7 @@ protected:
     SessionDirectory sessions{4};
     Metrics metrics{"test", {"solve"}};
     WorldDirectory worlds{{.metrics = &metrics}, 4};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,

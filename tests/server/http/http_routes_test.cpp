@@ -37,7 +37,7 @@ protected:
     }();
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};
     QueryControl queries{context};

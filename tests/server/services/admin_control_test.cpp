@@ -59,7 +59,7 @@ protected:
     Config config;
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     AdminControl control{context};
 };

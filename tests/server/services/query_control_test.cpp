@@ -75,7 +75,7 @@ protected:
     Config config;
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    const std::unique_ptr<Gate> who_may = *Gate::open(config);
+    const std::unique_ptr<Authorizer> who_may = *Authorizer::open(config);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *who_may};
     QueryControl queries{context};
 };

@@ -29,7 +29,7 @@ struct QuietServer {
     }
 
     server::Config config;
-    const std::unique_ptr<server::Gate> gate = *server::Gate::open(config);
+    const std::unique_ptr<server::Authorizer> gate = *server::Authorizer::open(config);
     server::SessionDirectory sessions{20};
     server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
                                               .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},

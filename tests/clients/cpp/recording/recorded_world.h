@@ -32,7 +32,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     server::Config config;
     config.auth.anonymous_role = "player";
     config.auth.audit_log = "/dev/null";
-    const std::unique_ptr<server::Gate> gate = server::Gate::open(config).value();
+    const std::unique_ptr<server::Authorizer> gate = server::Authorizer::open(config).value();
     server::SessionDirectory sessions{2};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_thread = false}, 1};

@@ -25,7 +25,7 @@ constexpr const char* play = "jostle.v1.PlayService/Play";
 constexpr const char* debug = "jostle.v1.QueryService/Debug";
 constexpr const char* home = "192.0.2.7";
 
-class GateTest : public testing::Test {
+class AuthorizerTest : public testing::Test {
 protected:
     void SetUp() override {
         config.auth = {.issuer = LoginService::issuer,
@@ -71,7 +71,7 @@ protected:
     std::unique_ptr<Authorizer> gate;
 };
 
-TEST_F(GateTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
+TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
     const Identity anna = known("anna", "player");
     EXPECT_EQ(anna.subject, "anna");
     EXPECT_EQ(anna.role, Role::player);
@@ -92,7 +92,7 @@ TEST_F(GateTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
     EXPECT_EQ(error.code, ErrorCode::unauthenticated);
 }
 
-TEST_F(GateTest, what_anonymous_may_do_is_a_setting) {
+TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
     for (const auto& [setting, role] :
          {std::pair("none", Role::none), std::pair("viewer", Role::viewer),
           std::pair("player", Role::player), std::pair("director", Role::director),
@@ -114,7 +114,7 @@ TEST_F(GateTest, what_anonymous_may_do_is_a_setting) {
 
 // Every row of the table by every role: those below the least are refused, and anonymous ones told
 // to show a token.
-TEST_F(GateTest, every_row_goes_by_its_least_role) {
+TEST_F(AuthorizerTest, every_row_goes_by_its_least_role) {
     int refused = 0;
     for (const AccessRow& row : access_table()) {
         for (const Role role :
@@ -138,7 +138,7 @@ TEST_F(GateTest, every_row_goes_by_its_least_role) {
     }
 }
 
-TEST_F(GateTest, directors_delete_their_own_worlds_and_admins_any) {
+TEST_F(AuthorizerTest, directors_delete_their_own_worlds_and_admins_any) {
     const Identity anna = known("anna", "director"), boss = known("boss", "admin");
     EXPECT_TRUE(ask(anna, remove_world, {"w1", "arena", "anna"}).ok());
     EXPECT_EQ(error_of(ask(anna, remove_world, {"w1", "arena", "berta"})).code,
@@ -153,7 +153,7 @@ TEST_F(GateTest, directors_delete_their_own_worlds_and_admins_any) {
     EXPECT_TRUE(ask(anonymous(), remove_world, {"w1", "arena", "anonymous"}).ok());
 }
 
-TEST_F(GateTest, a_token_for_one_world_opens_no_other) {
+TEST_F(AuthorizerTest, a_token_for_one_world_opens_no_other) {
     const Identity by_id = known("anna", "player", {{"world", "w1"}}),
                    by_name = known("berta", "player", {{"world", "arena"}}),
                    director = known("carla", "director", {{"world", "w1"}});
@@ -170,7 +170,7 @@ TEST_F(GateTest, a_token_for_one_world_opens_no_other) {
     EXPECT_FALSE(ask(director, create, {}).ok());
 }
 
-TEST_F(GateTest, an_identity_ends_with_its_token) {
+TEST_F(AuthorizerTest, an_identity_ends_with_its_token) {
     const Identity anna = known("anna", "player");
     now.wall += 1h + 29s;
     EXPECT_TRUE(ask(anna, debug).ok());
@@ -179,13 +179,13 @@ TEST_F(GateTest, an_identity_ends_with_its_token) {
     EXPECT_TRUE(ask(anna, "GET /healthz").ok()) << "what is open is open";
 }
 
-TEST_F(GateTest, a_call_without_a_row_is_refused_to_admins_too) {
+TEST_F(AuthorizerTest, a_call_without_a_row_is_refused_to_admins_too) {
     EXPECT_EQ(error_of(ask(known("boss", "admin"), "jostle.v1.WorldService/Explode")).code,
               ErrorCode::permission_denied);
     EXPECT_FALSE(ask(known("boss", "admin"), "").ok());
 }
 
-TEST_F(GateTest, who_asks_too_often_is_told_when_to_come_back) {
+TEST_F(AuthorizerTest, who_asks_too_often_is_told_when_to_come_back) {
     config.quota.creates_per_minute = 3;
     open();
     const Identity anna = known("anna", "director");
@@ -199,7 +199,7 @@ TEST_F(GateTest, who_asks_too_often_is_told_when_to_come_back) {
     EXPECT_TRUE(ask(anna, create, {}).ok());
 }
 
-TEST_F(GateTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
+TEST_F(AuthorizerTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
     config.quota.refused_logins_per_minute = 5;
     open();
     const auto login_with = [&](const std::string& bearer, const char* address) {
@@ -220,7 +220,7 @@ TEST_F(GateTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
     EXPECT_TRUE(login_with(good, home).ok()) << "good ones cost nothing";
 }
 
-TEST_F(GateTest, a_ticket_lets_in_once_whom_it_was_given_to) {
+TEST_F(AuthorizerTest, a_ticket_lets_in_once_whom_it_was_given_to) {
     const Identity anna = known("anna", "player");
     const std::string ticket = gate->issue_ticket(anna, "w1", home, now).value();
     const Authorizer::Entry entry = gate->redeem_ticket(ticket, "", home, now).value();
@@ -231,7 +231,7 @@ TEST_F(GateTest, a_ticket_lets_in_once_whom_it_was_given_to) {
 }
 
 // Whoever guesses hears the same words whatever was wrong; the audit log has the difference.
-TEST_F(GateTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
+TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
     const Identity anna = known("anna", "player");
     const auto issue = [&] { return gate->issue_ticket(anna, "w1", home, now).value(); };
     const std::string used = issue(), elsewhere = issue(), outlived = issue();
@@ -263,7 +263,7 @@ TEST_F(GateTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
     }
 }
 
-TEST_F(GateTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
+TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
     const Identity anna = known("anna", "director", {{"jti", "t-9"}});
     const Ask made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
     EXPECT_TRUE(ask(anna, create, {}).ok());
@@ -290,13 +290,13 @@ TEST_F(GateTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
                         "admin refused w1 this takes the role admin, and yours is director"}));
 }
 
-TEST_F(GateTest, a_token_is_told_of_once_not_with_each_call) {
+TEST_F(AuthorizerTest, a_token_is_told_of_once_not_with_each_call) {
     for (int i = 0; i < 100; ++i) known("anna", "viewer");
     known("anna", "viewer", {{"jti", "another"}});
     EXPECT_EQ(audited().size(), 2u);
 }
 
-TEST_F(GateTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
+TEST_F(AuthorizerTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
     config.quota.refusals_audited_per_minute = 10;
     open();
     for (int i = 0; i < 500; ++i) EXPECT_FALSE(ask(anonymous(), create, {}).ok());
@@ -318,7 +318,7 @@ TEST_F(GateTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
 
 // Forged, expired, none, without an end, for others, replayed: refused, audited, and nothing of
 // them written down.
-TEST_F(GateTest, no_token_or_ticket_is_ever_written) {
+TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
     std::vector<std::string> secrets;
     const auto show = [&](const std::string& bearer) {
         secrets.push_back(bearer);
@@ -353,7 +353,7 @@ TEST_F(GateTest, no_token_or_ticket_is_ever_written) {
     }
 }
 
-TEST_F(GateTest, a_new_key_set_is_taken_over_while_it_runs) {
+TEST_F(AuthorizerTest, a_new_key_set_is_taken_over_while_it_runs) {
     const LoginService renewed{.key_id = "second"};
     const std::string of_new = renewed.token(LoginService::claims("anna", "player", now.wall));
     const auto is_good = [&](const std::string& bearer) {
@@ -370,7 +370,7 @@ TEST_F(GateTest, a_new_key_set_is_taken_over_while_it_runs) {
     EXPECT_TRUE(is_good(token("anna", "player")));
 }
 
-TEST_F(GateTest, settings_that_cannot_work_are_named) {
+TEST_F(AuthorizerTest, settings_that_cannot_work_are_named) {
     config.auth.keys = folder / "missing.json";
     EXPECT_FALSE(Authorizer::open(config).ok());
     config.auth.keys.clear();
@@ -378,7 +378,7 @@ TEST_F(GateTest, settings_that_cannot_work_are_named) {
     EXPECT_FALSE(Authorizer::open(config).ok());
 }
 
-TEST_F(GateTest, many_threads_ask_while_keys_change) {
+TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
     const std::string bearer = token("anna", "player");
     std::atomic<int> let_in = 0;
     {

@@ -8,9 +8,9 @@
 
 namespace jostle::server {
 
-MaintenanceThread::MaintenanceThread(Authorizer& gate, CertificateStore* certificates, std::function<void()> every_second,
+MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates, std::function<void()> every_second,
                std::function<bool()> is_healthy)
-    : gate_(gate),
+    : gate_(authorizer),
       certificates_(certificates),
       every_second_(std::move(every_second)),
       is_healthy_(std::move(is_healthy)) {

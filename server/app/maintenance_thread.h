@@ -12,7 +12,7 @@
 #include <functional>
 #include <thread>
 
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 #include "server/tls/certificate_store.h"
 
 namespace jostle::server {
@@ -21,7 +21,7 @@ class MaintenanceThread {
 public:
     // Gate and certificates outlive it; null certificates: there are none. `every_second`,
     // `is_healthy`: any thread.
-    MaintenanceThread(Authorizer& gate, CertificateStore* certificates, std::function<void()> every_second,
+    MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates, std::function<void()> every_second,
            std::function<bool()> is_healthy);
     ~MaintenanceThread();
 

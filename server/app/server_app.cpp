@@ -263,7 +263,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     const auto opened = Authorizer::open(config);
     if (!opened.ok()) return failed(opened.error());
-    Authorizer& gate = **opened;
+    Authorizer& authorizer = **opened;
     std::unique_ptr<CertificateStore> certificates;
     if (!config.tls.certificate.empty()) {
         auto store = CertificateStore::open(config.tls, std::chrono::system_clock::now());
@@ -278,7 +278,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
-                        .gate = gate,
+                        .authorizer = authorizer,
                         .metrics = &metrics,
                         .rpc_metrics = &rpc_metrics,
                         .datagrams = datagrams ? &*datagrams : nullptr};
@@ -373,7 +373,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     {
         const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
-        const MaintenanceThread maintenance_thread(gate, certificates.get(), now_and_then, [&] {
+        const MaintenanceThread maintenance_thread(authorizer, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_worlds_tick(now) && !grpc.failure_reason(now);
         });

@@ -24,7 +24,7 @@ CallMethod server_call(AdminControl& control, const char* name, Audit audit,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
             Status done = (control.*handle)(request, response);
-            if (audit == Audit::yes) context.gate.record(context.who, context.ask({}), done);
+            if (audit == Audit::yes) context.authorizer.record(context.who, context.ask({}), done);
             return done;
         });
 }
@@ -40,7 +40,7 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
                                   Response& response) {
             Status done = (control.*handle)(request, response);
             if (audit == Audit::yes)
-                context.gate.record(context.who, context.ask({request.world(), {}, {}}), done);
+                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}), done);
             return done;
         });
 }

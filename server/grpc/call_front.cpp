@@ -61,14 +61,14 @@ struct CallFront::Call {
     void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& gate, CallLimits limits,
+CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
                      RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;
           for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
           return by_path;
       }()),
-      gate_(gate),
+      gate_(authorizer),
       limits_(limits),
       metrics_(metrics),
       quick_pool_(1, limits.queue_max, 0),
@@ -167,7 +167,7 @@ Status CallFront::authorize(Call& call) const {
 }
 
 CallContext CallFront::context_of(const Call& call) const {
-    return {.gate = gate_,
+    return {.authorizer = gate_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
             .address = call.connection->address,

@@ -41,7 +41,7 @@ struct CallLimits {
 class CallFront {
 public:
     // The gate outlives the front, and so do `metrics`; null: nobody counts.
-    CallFront(std::vector<CallMethod> methods, Authorizer& gate, CallLimits limits,
+    CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
               RpcMetrics* metrics = nullptr);
     ~CallFront();
 

@@ -21,7 +21,7 @@ namespace jostle::server {
 
 // Who calls, and until when the answer is of use.
 struct CallContext {
-    Authorizer& gate;
+    Authorizer& authorizer;
     std::string_view call;  // the row of the access table
     const Identity& who;
     std::string address;
@@ -67,7 +67,7 @@ inline Status parse(std::string_view bytes, google::protobuf::Message& request) 
 inline Status admit(const CallContext& context, const WorldDirectory& worlds,
                     const std::string& name) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
-    return context.gate.admit(context.who, context.ask(world ? asked_world(*world) : AskedWorld{}));
+    return context.authorizer.admit(context.who, context.ask(world ? asked_world(*world) : AskedWorld{}));
 }
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).

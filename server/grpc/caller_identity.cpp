@@ -18,10 +18,10 @@ std::string_view header_of(const grpc::ServerContext& call, const char* name) {
 }  // namespace
 
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Authorizer& gate) {
+                          Authorizer& authorizer) {
     const Result<std::string_view> bearer = bearer_in(header_of(call, "authorization"));
     if (!bearer.ok()) return bearer.error();
-    return gate.identify(
+    return authorizer.identify(
         {.bearer = *bearer, .certificate = connection.certificate, .address = connection.address});
 }
 

@@ -6,12 +6,12 @@
 
 #include <grpcpp/server_context.h>
 
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 #include "server/grpc_proxy/connection_table.h"
 
 namespace jostle::server {
 
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Authorizer& gate);
+                          Authorizer& authorizer);
 
 }  // namespace jostle::server

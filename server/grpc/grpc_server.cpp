@@ -74,7 +74,7 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                        std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.authorizer, {},
              context.rpc_metrics),
       table_(settings_.connections),
       relay_(table_, settings_.relay, settings_.metrics),

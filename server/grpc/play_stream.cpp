@@ -40,7 +40,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                                          Peer{.name = "grpc:" + connection_->peer,
                                               .address = connection_->address,
                                               .call = "jostle.v1.PlayService/Play",
-                                              .who = identify(context_, *connection_, context.gate),
+                                              .who = identify(context_, *connection_, context.authorizer),
                                               .wake = std::move(wake)},
                                          now);
     start_read();

@@ -48,7 +48,7 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = create(control, context, request, response);
                 const v1::WorldInfo& made = response.world();
-                context.gate.record(context.who,
+                context.authorizer.record(context.who,
                                     context.ask({made.id(), made.name(), made.owner()}), done);
                 return done;
             }),
@@ -56,7 +56,7 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
             service + "DeleteWorld", CallWork::control, small_request, worlds,
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = control.remove(request, response);
-                context.gate.record(context.who, context.ask({request.world(), {}, {}}), done);
+                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}), done);
                 return done;
             }),
     };

@@ -78,12 +78,12 @@ Status AdminRoutes::authorize(const HttpRequest& request, const std::string& wor
     if (!row) return Error{ErrorCode::not_found, "There is no such path."};
     const Result<std::string_view> bearer = bearer_in(request.authorization);
     if (!bearer.ok()) return bearer.error();
-    Authorizer& gate = control_.gate();
-    const Result<Identity> who = gate.identify(
+    Authorizer& authorizer = control_.authorizer();
+    const Result<Identity> who = authorizer.identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
     const std::shared_ptr<WorldHost> host = control_.find(world);
-    return gate.admit(*who, {row->call, host ? asked_world(*host) : AskedWorld{}, request.address});
+    return authorizer.admit(*who, {row->call, host ? asked_world(*host) : AskedWorld{}, request.address});
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {

@@ -161,12 +161,12 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
                      "are what there is."};
     const Result<std::string_view> bearer = bearer_in(request.authorization);
     if (!bearer.ok()) return bearer.error();
-    Result<Identity> who = worlds_.gate().identify(
+    Result<Identity> who = worlds_.authorizer().identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
     RequestContext context{*std::move(who), row, request.address};
     if (row->scope != Scope::server) return context;
-    if (Status s = worlds_.gate().admit(context.who, {row->call, {}, context.address}); !s.ok())
+    if (Status s = worlds_.authorizer().admit(context.who, {row->call, {}, context.address}); !s.ok())
         return s.error();
     return context;
 }
@@ -175,7 +175,7 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
 Status HttpRoutes::authorize_world(const RequestContext& context, const std::string& world) const {
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
     const AskedWorld asked = host ? asked_world(*host) : AskedWorld{};
-    return worlds_.gate().admit(context.who, {context.row->call, asked, context.address});
+    return worlds_.authorizer().admit(context.who, {context.row->call, asked, context.address});
 }
 
 HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view path) const {
@@ -222,7 +222,7 @@ HttpResponse HttpRoutes::create_world(const HttpRequest& request, const RequestC
     v1::CreateWorldResponse response;
     const Status status = worlds_.create(message, response, context.who, context.address);
     const v1::WorldInfo& made = response.world();
-    worlds_.gate().record(context.who,
+    worlds_.authorizer().record(context.who,
                           {context.row->call, {made.id(), made.name(), made.owner()}, context.address},
                           status);
     return status.ok() ? json(201, response) : to_http(status.error());
@@ -247,7 +247,7 @@ HttpResponse HttpRoutes::delete_world(const std::string& world, const RequestCon
     request.set_world(world);
     v1::DeleteWorldResponse response;
     const Status status = worlds_.remove(request, response);
-    worlds_.gate().record(context.who, {context.row->call, {world, {}, {}}, context.address}, status);
+    worlds_.authorizer().record(context.who, {context.row->call, {world, {}, {}}, context.address}, status);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 

@@ -91,7 +91,7 @@ void WebSocketSession::on_accepted(beast::error_code error) {
         Peer{.name = peer_,
              .address = address_,
              .call = "GET /play",
-             .who = context_.gate.identify(
+             .who = context_.authorizer.identify(
                  {.certificate = socket_->next_layer().certificate(), .address = address_})},
         Clock::now());
     read();

@@ -39,7 +39,7 @@ public:
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
-    Authorizer& gate() const { return context_.gate; }
+    Authorizer& authorizer() const { return context_.authorizer; }
     // What a request is about, for the gate; null: there is no such world.
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);

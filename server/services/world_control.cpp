@@ -93,7 +93,7 @@ Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWor
         return Error{ErrorCode::invalid_argument, "moment.world is missing: name the world"};
     const auto world = context_.worlds.find(moment.world());
     if (!world) return no_such_world(moment.world());
-    if (Status s = context_.gate.admit(
+    if (Status s = context_.authorizer.admit(
             who, {"jostle.v1.WorldService/JoinWorld", asked_world(*world), address});
         !s.ok())
         return s.error();
@@ -116,7 +116,7 @@ Status WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResp
         return Error{ErrorCode::resource_exhausted, fmt::format("the server is full: {} clients",
                                                                 context_.config.world.clients_max)};
     }
-    Result<std::string> ticket = context_.gate.issue_ticket(who, world->id(), address);
+    Result<std::string> ticket = context_.authorizer.issue_ticket(who, world->id(), address);
     if (!ticket.ok()) return ticket.error();
     describe(*response.mutable_world(), *world, context_.sessions);
     response.set_play_address(addresses_.grpc);

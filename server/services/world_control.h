@@ -50,7 +50,7 @@ public:
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);
     }
-    Authorizer& gate() const { return context_.gate; }
+    Authorizer& authorizer() const { return context_.authorizer; }
 
 private:
     Result<std::shared_ptr<WorldHost>> create_from(const v1::CreateWorldRequest& request,

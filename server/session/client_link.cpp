@@ -149,12 +149,12 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
     const Result<Identity> who =
         hello.token.empty()
             ? peer_.who
-            : context_.gate.identify({.bearer = hello.token, .address = peer_.address});
+            : context_.authorizer.identify({.bearer = hello.token, .address = peer_.address});
     if (!who.ok()) return who.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
     if (!world.ok()) return world;
     const Ask ask{peer_.call, asked_world(**world), peer_.address};
-    if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
+    if (Status s = context_.authorizer.admit(*who, ask); !s.ok()) return s.error();
     if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
     watch_.known_as(who->subject);
     return world;
@@ -168,7 +168,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hel
         named = (*world)->id();
     }
     const Result<Authorizer::Entry> entry =
-        context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
+        context_.authorizer.redeem_ticket(hello.ticket, named, peer_.address);
     if (!entry.ok()) return entry.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
     if (!world.ok()) return world;
@@ -179,7 +179,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hel
 
 Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
     if (hello.spectator) return {};
-    return context_.gate.admit(who, {play_inputs, asked_world(world), peer_.address});
+    return context_.authorizer.admit(who, {play_inputs, asked_world(world), peer_.address});
 }
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,

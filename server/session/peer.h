@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 #include "server/world/world_host.h"
 
 namespace jostle::server {

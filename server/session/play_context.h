@@ -7,7 +7,7 @@
 #include <atomic>
 #include <span>
 
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 #include "server/config/config.h"
 #include "server/limits/client_records.h"
 #include "server/limits/session_directory.h"
@@ -23,7 +23,7 @@ struct PlayContext {
     const Config& config;
     WorldDirectory& worlds;
     SessionDirectory& sessions;
-    Authorizer& gate;
+    Authorizer& authorizer;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     DatagramServer* datagrams = nullptr;  // null: all goes by streams

@@ -7,7 +7,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 
 #include "server/auth/allowed_hosts.h"
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 #include "server/http/beast_request.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/target.h"

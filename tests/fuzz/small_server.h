@@ -27,7 +27,7 @@ struct SmallServer {
         c.client.bodies_owned_max = 6;
         return c;
     }();
-    server::Authorizer& gate = open_gate();
+    server::Authorizer& authorizer = open_gate();
     server::SessionDirectory sessions{2};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
@@ -36,15 +36,15 @@ struct SmallServer {
          .own_thread = false},
         config.world.worlds_max};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .gate = gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = gate};
 
-    server::Identity anybody() { return gate.identify({.address = "127.0.0.1"}).value(); }
+    server::Identity anybody() { return authorizer.identify({.address = "127.0.0.1"}).value(); }
 
 private:
     // One for all inputs, because its log has a thread: everybody may do everything, as often as
     // he likes.
     static server::Authorizer& open_gate() {
-        static const std::unique_ptr<server::Authorizer> gate = [] {
+        static const std::unique_ptr<server::Authorizer> authorizer = [] {
             server::Config c;
             c.auth.anonymous_role = "admin";
             c.auth.audit_log = "/dev/null";
@@ -53,7 +53,7 @@ private:
                 *rate = 1e9;
             return server::Authorizer::open(c).value();
         }();
-        return *gate;
+        return *authorizer;
     }
     static const scenes::SceneDescription& scene() {
         static const scenes::SceneDescription scene = test::small_scene();

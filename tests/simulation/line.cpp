@@ -16,7 +16,7 @@ server::Peer peer(server::PlayContext& context, const std::string& name,
     return {.name = name,
             .address = address,
             .call = "jostle.v1.PlayService/Play",
-            .who = context.gate.identify({.address = address})};
+            .who = context.authorizer.identify({.address = address})};
 }
 
 }  // namespace

@@ -42,12 +42,12 @@ server::Config small_config() {
 
 // A process, from start to end.
 struct Simulation::Server {
-    explicit Server(server::Authorizer& opened) : gate(opened) {
+    explicit Server(server::Authorizer& opened) : authorizer(opened) {
         world = worlds.create("", scene()).value();
     }
 
     const server::Config config = small_config();
-    server::Authorizer& gate;
+    server::Authorizer& authorizer;
     server::SessionDirectory sessions{5};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
@@ -57,7 +57,7 @@ struct Simulation::Server {
         config.world.worlds_max};
     std::shared_ptr<server::WorldHost> world;
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .gate = gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = gate};
 };
 
 Simulation::Simulation(std::uint64_t seed) : chance_(seed) {
@@ -78,11 +78,11 @@ void Simulation::complain(const std::string& what) {
 
 void Simulation::start_server() {
     // Its log has a thread, so there is one for all.
-    static const std::unique_ptr<server::Authorizer> gate = server::Authorizer::open(small_config()).value();
+    static const std::unique_ptr<server::Authorizer> authorizer = server::Authorizer::open(small_config()).value();
     lines_.clear();
     frames_.clear();
     server_.reset();
-    server_ = std::make_unique<Server>(*gate);
+    server_ = std::make_unique<Server>(*authorizer);
 }
 
 void Simulation::run(std::uint64_t ticks) {

@@ -59,7 +59,7 @@ private:
     WorldDirectory worlds_{{}, 1};
     const std::unique_ptr<Authorizer> gate_ = *Authorizer::open(config_);
     PlayContext context_{
-        .config = config_, .worlds = worlds_, .sessions = sessions_, .gate = *gate_};
+        .config = config_, .worlds = worlds_, .sessions = sessions_, .authorizer = *gate_};
     WorldControl control_{context_};
     const QueryControl queries_{context_};
     const HttpRoutes routes_{control_,

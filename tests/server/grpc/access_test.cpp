@@ -43,9 +43,9 @@ protected:
                        .audit_log = folder / "audit.jsonl"};
         config.quota.creates_per_minute = config.quota.joins_per_minute =
             config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
-        gate = *Authorizer::open(config);
+        authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
-            .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
+            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate});
         control = std::make_unique<WorldControl>(*context);
         queries = std::make_unique<QueryControl>(*context);
         admin = std::make_unique<AdminControl>(*context);
@@ -108,7 +108,7 @@ protected:
                code == grpc::StatusCode::PERMISSION_DENIED;
     }
     int audited(const std::string& outcome, const std::string& call_name) {
-        EXPECT_TRUE(gate->audit().flush(5s));
+        EXPECT_TRUE(authorizer->audit().flush(5s));
         int count = 0;
         std::istringstream lines(folder.read("audit.jsonl"));
         for (std::string line; std::getline(lines, line);) {
@@ -130,7 +130,7 @@ protected:
     Config config;
     SessionDirectory sessions{100};
     WorldDirectory worlds{{}, 40};
-    std::unique_ptr<Authorizer> gate;
+    std::unique_ptr<Authorizer> authorizer;
     std::unique_ptr<PlayContext> context;
     std::unique_ptr<WorldControl> control;
     std::unique_ptr<QueryControl> queries;
@@ -231,7 +231,7 @@ TEST_F(AccessTest, forged_and_stale_tokens_are_refused_and_audited) {
             << name;
     EXPECT_EQ(call("/jostle.v1.WorldService/ListWorlds", "", login.token(claims)),
               grpc::StatusCode::OK);
-    ASSERT_TRUE(gate->audit().flush(5s));
+    ASSERT_TRUE(authorizer->audit().flush(5s));
     int refused_logins = 0;
     std::istringstream lines(folder.read("audit.jsonl"));
     for (std::string line; std::getline(lines, line);) {

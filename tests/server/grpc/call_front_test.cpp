@@ -74,8 +74,8 @@ protected:
     Config config;
     SessionDirectory sessions{4};
     WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();
     std::atomic<int> waiting{0};

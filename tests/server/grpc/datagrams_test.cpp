@@ -81,11 +81,11 @@ protected:
     DatagramServer port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
-                        .gate = *gate,
+                        .authorizer = *authorizer,
                         .datagrams = &port};
     WorldControl control{context};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};

@@ -36,9 +36,9 @@ protected:
                 .value();
         ASSERT_TRUE(worlds.create("sandbox", *scenes::find_scene("stack")).ok());
         config.quota.joins_per_minute = config.quota.queries_per_second = 1e6;
-        gate = *Authorizer::open(config);
+        authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
-            .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
+            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate});
         control = std::make_unique<WorldControl>(*context);
         server = std::make_unique<GrpcServer>(
             *context, world_methods(*control, worlds), [] { return true; },
@@ -69,7 +69,7 @@ protected:
                                    if (GrpcServer* const s = woken) s->wake();
                                }},
                           4};
-    std::unique_ptr<Authorizer> gate;
+    std::unique_ptr<Authorizer> authorizer;
     std::unique_ptr<PlayContext> context;
     std::unique_ptr<WorldControl> control;
     std::unique_ptr<GrpcServer> server;

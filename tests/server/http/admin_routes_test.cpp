@@ -57,11 +57,11 @@ protected:
     SessionDirectory sessions{4};
     Metrics metrics{"test", {"solve"}};
     WorldDirectory worlds{{.metrics = &metrics}, 4};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
-                        .gate = *gate,
+                        .authorizer = *authorizer,
                         .metrics = &metrics};
     AdminControl control{context};
     std::optional<std::string> failure_reason;

@@ -37,8 +37,8 @@ protected:
     }();
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{control,

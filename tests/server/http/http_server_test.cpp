@@ -15,8 +15,8 @@ TEST(HttpServerTest, stops_at_any_moment_of_its_housekeeping) {
     const Config config;
     SessionDirectory sessions(10);
     WorldDirectory worlds({}, 1);
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     WorldControl control(context);
     const QueryControl queries(context);
     const HttpRoutes routes(control, queries,

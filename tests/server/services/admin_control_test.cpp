@@ -35,7 +35,7 @@ protected:
                    Peer{.name = "10.0.0.1:4000",
                         .address = "10.0.0.1",
                         .call = "jostle.v1.PlayService/Play",
-                        .who = context.gate.identify({.address = "10.0.0.1"})},
+                        .who = context.authorizer.identify({.address = "10.0.0.1"})},
                    Clock::now()) {
             v1::ClientMessage hello;
             hello.mutable_hello()->set_protocol(1);
@@ -59,8 +59,8 @@ protected:
     Config config;
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     AdminControl control{context};
 };
 

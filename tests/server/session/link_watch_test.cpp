@@ -26,7 +26,7 @@ protected:
         return {.name = "test",
                 .address = "127.0.0.1",
                 .call = "jostle.v1.PlayService/Play",
-                .who = gate->identify({.address = "127.0.0.1"})};
+                .who = authorizer->identify({.address = "127.0.0.1"})};
     }
     static void hello(ClientLink& link) {
         v1::ClientMessage message;
@@ -61,11 +61,11 @@ protected:
     SessionDirectory sessions{4};
     Metrics metrics{"test", {}};
     WorldDirectory worlds{{.metrics = &metrics}, 4};
-    const std::unique_ptr<Authorizer> gate = *Authorizer::open(config);
+    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
-                        .gate = *gate,
+                        .authorizer = *authorizer,
                         .metrics = &metrics};
     int snapshots = 0;
 };

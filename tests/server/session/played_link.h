@@ -29,14 +29,14 @@ struct QuietServer {
     }
 
     server::Config config;
-    const std::unique_ptr<server::Authorizer> gate = *server::Authorizer::open(config);
+    const std::unique_ptr<server::Authorizer> authorizer = *server::Authorizer::open(config);
     server::SessionDirectory sessions{20};
     server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
                                               .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
                                    .own_thread = false},
                                   2};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     server::Clock::time_point now = server::Clock::now();
 };
 
@@ -60,7 +60,7 @@ struct PlayedLink {
                      server::Peer{.name = "test",
                                   .address = "127.0.0.1",
                                   .call = "jostle.v1.PlayService/Play",
-                                  .who = server.gate->identify({.address = "127.0.0.1"})},
+                                  .who = server.authorizer->identify({.address = "127.0.0.1"})},
                      server.now);
         conversation.begin(server.now);
     }

@@ -234,7 +234,7 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
                       {.name = "test",
                        .address = "127.0.0.1",
                        .call = "jostle.v1.PlayService/Play",
-                       .who = server.gate->identify({.address = "127.0.0.1"})},
+                       .who = server.authorizer->identify({.address = "127.0.0.1"})},
                       server.now);
     player.conversation.begin(server.now);
     now_on.receive(*player.conversation.take_message(server.now), server.now);
@@ -265,7 +265,7 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
                         {.name = "thief",
                          .address = "127.0.0.1",
                          .call = "jostle.v1.PlayService/Play",
-                         .who = server.gate->identify({.address = "127.0.0.1"})},
+                         .who = server.authorizer->identify({.address = "127.0.0.1"})},
                         server.now);
         link.receive(hello.SerializeAsString(), server.now);
         v1::ServerMessage welcome;
@@ -297,7 +297,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
                          Peer{.name = "test",
                               .address = "127.0.0.1",
                               .call = "jostle.v1.PlayService/Play",
-                              .who = server.gate->identify({.address = "127.0.0.1"})},
+                              .who = server.authorizer->identify({.address = "127.0.0.1"})},
                          server.now);
     watcher.conversation.begin(server.now);
     v1::ClientMessage hello;

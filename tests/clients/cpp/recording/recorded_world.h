@@ -32,12 +32,12 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     server::Config config;
     config.auth.anonymous_role = "player";
     config.auth.audit_log = "/dev/null";
-    const std::unique_ptr<server::Authorizer> gate = server::Authorizer::open(config).value();
+    const std::unique_ptr<server::Authorizer> authorizer = server::Authorizer::open(config).value();
     server::SessionDirectory sessions{2};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_thread = false}, 1};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     const std::shared_ptr<server::WorldHost> world =
         worlds.create("yard", test::small_scene()).value();
 
@@ -46,7 +46,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
                             {.name = "test",
                              .address = "127.0.0.1",
                              .call = "jostle.v1.PlayService/Play",
-                             .who = gate->identify({.address = "127.0.0.1"})},
+                             .who = authorizer->identify({.address = "127.0.0.1"})},
                             now);
     RecordedWorld made;
     std::ostringstream out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/auth/gate.h"
+#include "server/auth/authorizer.h"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +35,10 @@ protected:
         open();
     }
     void open() {
-        gate.reset();
+        authorizer.reset();
         Result<std::unique_ptr<Authorizer>> opened = Authorizer::open(config);
         ASSERT_TRUE(opened.ok()) << opened.error().message;
-        gate = std::move(*opened);
+        authorizer = std::move(*opened);
     }
 
     std::string token(const std::string& subject, const std::string& role,
@@ -49,15 +49,15 @@ protected:
     }
     Identity known(const std::string& subject, const std::string& role,
                    const Json& more = Json::object()) {
-        return gate->identify({.bearer = token(subject, role, more), .address = home}, now).value();
+        return authorizer->identify({.bearer = token(subject, role, more), .address = home}, now).value();
     }
-    Identity anonymous() { return gate->identify({.address = home}, now).value(); }
+    Identity anonymous() { return authorizer->identify({.address = home}, now).value(); }
     Status ask(const Identity& who, const char* call, const AskedWorld& world = {"w1", "arena", ""},
                const char* address = home) {
-        return gate->admit(who, {.call = call, .world = world, .address = address}, now);
+        return authorizer->admit(who, {.call = call, .world = world, .address = address}, now);
     }
     std::vector<Json> audited() {
-        EXPECT_TRUE(gate->audit().flush(5s));
+        EXPECT_TRUE(authorizer->audit().flush(5s));
         std::vector<Json> lines;
         std::istringstream in(folder.read("audit"));
         for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
@@ -68,7 +68,7 @@ protected:
     const LoginService login;
     Config config;
     Moment now{Clock::time_point{}, WallTime(1'790'000'000s)};
-    std::unique_ptr<Authorizer> gate;
+    std::unique_ptr<Authorizer> authorizer;
 };
 
 TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
@@ -76,11 +76,11 @@ TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
     EXPECT_EQ(anna.subject, "anna");
     EXPECT_EQ(anna.role, Role::player);
     const Identity operator_ =
-        gate->identify({.certificate = "CN=operator", .address = home}, now).value();
+        authorizer->identify({.certificate = "CN=operator", .address = home}, now).value();
     EXPECT_EQ(operator_.subject, "certificate:CN=operator");
     EXPECT_EQ(operator_.role, Role::admin);
     EXPECT_EQ(
-        gate->identify(
+        authorizer->identify(
                 {.bearer = token("anna", "viewer"), .certificate = "CN=operator", .address = home},
                 now)
             ->role,
@@ -88,7 +88,7 @@ TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
         << "a token decides";
     EXPECT_TRUE(anonymous().anonymous);
     EXPECT_EQ(anonymous().role, Role::none) << "with keys, nobody may do anything unknown";
-    const Error error = gate->identify({.bearer = "rubbish", .address = home}, now).error();
+    const Error error = authorizer->identify({.bearer = "rubbish", .address = home}, now).error();
     EXPECT_EQ(error.code, ErrorCode::unauthenticated);
 }
 
@@ -105,7 +105,7 @@ TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
     open();
     EXPECT_EQ(anonymous().role, Role::admin) << "no keys, and on loopback";
     EXPECT_EQ(
-        gate->identify({.bearer = token("anna", "admin"), .address = home}, now).error().message,
+        authorizer->identify({.bearer = token("anna", "admin"), .address = home}, now).error().message,
         "this server believes no token: auth.keys is not set");
     config.listen = "0.0.0.0:50051";
     open();
@@ -125,7 +125,7 @@ TEST_F(AuthorizerTest, every_row_goes_by_its_least_role) {
                                    .anonymous = is_anonymous};
                 // One address each, so that no quota is felt.
                 const std::string address = "10.0.0." + std::to_string(++refused % 250);
-                const Status status = gate->admit(
+                const Status status = authorizer->admit(
                     who, {.call = row.call, .world = {"w1", "a", who.subject}, .address = address},
                     now);
                 EXPECT_EQ(status.ok(), role >= row.least) << row.call << " by " << name_of(role);
@@ -203,7 +203,7 @@ TEST_F(AuthorizerTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
     config.quota.refused_logins_per_minute = 5;
     open();
     const auto login_with = [&](const std::string& bearer, const char* address) {
-        return gate->identify({.bearer = bearer, .address = address}, now);
+        return authorizer->identify({.bearer = bearer, .address = address}, now);
     };
     const std::string good = token("anna", "player");
     std::string forged = good;
@@ -222,8 +222,8 @@ TEST_F(AuthorizerTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
 
 TEST_F(AuthorizerTest, a_ticket_lets_in_once_whom_it_was_given_to) {
     const Identity anna = known("anna", "player");
-    const std::string ticket = gate->issue_ticket(anna, "w1", home, now).value();
-    const Authorizer::Entry entry = gate->redeem_ticket(ticket, "", home, now).value();
+    const std::string ticket = authorizer->issue_ticket(anna, "w1", home, now).value();
+    const Authorizer::Entry entry = authorizer->redeem_ticket(ticket, "", home, now).value();
     EXPECT_EQ(entry.who.subject, "anna");
     EXPECT_EQ(entry.who.role, Role::player);
     EXPECT_EQ(entry.world_id, "w1");
@@ -233,12 +233,12 @@ TEST_F(AuthorizerTest, a_ticket_lets_in_once_whom_it_was_given_to) {
 // Whoever guesses hears the same words whatever was wrong; the audit log has the difference.
 TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
     const Identity anna = known("anna", "player");
-    const auto issue = [&] { return gate->issue_ticket(anna, "w1", home, now).value(); };
+    const auto issue = [&] { return authorizer->issue_ticket(anna, "w1", home, now).value(); };
     const std::string used = issue(), elsewhere = issue(), outlived = issue();
-    ASSERT_TRUE(gate->redeem_ticket(used, "w1", home, now).ok());
+    ASSERT_TRUE(authorizer->redeem_ticket(used, "w1", home, now).ok());
     std::vector<Error> errors;
     const auto redeem = [&](const std::string& ticket, const char* world) {
-        errors.push_back(gate->redeem_ticket(ticket, world, home, now).error());
+        errors.push_back(authorizer->redeem_ticket(ticket, world, home, now).error());
     };
     redeem(used, "w1");
     redeem(std::string(32, '0'), "w1");
@@ -267,8 +267,8 @@ TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_no
     const Identity anna = known("anna", "director", {{"jti", "t-9"}});
     const Ask made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
     EXPECT_TRUE(ask(anna, create, {}).ok());
-    gate->record(anna, made, {}, now);
-    gate->record(anna, made, Error{ErrorCode::already_exists, "the name is taken"}, now);
+    authorizer->record(anna, made, {}, now);
+    authorizer->record(anna, made, Error{ErrorCode::already_exists, "the name is taken"}, now);
     EXPECT_TRUE(ask(anna, debug).ok());
     EXPECT_TRUE(ask(anna, "GET /healthz").ok());
     EXPECT_TRUE(ask(anna, join).ok());
@@ -301,7 +301,7 @@ TEST_F(AuthorizerTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
     open();
     for (int i = 0; i < 500; ++i) EXPECT_FALSE(ask(anonymous(), create, {}).ok());
     EXPECT_FALSE(ask(anonymous(), create, {}, "192.0.2.8").ok());
-    gate.reset();  // the count comes last
+    authorizer.reset();  // the count comes last
     std::size_t refusals = 0, muted = 0;
     std::istringstream in(folder.read("audit"));
     for (std::string text; std::getline(in, text);) {
@@ -322,7 +322,7 @@ TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
     std::vector<std::string> secrets;
     const auto show = [&](const std::string& bearer) {
         secrets.push_back(bearer);
-        return gate->identify({.bearer = bearer, .address = home}, now).ok();
+        return authorizer->identify({.bearer = bearer, .address = home}, now).ok();
     };
     EXPECT_TRUE(show(token("anna", "player")));
     EXPECT_FALSE(show(token("anna", "player", {{"exp", 1}})));
@@ -334,10 +334,10 @@ TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
     EXPECT_FALSE(show(login.token(endless)));
     EXPECT_FALSE(show(test::assemble(R"({"alg":"none"})", endless.dump(),
                                      [](const std::string&) { return std::string(); })));
-    const std::string ticket = gate->issue_ticket(known("anna", "player"), "w1", home, now).value();
+    const std::string ticket = authorizer->issue_ticket(known("anna", "player"), "w1", home, now).value();
     secrets.push_back(ticket);
-    EXPECT_TRUE(gate->redeem_ticket(ticket, "w1", home, now).ok());
-    EXPECT_FALSE(gate->redeem_ticket(ticket, "w1", home, now).ok());
+    EXPECT_TRUE(authorizer->redeem_ticket(ticket, "w1", home, now).ok());
+    EXPECT_FALSE(authorizer->redeem_ticket(ticket, "w1", home, now).ok());
     int refused = 0;
     for (const Json& line : audited()) refused += line["outcome"] == "refused" ? 1 : 0;
     EXPECT_EQ(refused, 7);
@@ -357,16 +357,16 @@ TEST_F(AuthorizerTest, a_new_key_set_is_taken_over_while_it_runs) {
     const LoginService renewed{.key_id = "second"};
     const std::string of_new = renewed.token(LoginService::claims("anna", "player", now.wall));
     const auto is_good = [&](const std::string& bearer) {
-        return gate->identify({.bearer = bearer, .address = home}, now).ok();
+        return authorizer->identify({.bearer = bearer, .address = home}, now).ok();
     };
     EXPECT_FALSE(is_good(of_new));
     folder.write("keys.json", renewed.published());
     now.steady += 1s;
-    gate->poll(now);
+    authorizer->poll(now);
     EXPECT_TRUE(is_good(of_new));
     EXPECT_FALSE(is_good(token("anna", "player"))) << "the old key is gone";
     folder.write("keys.json", login.published());
-    gate->reload();
+    authorizer->reload();
     EXPECT_TRUE(is_good(token("anna", "player")));
 }
 
@@ -387,16 +387,16 @@ TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
             threads.emplace_back([&, t] {
                 const std::string address = "10.0.0." + std::to_string(t);
                 for (int i = 0; i < 50; ++i) {
-                    const auto who = gate->identify({.bearer = bearer, .address = address}, now);
+                    const auto who = authorizer->identify({.bearer = bearer, .address = address}, now);
                     if (!who.ok()) continue;
-                    const auto ticket = gate->issue_ticket(*who, "w1", address, now);
-                    if (ticket.ok() && gate->redeem_ticket(*ticket, "w1", address, now).ok())
+                    const auto ticket = authorizer->issue_ticket(*who, "w1", address, now);
+                    if (ticket.ok() && authorizer->redeem_ticket(*ticket, "w1", address, now).ok())
                         ++let_in;
                 }
             });
         for (int i = 0; i < 20; ++i) {
             folder.write("keys.json", login.published());
-            gate->reload();
+            authorizer->reload();
         }
     }
     EXPECT_EQ(let_in, 200);

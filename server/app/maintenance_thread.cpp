@@ -10,7 +10,7 @@ namespace jostle::server {
 
 MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates, std::function<void()> every_second,
                std::function<bool()> is_healthy)
-    : gate_(authorizer),
+    : authorizer_(authorizer),
       certificates_(certificates),
       every_second_(std::move(every_second)),
       is_healthy_(std::move(is_healthy)) {
@@ -31,7 +31,7 @@ void MaintenanceThread::wait_for_signal() {
     signals_.async_wait([this](const boost::system::error_code& error, int) {
         if (error) return;
         log_info("SIGHUP: keys and certificates are read again");
-        gate_.reload();
+        authorizer_.reload();
         if (certificates_) certificates_->reload(std::chrono::system_clock::now());
         wait_for_signal();
     });
@@ -41,7 +41,7 @@ void MaintenanceThread::poll_files() {
     timer_.expires_after(std::chrono::seconds(1));
     timer_.async_wait([this](const boost::system::error_code& error) {
         if (error) return;
-        gate_.poll();
+        authorizer_.poll();
         every_second_();
         if (certificates_) certificates_->poll(std::chrono::system_clock::now());
         poll_files();

@@ -30,7 +30,7 @@ private:
     void poll_files();
     void ping_watchdog();
 
-    Authorizer& gate_;
+    Authorizer& authorizer_;
     CertificateStore* const certificates_;
     const std::function<void()> every_second_;
     const std::function<bool()> is_healthy_;

@@ -68,7 +68,7 @@ CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, Ca
           for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
           return by_path;
       }()),
-      gate_(authorizer),
+      authorizer_(authorizer),
       limits_(limits),
       metrics_(metrics),
       quick_pool_(1, limits.queue_max, 0),
@@ -159,15 +159,15 @@ Status CallFront::admit(Call& call) const {
 
 // Who calls, and whether he may; of calls about a world that is asked when it is known which.
 Status CallFront::authorize(Call& call) const {
-    Result<Identity> who = identify(call.context, *call.connection, gate_);
+    Result<Identity> who = identify(call.context, *call.connection, authorizer_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
     if (call.method->asks_for_world) return {};
-    return gate_.admit(call.who, context_of(call).ask({}));
+    return authorizer_.admit(call.who, context_of(call).ask({}));
 }
 
 CallContext CallFront::context_of(const Call& call) const {
-    return {.authorizer = gate_,
+    return {.authorizer = authorizer_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
             .address = call.connection->address,

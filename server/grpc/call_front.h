@@ -79,7 +79,7 @@ private:
     CallContext context_of(const Call& call) const;
 
     const std::map<std::string, CallMethod> methods_;  // by path
-    Authorizer& gate_;
+    Authorizer& authorizer_;
     const CallLimits limits_;
     RpcMetrics* const metrics_;
     grpc::AsyncGenericService service_;

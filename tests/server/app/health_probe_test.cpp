@@ -57,9 +57,9 @@ private:
     const Config config_;
     SessionDirectory sessions_{1};
     WorldDirectory worlds_{{}, 1};
-    const std::unique_ptr<Authorizer> gate_ = *Authorizer::open(config_);
+    const std::unique_ptr<Authorizer> authorizer_ = *Authorizer::open(config_);
     PlayContext context_{
-        .config = config_, .worlds = worlds_, .sessions = sessions_, .authorizer = *gate_};
+        .config = config_, .worlds = worlds_, .sessions = sessions_, .authorizer = *authorizer_};
     WorldControl control_{context_};
     const QueryControl queries_{context_};
     const HttpRoutes routes_{control_,

@@ -92,7 +92,7 @@ Status check_role(const Identity& who, const AccessRow& row) {
 }
 
 // A token for one world opens no other, and makes none.
-Status check_world_of_token(const Identity& who, const AccessRow& row, const AskedWorld& world) {
+Status check_world_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
     if (who.world.empty()) return {};
     const bool is_it = who.world == world.id || who.world == world.name;
     if (row.kind == CallKind::create || (row.scope != Scope::server && !is_it))
@@ -100,13 +100,13 @@ Status check_world_of_token(const Identity& who, const AccessRow& row, const Ask
     return {};
 }
 
-Status check_owner(const Identity& who, const AccessRow& row, const AskedWorld& world) {
+Status check_owner(const Identity& who, const AccessRow& row, const WorldTarget& world) {
     if (row.scope != Scope::own_world || who.role >= Role::admin) return {};
     if (!world.owner.empty() && world.owner == who.subject) return {};
     return denied("this world is not yours; only an admin may do that to it");
 }
 
-Status check_rights(const Identity& who, const AccessRow* row, const AskedWorld& world,
+Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget& world,
                     const Moment& now) {
     if (!row) return denied("this call stands in no row of the access table");
     if (row->kind == CallKind::open) return {};

@@ -38,14 +38,14 @@ struct Caller {
 };
 
 // The world that a call is about; empty fields: none, or not known.
-struct AskedWorld {
+struct WorldTarget {
     std::string_view id, name;
     std::string_view owner;  // subject of who created it; empty: the server itself
 };
 
 struct Ask {
     std::string_view call;  // a row of the access table
-    AskedWorld world;
+    WorldTarget world;
     std::string_view address;
 };
 

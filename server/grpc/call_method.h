@@ -29,7 +29,7 @@ struct CallContext {
     std::function<bool()> gave_up;  // nobody waits for the answer any more
 
     bool is_too_late() const { return deadline <= std::chrono::system_clock::now() || gave_up(); }
-    Ask ask(const AskedWorld& world) const { return {call, world, address}; }
+    Ask ask(const WorldTarget& world) const { return {call, world, address}; }
 };
 
 using AnswerBytes = std::shared_ptr<const std::string>;
@@ -67,7 +67,7 @@ inline Status parse(std::string_view bytes, google::protobuf::Message& request) 
 inline Status admit(const CallContext& context, const WorldDirectory& worlds,
                     const std::string& name) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
-    return context.authorizer.admit(context.who, context.ask(world ? asked_world(*world) : AskedWorld{}));
+    return context.authorizer.admit(context.who, context.ask(world ? asked_world(*world) : WorldTarget{}));
 }
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).

@@ -22,7 +22,7 @@ struct Peer {
 };
 
 // Valid as long as the host.
-inline AskedWorld asked_world(const WorldHost& host) {
+inline WorldTarget asked_world(const WorldHost& host) {
     return {host.id(), host.name(), host.owner()};
 }
 

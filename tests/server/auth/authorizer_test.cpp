@@ -52,7 +52,7 @@ protected:
         return authorizer->identify({.bearer = token(subject, role, more), .address = home}, now).value();
     }
     Identity anonymous() { return authorizer->identify({.address = home}, now).value(); }
-    Status ask(const Identity& who, const char* call, const AskedWorld& world = {"w1", "arena", ""},
+    Status ask(const Identity& who, const char* call, const WorldTarget& world = {"w1", "arena", ""},
                const char* address = home) {
         return authorizer->admit(who, {.call = call, .world = world, .address = address}, now);
     }

@@ -67,7 +67,7 @@ inline Status parse(std::string_view bytes, google::protobuf::Message& request) 
 inline Status admit(const CallContext& context, const WorldDirectory& worlds,
                     const std::string& name) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
-    return context.authorizer.admit(context.who, context.ask(world ? asked_world(*world) : WorldTarget{}));
+    return context.authorizer.admit(context.who, context.ask(world ? world_target(*world) : WorldTarget{}));
 }
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).

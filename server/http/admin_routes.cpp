@@ -83,7 +83,7 @@ Status AdminRoutes::authorize(const HttpRequest& request, const std::string& wor
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
     const std::shared_ptr<WorldHost> host = control_.find(world);
-    return authorizer.admit(*who, {row->call, host ? asked_world(*host) : WorldTarget{}, request.address});
+    return authorizer.admit(*who, {row->call, host ? world_target(*host) : WorldTarget{}, request.address});
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {

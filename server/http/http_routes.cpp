@@ -174,7 +174,7 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
 // What a request is about is known only when it was read.
 Status HttpRoutes::authorize_world(const RequestContext& context, const std::string& world) const {
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
-    const WorldTarget asked = host ? asked_world(*host) : WorldTarget{};
+    const WorldTarget asked = host ? world_target(*host) : WorldTarget{};
     return worlds_.authorizer().admit(context.who, {context.row->call, asked, context.address});
 }
 

@@ -94,7 +94,7 @@ Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWor
     const auto world = context_.worlds.find(moment.world());
     if (!world) return no_such_world(moment.world());
     if (Status s = context_.authorizer.admit(
-            who, {"jostle.v1.WorldService/JoinWorld", asked_world(*world), address});
+            who, {"jostle.v1.WorldService/JoinWorld", world_target(*world), address});
         !s.ok())
         return s.error();
     return context_.worlds.create_from(request.name(), *world, moment.tick(), who.subject);

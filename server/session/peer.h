@@ -22,7 +22,7 @@ struct Peer {
 };
 
 // Valid as long as the host.
-inline WorldTarget asked_world(const WorldHost& host) {
+inline WorldTarget world_target(const WorldHost& host) {
     return {host.id(), host.name(), host.owner()};
 }
 

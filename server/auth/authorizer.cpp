@@ -75,7 +75,7 @@ AuditEntry entry_of(const Identity& who, std::string_view address, const Moment&
             .address = address};
 }
 
-AuditEntry entry_of(const Identity& who, const Ask& ask, const Moment& now) {
+AuditEntry entry_of(const Identity& who, const AccessRequest& ask, const Moment& now) {
     AuditEntry entry = entry_of(who, ask.address, now);
     const AccessRow* row = find_call(ask.call);
     entry.what = row ? name_of(row->kind) : "unknown";
@@ -188,7 +188,7 @@ Result<Identity> Authorizer::identify_token(const Caller& caller, const Moment& 
     return refuse(who.error());
 }
 
-Status Authorizer::admit(const Identity& who, const Ask& ask, const Moment& now) {
+Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Moment& now) {
     const AccessRow* row = find_call(ask.call);
     Status status = check_rights(who, row, ask.world, now);
     if (const std::optional<Paid> paid = row ? paid_by(row->kind) : std::nullopt;
@@ -208,7 +208,7 @@ Status Authorizer::admit(const Identity& who, const Ask& ask, const Moment& now)
     return status;
 }
 
-void Authorizer::record(const Identity& who, const Ask& ask, const Status& outcome, const Moment& now) {
+void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome, const Moment& now) {
     AuditEntry entry = entry_of(who, ask, now);
     entry.outcome = outcome.ok() ? "done" : "failed";
     if (!outcome.ok()) entry.reason = outcome.error().message;

@@ -43,7 +43,7 @@ struct WorldTarget {
     std::string_view owner;  // subject of who created it; empty: the server itself
 };
 
-struct Ask {
+struct AccessRequest {
     std::string_view call;  // a row of the access table
     WorldTarget world;
     std::string_view address;
@@ -58,10 +58,10 @@ public:
     // neither is anonymous.
     Result<Identity> identify(const Caller& caller, const Moment& now = Moment::now());
 
-    Status admit(const Identity& who, const Ask& ask, const Moment& now = Moment::now());
+    Status admit(const Identity& who, const AccessRequest& ask, const Moment& now = Moment::now());
 
     // What came of a call that changes something. The world may be known only now.
-    void record(const Identity& who, const Ask& ask, const Status& outcome,
+    void record(const Identity& who, const AccessRequest& ask, const Status& outcome,
                 const Moment& now = Moment::now());
 
     // For JoinWorld, once it was admitted.

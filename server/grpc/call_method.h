@@ -29,7 +29,7 @@ struct CallContext {
     std::function<bool()> gave_up;  // nobody waits for the answer any more
 
     bool is_too_late() const { return deadline <= std::chrono::system_clock::now() || gave_up(); }
-    Ask ask(const WorldTarget& world) const { return {call, world, address}; }
+    AccessRequest ask(const WorldTarget& world) const { return {call, world, address}; }
 };
 
 using AnswerBytes = std::shared_ptr<const std::string>;

@@ -153,7 +153,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
     if (!who.ok()) return who.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
     if (!world.ok()) return world;
-    const Ask ask{peer_.call, world_target(**world), peer_.address};
+    const AccessRequest ask{peer_.call, world_target(**world), peer_.address};
     if (Status s = context_.authorizer.admit(*who, ask); !s.ok()) return s.error();
     if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
     watch_.known_as(who->subject);

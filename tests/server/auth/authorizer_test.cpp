@@ -265,7 +265,7 @@ TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alo
 
 TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
     const Identity anna = known("anna", "director", {{"jti", "t-9"}});
-    const Ask made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
+    const AccessRequest made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
     EXPECT_TRUE(ask(anna, create, {}).ok());
     authorizer->record(anna, made, {}, now);
     authorizer->record(anna, made, Error{ErrorCode::already_exists, "the name is taken"}, now);

@@ -154,7 +154,7 @@ Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::
       quotas_(config.quota),
       logins_(logins_max) {}
 
-Result<Identity> Authorizer::identify(const Caller& caller, const Moment& now) {
+Result<Identity> Authorizer::identify(const PeerCredentials& caller, const Moment& now) {
     if (caller.bearer.empty() && caller.certificate.empty())
         return Identity{.role = anonymous_role_};
     Result<Identity> who =
@@ -169,7 +169,7 @@ Result<Identity> Authorizer::identify(const Caller& caller, const Moment& now) {
 
 // Checking a signature is the most that a stranger can make this server do before it knows him. So
 // an address whose tokens are refused all the time is made to wait, whatever it shows.
-Result<Identity> Authorizer::identify_token(const Caller& caller, const Moment& now) {
+Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const Moment& now) {
     const std::string network = network_of(caller.address);
     AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
     entry.address = caller.address;

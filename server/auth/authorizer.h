@@ -31,7 +31,7 @@
 namespace jostle::server {
 
 // What a connection shows of itself.
-struct Caller {
+struct PeerCredentials {
     std::string_view bearer;       // a token without "Bearer "; empty: none
     std::string_view certificate;  // the subject of a client certificate that TLS has verified
     std::string_view address;      // IP address without the port
@@ -56,7 +56,7 @@ public:
 
     // A token decides, if there is one; then a certificate, whose holder is an admin; who shows
     // neither is anonymous.
-    Result<Identity> identify(const Caller& caller, const Moment& now = Moment::now());
+    Result<Identity> identify(const PeerCredentials& caller, const Moment& now = Moment::now());
 
     Status admit(const Identity& who, const AccessRequest& ask, const Moment& now = Moment::now());
 
@@ -88,7 +88,7 @@ public:
 private:
     Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
 
-    Result<Identity> identify_token(const Caller& caller, const Moment& now);
+    Result<Identity> identify_token(const PeerCredentials& caller, const Moment& now);
     void audit_login(const Identity& who, std::string_view address, const Moment& now);
     void audit_refusal(const AuditEntry& entry, const Moment& now);
 

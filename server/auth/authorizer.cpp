@@ -40,7 +40,7 @@ struct Paid {
     Work work;
     std::string_view name;
 };
-std::optional<Paid> paid_by(CallKind kind) {
+std::optional<Paid> quota_for(CallKind kind) {
     switch (kind) {
         case CallKind::create:
             return Paid{Work::creates, "new worlds"};
@@ -54,7 +54,7 @@ std::optional<Paid> paid_by(CallKind kind) {
     }
 }
 
-bool tells_of_grants(CallKind kind) {
+bool audits_grants(CallKind kind) {
     switch (kind) {
         case CallKind::join:
         case CallKind::play:
@@ -191,7 +191,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
 Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Moment& now) {
     const AccessRow* row = find_call(ask.call);
     Status status = check_rights(who, row, ask.world, now);
-    if (const std::optional<Paid> paid = row ? paid_by(row->kind) : std::nullopt;
+    if (const std::optional<Paid> paid = row ? quota_for(row->kind) : std::nullopt;
         status.ok() && paid) {
         const Quotas::Answer quota =
             quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);
@@ -202,7 +202,7 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Mo
     if (!status.ok()) {
         entry.reason = status.error().message;
         audit_refusal(entry, now);
-    } else if (tells_of_grants(row->kind)) {
+    } else if (audits_grants(row->kind)) {
         audit_->record(entry);
     }
     return status;
@@ -276,7 +276,7 @@ void Authorizer::audit_refusal(const AuditEntry& entry, const Moment& now) {
     }
 }
 
-Result<std::string_view> bearer_in(std::string_view authorization) {
+Result<std::string_view> parse_bearer(std::string_view authorization) {
     if (authorization.empty()) return std::string_view{};
     constexpr std::string_view scheme = "bearer ";
     bool fits = authorization.size() > scheme.size();

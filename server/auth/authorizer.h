@@ -104,6 +104,6 @@ private:
 
 // The token in an Authorization header, "Bearer TOKEN"; empty: there is no header. Anything else is
 // an error.
-Result<std::string_view> bearer_in(std::string_view authorization);
+Result<std::string_view> parse_bearer(std::string_view authorization);
 
 }  // namespace jostle::server

@@ -19,7 +19,7 @@ std::string_view header_of(const grpc::ServerContext& call, const char* name) {
 
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
                           Authorizer& authorizer) {
-    const Result<std::string_view> bearer = bearer_in(header_of(call, "authorization"));
+    const Result<std::string_view> bearer = parse_bearer(header_of(call, "authorization"));
     if (!bearer.ok()) return bearer.error();
     return authorizer.identify(
         {.bearer = *bearer, .certificate = connection.certificate, .address = connection.address});

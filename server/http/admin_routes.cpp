@@ -76,7 +76,7 @@ std::optional<std::string> AdminRoutes::cross_origin_refusal(const HttpRequest& 
 Status AdminRoutes::authorize(const HttpRequest& request, const std::string& world) const {
     const AccessRow* const row = find_route(request.method, path_of(request.target));
     if (!row) return Error{ErrorCode::not_found, "There is no such path."};
-    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    const Result<std::string_view> bearer = parse_bearer(request.authorization);
     if (!bearer.ok()) return bearer.error();
     Authorizer& authorizer = control_.authorizer();
     const Result<Identity> who = authorizer.identify(

@@ -159,7 +159,7 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
         return Error{ErrorCode::not_found,
                      "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
                      "are what there is."};
-    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    const Result<std::string_view> bearer = parse_bearer(request.authorization);
     if (!bearer.ok()) return bearer.error();
     Result<Identity> who = worlds_.authorizer().identify(
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});

@@ -23,7 +23,7 @@ void look_at(const server::BeastRequest& raw, const server::HttpServerSettings& 
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
     static_cast<void>(boost::beast::websocket::is_upgrade(raw));
     static_cast<void>(server::host_is_allowed(request.host, {"play.example.org"}));
-    if (const auto bearer = server::bearer_in(request.authorization); bearer.ok())
+    if (const auto bearer = server::parse_bearer(request.authorization); bearer.ok())
         expect(bearer->size() <= request.authorization.size(), "a token is part of its header");
     static_cast<void>(raw.keep_alive());
 }

@@ -403,12 +403,12 @@ TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
 }
 
 TEST(BearerIn, takes_the_token_out_of_the_header) {
-    EXPECT_EQ(bearer_in("").value(), "");
-    EXPECT_EQ(bearer_in("Bearer a.b.c").value(), "a.b.c");
-    EXPECT_EQ(bearer_in("bearer a.b.c").value(), "a.b.c");
+    EXPECT_EQ(parse_bearer("").value(), "");
+    EXPECT_EQ(parse_bearer("Bearer a.b.c").value(), "a.b.c");
+    EXPECT_EQ(parse_bearer("bearer a.b.c").value(), "a.b.c");
     for (const char* header :
          {"Bearer", "Bearer ", "Basic YTpi", "a.b.c", "Bearer\ta.b.c", "BearerX a.b.c"})
-        EXPECT_EQ(bearer_in(header).ok() ? "ok" : bearer_in(header).error().message,
+        EXPECT_EQ(parse_bearer(header).ok() ? "ok" : parse_bearer(header).error().message,
                   "the Authorization header is not \"Bearer\" and a token after it")
             << header;
 }

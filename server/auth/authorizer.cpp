@@ -36,19 +36,19 @@ std::string_view quota_subject_of(const Identity& who) {
     return who.anonymous ? std::string_view{} : std::string_view(who.subject);
 }
 
-struct Paid {
+struct QuotaCharge {
     Work work;
     std::string_view name;
 };
-std::optional<Paid> quota_for(CallKind kind) {
+std::optional<QuotaCharge> quota_for(CallKind kind) {
     switch (kind) {
         case CallKind::create:
-            return Paid{Work::creates, "new worlds"};
+            return QuotaCharge{Work::creates, "new worlds"};
         case CallKind::join:
         case CallKind::play:
-            return Paid{Work::joins, "joins"};
+            return QuotaCharge{Work::joins, "joins"};
         case CallKind::query:
-            return Paid{Work::queries, "queries"};
+            return QuotaCharge{Work::queries, "queries"};
         default:
             return std::nullopt;
     }
@@ -191,7 +191,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
 Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Moment& now) {
     const AccessRow* row = find_call(ask.call);
     Status status = check_rights(who, row, ask.world, now);
-    if (const std::optional<Paid> paid = row ? quota_for(row->kind) : std::nullopt;
+    if (const std::optional<QuotaCharge> paid = row ? quota_for(row->kind) : std::nullopt;
         status.ok() && paid) {
         const Quotas::Answer quota =
             quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);

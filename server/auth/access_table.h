@@ -28,7 +28,7 @@ enum class Scope {
 struct AccessRow {
     std::string_view call;  // "package.Service/Method", "METHOD /path/{part}", or play_inputs
     CallKind kind;
-    Role least;
+    Role min_role;
     Scope scope;
 };
 

@@ -20,7 +20,7 @@ Error unauthenticated(std::string message) {
 Error denied(std::string message) {
     return {ErrorCode::permission_denied, std::move(message)};
 }
-Error too_often(std::string_view what, Clock::duration wait) {
+Error rate_limited(std::string_view what, Clock::duration wait) {
     const double seconds = to_ms(wait) / 1000;
     return {ErrorCode::resource_exhausted,
             fmt::format("too many {}; ask again in {:.1f} s", what, seconds),
@@ -85,8 +85,8 @@ AuditEntry entry_of(const Identity& who, const AccessRequest& ask, const Moment&
 }
 
 Status check_role(const Identity& who, const AccessRow& row) {
-    if (who.role >= row.least) return {};
-    const std::string needed = fmt::format("this takes the role {}", name_of(row.least));
+    if (who.role >= row.min_role) return {};
+    const std::string needed = fmt::format("this takes the role {}", name_of(row.min_role));
     if (who.anonymous) return unauthenticated(needed + "; show a token (Authorization: Bearer)");
     return denied(fmt::format("{}, and yours is {}", needed, name_of(who.role)));
 }
@@ -179,7 +179,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
         return error;
     };
     const Quotas::Answer quota = quotas_.look(Work::refused_logins, {}, network, now.steady);
-    if (!quota.granted) return refuse(too_often("refused tokens", quota.retry_after));
+    if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
               : unauthenticated("this server believes no token: auth.keys is not set");
@@ -195,7 +195,7 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Mo
         status.ok() && paid) {
         const Quotas::Answer quota =
             quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);
-        if (!quota.granted) status = too_often(paid->name, quota.retry_after);
+        if (!quota.granted) status = rate_limited(paid->name, quota.retry_after);
     }
     AuditEntry entry = entry_of(who, ask, now);
     entry.outcome = status.ok() ? "granted" : "refused";

@@ -147,7 +147,7 @@ TEST(AccessTable, rights_are_these) {
         for (const char* call : calls) {
             const AccessRow* row = find_call(call);
             ASSERT_NE(row, nullptr) << call;
-            std::string found(name_of(row->least));
+            std::string found(name_of(row->min_role));
             if (row->scope == Scope::own_world) found.push_back('*');
             EXPECT_EQ(found, rights) << call;
             ++count;
@@ -167,7 +167,7 @@ std::string documented(const std::string& rights) {
 TEST(AccessTable, the_page_for_operators_has_every_row) {
     for (const AccessRow& row : access_table()) {
         std::string rights =
-            row.least == Role::none ? "everybody" : std::string(name_of(row.least));
+            row.min_role == Role::none ? "everybody" : std::string(name_of(row.min_role));
         if (row.scope == Scope::own_world) rights += ", own worlds";
         std::string call(row.call);  // without its package
         if (is_rpc(call)) call = call.substr(call.rfind('.', call.find('/')) + 1);

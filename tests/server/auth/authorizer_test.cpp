@@ -128,7 +128,7 @@ TEST_F(AuthorizerTest, every_row_goes_by_its_least_role) {
                 const Status status = authorizer->admit(
                     who, {.call = row.call, .world = {"w1", "a", who.subject}, .address = address},
                     now);
-                EXPECT_EQ(status.ok(), role >= row.least) << row.call << " by " << name_of(role);
+                EXPECT_EQ(status.ok(), role >= row.min_role) << row.call << " by " << name_of(role);
                 if (!status.ok()) {
                     EXPECT_EQ(status.error().code, is_anonymous ? ErrorCode::unauthenticated
                                                                 : ErrorCode::permission_denied);

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/auth/moment.h"
+#include "server/auth/clock_pair.h"
 
 namespace jostle::server {
 

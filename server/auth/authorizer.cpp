@@ -67,7 +67,7 @@ bool audits_grants(CallKind kind) {
     }
 }
 
-AuditEntry entry_of(const Identity& who, std::string_view address, const Moment& now) {
+AuditEntry entry_of(const Identity& who, std::string_view address, const ClockPair& now) {
     return {.time = now.wall,
             .subject = who.subject,
             .role = name_of(who.role),
@@ -75,7 +75,7 @@ AuditEntry entry_of(const Identity& who, std::string_view address, const Moment&
             .address = address};
 }
 
-AuditEntry entry_of(const Identity& who, const AccessRequest& ask, const Moment& now) {
+AuditEntry entry_of(const Identity& who, const AccessRequest& ask, const ClockPair& now) {
     AuditEntry entry = entry_of(who, ask.address, now);
     const AccessRow* row = find_call(ask.call);
     entry.what = row ? name_of(row->kind) : "unknown";
@@ -107,7 +107,7 @@ Status check_owner(const Identity& who, const AccessRow& row, const WorldTarget&
 }
 
 Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget& world,
-                    const Moment& now) {
+                    const ClockPair& now) {
     if (!row) return denied("this call stands in no row of the access table");
     if (row->kind == CallKind::open) return {};
     if (now.wall >= who.expires) return unauthenticated("your token has expired");
@@ -154,7 +154,7 @@ Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::
       quotas_(config.quota),
       logins_(logins_max) {}
 
-Result<Identity> Authorizer::identify(const PeerCredentials& caller, const Moment& now) {
+Result<Identity> Authorizer::identify(const PeerCredentials& caller, const ClockPair& now) {
     if (caller.bearer.empty() && caller.certificate.empty())
         return Identity{.role = anonymous_role_};
     Result<Identity> who =
@@ -169,7 +169,7 @@ Result<Identity> Authorizer::identify(const PeerCredentials& caller, const Momen
 
 // Checking a signature is the most that a stranger can make this server do before it knows him. So
 // an address whose tokens are refused all the time is made to wait, whatever it shows.
-Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const Moment& now) {
+Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const ClockPair& now) {
     const std::string network = network_of(caller.address);
     AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
     entry.address = caller.address;
@@ -188,7 +188,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
     return refuse(who.error());
 }
 
-Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Moment& now) {
+Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const ClockPair& now) {
     const AccessRow* row = find_call(ask.call);
     Status status = check_rights(who, row, ask.world, now);
     if (const std::optional<QuotaCharge> paid = row ? quota_for(row->kind) : std::nullopt;
@@ -208,7 +208,7 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Mo
     return status;
 }
 
-void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome, const Moment& now) {
+void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome, const ClockPair& now) {
     AuditEntry entry = entry_of(who, ask, now);
     entry.outcome = outcome.ok() ? "done" : "failed";
     if (!outcome.ok()) entry.reason = outcome.error().message;
@@ -216,14 +216,14 @@ void Authorizer::record(const Identity& who, const AccessRequest& ask, const Sta
 }
 
 Result<std::string> Authorizer::issue_ticket(const Identity& who, std::string_view world_id,
-                                       std::string_view address, const Moment& now) {
+                                       std::string_view address, const ClockPair& now) {
     return tickets_.issue(who, account_of(who, address), std::string(world_id), now.steady);
 }
 
 // Which of the three was wrong with a ticket is for the audit log alone: to a guesser it would say
 // how near he is.
 Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket, std::string_view world_id,
-                                        std::string_view address, const Moment& now) {
+                                        std::string_view address, const ClockPair& now) {
     Tickets::Redeemed redeemed = tickets_.redeem(ticket, now.steady);
     std::string_view reason = reason_of(redeemed.fate);
     if (reason.empty() && !world_id.empty() && world_id != redeemed.world_id)
@@ -243,7 +243,7 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket, std
     return unauthenticated("the ticket is not good (any more); ask JoinWorld for another");
 }
 
-void Authorizer::poll(const Moment& now) {
+void Authorizer::poll(const ClockPair& now) {
     if (keys_) keys_->poll(now.steady);
 }
 
@@ -253,7 +253,7 @@ void Authorizer::reload() {
 }
 
 // One line for a token at an address, not one for each of its calls.
-void Authorizer::audit_login(const Identity& who, std::string_view address, const Moment& now) {
+void Authorizer::audit_login(const Identity& who, std::string_view address, const ClockPair& now) {
     const std::string key = fmt::format("{}\n{}\n{}\n{}", who.subject, address, who.token_id,
                                         who.expires.time_since_epoch().count());
     {
@@ -267,7 +267,7 @@ void Authorizer::audit_login(const Identity& who, std::string_view address, cons
 }
 
 // Whoever is refused all the time must not fill the disk with that.
-void Authorizer::audit_refusal(const AuditEntry& entry, const Moment& now) {
+void Authorizer::audit_refusal(const AuditEntry& entry, const ClockPair& now) {
     const std::string network = network_of(entry.address);
     if (quotas_.take(Work::audited_refusals, {}, network, now.steady).granted) {
         audit_->record(entry);

@@ -23,7 +23,7 @@
 #include "server/auth/audit_log.h"
 #include "server/auth/identity.h"
 #include "server/auth/key_set.h"
-#include "server/auth/moment.h"
+#include "server/auth/clock_pair.h"
 #include "server/auth/quotas.h"
 #include "server/auth/tickets.h"
 #include "server/config/config.h"
@@ -56,17 +56,17 @@ public:
 
     // A token decides, if there is one; then a certificate, whose holder is an admin; who shows
     // neither is anonymous.
-    Result<Identity> identify(const PeerCredentials& caller, const Moment& now = Moment::now());
+    Result<Identity> identify(const PeerCredentials& caller, const ClockPair& now = ClockPair::now());
 
-    Status admit(const Identity& who, const AccessRequest& ask, const Moment& now = Moment::now());
+    Status admit(const Identity& who, const AccessRequest& ask, const ClockPair& now = ClockPair::now());
 
     // What came of a call that changes something. The world may be known only now.
     void record(const Identity& who, const AccessRequest& ask, const Status& outcome,
-                const Moment& now = Moment::now());
+                const ClockPair& now = ClockPair::now());
 
     // For JoinWorld, once it was admitted.
     Result<std::string> issue_ticket(const Identity& who, std::string_view world_id,
-                                     std::string_view address, const Moment& now = Moment::now());
+                                     std::string_view address, const ClockPair& now = ClockPair::now());
 
     struct Entry {
         Identity who;
@@ -76,10 +76,10 @@ public:
     // is still to be asked for. `world_id` is the world that Hello names; empty: that of the
     // ticket.
     Result<Entry> redeem_ticket(std::string_view ticket, std::string_view world_id,
-                                std::string_view address, const Moment& now = Moment::now());
+                                std::string_view address, const ClockPair& now = ClockPair::now());
 
     // Every second or so: takes over keys that have changed.
-    void poll(const Moment& now = Moment::now());
+    void poll(const ClockPair& now = ClockPair::now());
     // SIGHUP: reads the keys and opens the audit log's file anew.
     void reload();
 
@@ -88,9 +88,9 @@ public:
 private:
     Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
 
-    Result<Identity> identify_token(const PeerCredentials& caller, const Moment& now);
-    void audit_login(const Identity& who, std::string_view address, const Moment& now);
-    void audit_refusal(const AuditEntry& entry, const Moment& now);
+    Result<Identity> identify_token(const PeerCredentials& caller, const ClockPair& now);
+    void audit_login(const Identity& who, std::string_view address, const ClockPair& now);
+    void audit_refusal(const AuditEntry& entry, const ClockPair& now);
 
     const TokenRules rules_;
     const Role anonymous_role_;

@@ -67,7 +67,7 @@ protected:
     const test::TempFolder folder;
     const LoginService login;
     Config config;
-    Moment now{Clock::time_point{}, WallTime(1'790'000'000s)};
+    ClockPair now{Clock::time_point{}, WallTime(1'790'000'000s)};
     std::unique_ptr<Authorizer> authorizer;
 };
 

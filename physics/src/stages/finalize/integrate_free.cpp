@@ -26,13 +26,13 @@ void advance(const WorldState& world, const SubstepMoment& moment, BodyWarm& now
     const Vec3 force = now.force, torque = now.torque;
     if (!world.fields.empty()) {
         BodyWarm middle = now;
-        middle.center += now.v * (0.5 * moment.h);
-        const double time = world.time + moment.index * moment.h;
-        const FieldPush push = field_push(world, middle, cold, time, moment.h);
+        middle.center += now.v * (0.5 * clock_pair.h);
+        const double time = world.time + moment.index * clock_pair.h;
+        const FieldPush push = field_push(world, middle, cold, time, clock_pair.h);
         now.force += push.force;
         now.torque += push.torque;
     }
-    const FreeMotion motion = free_motion(now, cold, world.def.gravity, moment.h);
+    const FreeMotion motion = free_motion(now, cold, world.def.gravity, clock_pair.h);
     now.center += motion.displacement;
     now.rotation = motion.rotation;
     now.axes = to_matrix(now.rotation);
@@ -50,9 +50,9 @@ void listen_to(StepContext& step, const SubstepMoment& moment, std::span<const s
         call_listeners(step, moment, awake, moving, static_cast<std::uint32_t>(first), group);
     };
     if (moment.after) return call();
-    for (BodyWarm& now : moving) now.center += now.v * (0.5 * moment.h);
+    for (BodyWarm& now : moving) now.center += now.v * (0.5 * clock_pair.h);
     call();
-    for (BodyWarm& now : moving) now.center -= now.v * (0.5 * moment.h);
+    for (BodyWarm& now : moving) now.center -= now.v * (0.5 * clock_pair.h);
 }
 
 // All of them, or chunks of them at once; which are together follows from the awake set alone.

@@ -171,15 +171,15 @@ void push_by_fields(StepContext& step, const SubstepMoment& moment,
     const WorldState& world = step.world;
     const BodyStore& bodies = world.bodies;
     SolverScratch& scratch = step.scratch.solver;
-    const double time = world.time + moment.index * moment.h;
+    const double time = world.time + moment.index * clock_pair.h;
     step.team.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const std::uint32_t awake = hot[k] - 1;
             if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;
             const BodyWarm now = motion_now(bodies, scratch, awake);
-            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, moment.h);
+            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, clock_pair.h);
             if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-            push_hot(bodies, scratch, awake, push.force * moment.h, push.torque * moment.h);
+            push_hot(bodies, scratch, awake, push.force * clock_pair.h, push.torque * clock_pair.h);
         }
     });
 }

@@ -9,11 +9,11 @@
 
 namespace jostle::server {
 
-struct Moment {
+struct ClockPair {
     Clock::time_point steady;
     WallTime wall;
 
-    static Moment now() { return {Clock::now(), std::chrono::system_clock::now()}; }
+    static ClockPair now() { return {Clock::now(), std::chrono::system_clock::now()}; }
 };
 
 }  // namespace jostle::server

@@ -178,7 +178,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
         audit_refusal(entry, now);
         return error;
     };
-    const Quotas::Answer quota = quotas_.look(Work::refused_logins, {}, network, now.steady);
+    const Quotas::QuotaDecision quota = quotas_.look(Work::refused_logins, {}, network, now.steady);
     if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
@@ -193,7 +193,7 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Cl
     Status status = check_rights(who, row, ask.world, now);
     if (const std::optional<QuotaCharge> paid = row ? quota_for(row->kind) : std::nullopt;
         status.ok() && paid) {
-        const Quotas::Answer quota =
+        const Quotas::QuotaDecision quota =
             quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);
         if (!quota.granted) status = rate_limited(paid->name, quota.retry_after);
     }

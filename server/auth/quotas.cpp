@@ -47,17 +47,17 @@ Allowance of_address(Work work, const QuotaSettings& s) {
 Quotas::Quotas(const QuotaSettings& settings)
     : settings_(settings), buckets_(static_cast<std::size_t>(std::max(2, settings.buckets_max))) {}
 
-Quotas::Answer Quotas::take(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::take(Work work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    const Answer answer = look_locked(work, subject, network, now);
+    const QuotaDecision answer = look_locked(work, subject, network, now);
     if (!answer.granted) return answer;
     if (!subject.empty()) bucket_of(work, true, subject, now).take(1, now);
     bucket_of(work, false, network, now).take(1, now);
     return answer;
 }
 
-Quotas::Answer Quotas::look(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::look(Work work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     return look_locked(work, subject, network, now);
@@ -78,7 +78,7 @@ TokenBucket& Quotas::bucket_of(Work work, bool subjects, std::string_view name,
     });
 }
 
-Quotas::Answer Quotas::look_locked(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::look_locked(Work work, std::string_view subject, std::string_view network,
                                    Clock::time_point now) {
     Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
     if (!subject.empty())

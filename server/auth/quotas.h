@@ -20,16 +20,16 @@ class Quotas {
 public:
     explicit Quotas(const QuotaSettings& settings);
 
-    struct Answer {
+    struct QuotaDecision {
         bool granted = true;
         Clock::duration retry_after{};  // when it is not
     };
     // One piece of work of that subject (empty: of the address alone) from that network
     // (base/address.h). Takes from both buckets or from none.
-    Answer take(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision take(Work work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
     // What take() would answer.
-    Answer look(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision look(Work work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
 
     std::size_t buckets() const;
@@ -37,7 +37,7 @@ public:
 private:
     TokenBucket& bucket_of(Work work, bool of_subject, std::string_view name,
                            Clock::time_point now);
-    Answer look_locked(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision look_locked(Work work, std::string_view subject, std::string_view network,
                        Clock::time_point now);
 
     const QuotaSettings settings_;

@@ -21,7 +21,7 @@ int grants(Quotas& quotas, Work work, const std::string& subject, const std::str
 TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
     Quotas quotas({.creates_per_minute = 20});
     EXPECT_EQ(grants(quotas, Work::creates, "anna", "192.0.2.1", 100), 20);
-    const Quotas::Answer no = quotas.take(Work::creates, "anna", "192.0.2.1", start);
+    const Quotas::QuotaDecision no = quotas.take(Work::creates, "anna", "192.0.2.1", start);
     EXPECT_FALSE(no.granted);
     EXPECT_NEAR(to_ms(no.retry_after), 3000, 2) << "one each three seconds";
     EXPECT_FALSE(quotas.take(Work::creates, "anna", "192.0.2.1", start + 2990ms).granted);

@@ -37,18 +37,18 @@ std::string_view quota_subject_of(const Identity& who) {
 }
 
 struct QuotaCharge {
-    Work work;
+    QuotaKind work;
     std::string_view name;
 };
 std::optional<QuotaCharge> quota_for(CallKind kind) {
     switch (kind) {
         case CallKind::create:
-            return QuotaCharge{Work::creates, "new worlds"};
+            return QuotaCharge{QuotaKind::creates, "new worlds"};
         case CallKind::join:
         case CallKind::play:
-            return QuotaCharge{Work::joins, "joins"};
+            return QuotaCharge{QuotaKind::joins, "joins"};
         case CallKind::query:
-            return QuotaCharge{Work::queries, "queries"};
+            return QuotaCharge{QuotaKind::queries, "queries"};
         default:
             return std::nullopt;
     }
@@ -178,13 +178,13 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
         audit_refusal(entry, now);
         return error;
     };
-    const Quotas::QuotaDecision quota = quotas_.look(Work::refused_logins, {}, network, now.steady);
+    const Quotas::QuotaDecision quota = quotas_.look(QuotaKind::refused_logins, {}, network, now.steady);
     if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
               : unauthenticated("this server believes no token: auth.keys is not set");
     if (who.ok()) return who;
-    quotas_.take(Work::refused_logins, {}, network, now.steady);
+    quotas_.take(QuotaKind::refused_logins, {}, network, now.steady);
     return refuse(who.error());
 }
 
@@ -269,7 +269,7 @@ void Authorizer::audit_login(const Identity& who, std::string_view address, cons
 // Whoever is refused all the time must not fill the disk with that.
 void Authorizer::audit_refusal(const AuditEntry& entry, const ClockPair& now) {
     const std::string network = network_of(entry.address);
-    if (quotas_.take(Work::audited_refusals, {}, network, now.steady).granted) {
+    if (quotas_.take(QuotaKind::audited_refusals, {}, network, now.steady).granted) {
         audit_->record(entry);
     } else {
         audit_->mute();

@@ -17,25 +17,25 @@ Allowance per_minute(double count) {
     return {count / 60, count};
 }
 
-Allowance of_subject(Work work, const QuotaSettings& s) {
+Allowance of_subject(QuotaKind work, const QuotaSettings& s) {
     switch (work) {
-        case Work::creates:
+        case QuotaKind::creates:
             return per_minute(s.creates_per_minute);
-        case Work::joins:
+        case QuotaKind::joins:
             return per_minute(s.joins_per_minute);
-        case Work::queries:
+        case QuotaKind::queries:
             return {s.queries_per_second, s.queries_per_second};
-        case Work::refused_logins:
+        case QuotaKind::refused_logins:
             return per_minute(s.refused_logins_per_minute);
-        case Work::audited_refusals:
+        case QuotaKind::audited_refusals:
             return per_minute(s.refusals_audited_per_minute);
     }
     return {};
 }
 
-Allowance of_address(Work work, const QuotaSettings& s) {
+Allowance of_address(QuotaKind work, const QuotaSettings& s) {
     Allowance allowance = of_subject(work, s);
-    if (work == Work::refused_logins || work == Work::audited_refusals) return allowance;
+    if (work == QuotaKind::refused_logins || work == QuotaKind::audited_refusals) return allowance;
     allowance.per_second *= s.address_factor;
     allowance.at_once *= s.address_factor;
     return allowance;
@@ -47,7 +47,7 @@ Allowance of_address(Work work, const QuotaSettings& s) {
 Quotas::Quotas(const QuotaSettings& settings)
     : settings_(settings), buckets_(static_cast<std::size_t>(std::max(2, settings.buckets_max))) {}
 
-Quotas::QuotaDecision Quotas::take(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     const QuotaDecision answer = look_locked(work, subject, network, now);
@@ -57,7 +57,7 @@ Quotas::QuotaDecision Quotas::take(Work work, std::string_view subject, std::str
     return answer;
 }
 
-Quotas::QuotaDecision Quotas::look(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::look(QuotaKind work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     return look_locked(work, subject, network, now);
@@ -68,7 +68,7 @@ std::size_t Quotas::buckets() const {
     return buckets_.size();
 }
 
-TokenBucket& Quotas::bucket_of(Work work, bool subjects, std::string_view name,
+TokenBucket& Quotas::bucket_of(QuotaKind work, bool subjects, std::string_view name,
                                Clock::time_point now) {
     std::string key{static_cast<char>('0' + static_cast<int>(work)), subjects ? 's' : 'a'};
     key += name;
@@ -78,7 +78,7 @@ TokenBucket& Quotas::bucket_of(Work work, bool subjects, std::string_view name,
     });
 }
 
-Quotas::QuotaDecision Quotas::look_locked(Work work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::look_locked(QuotaKind work, std::string_view subject, std::string_view network,
                                    Clock::time_point now) {
     Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
     if (!subject.empty())

@@ -14,7 +14,7 @@
 
 namespace jostle::server {
 
-enum class Work { creates, joins, queries, refused_logins, audited_refusals };
+enum class QuotaKind { creates, joins, queries, refused_logins, audited_refusals };
 
 class Quotas {
 public:
@@ -26,18 +26,18 @@ public:
     };
     // One piece of work of that subject (empty: of the address alone) from that network
     // (base/address.h). Takes from both buckets or from none.
-    QuotaDecision take(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision take(QuotaKind work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
     // What take() would answer.
-    QuotaDecision look(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision look(QuotaKind work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
 
     std::size_t buckets() const;
 
 private:
-    TokenBucket& bucket_of(Work work, bool of_subject, std::string_view name,
+    TokenBucket& bucket_of(QuotaKind work, bool of_subject, std::string_view name,
                            Clock::time_point now);
-    QuotaDecision look_locked(Work work, std::string_view subject, std::string_view network,
+    QuotaDecision look_locked(QuotaKind work, std::string_view subject, std::string_view network,
                        Clock::time_point now);
 
     const QuotaSettings settings_;

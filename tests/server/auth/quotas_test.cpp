@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 const Clock::time_point start{};
 
-int grants(Quotas& quotas, Work work, const std::string& subject, const std::string& network,
+int grants(Quotas& quotas, QuotaKind work, const std::string& subject, const std::string& network,
            int tries, Clock::time_point now = start) {
     int granted = 0;
     for (int i = 0; i < tries; ++i)
@@ -20,57 +20,57 @@ int grants(Quotas& quotas, Work work, const std::string& subject, const std::str
 
 TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
     Quotas quotas({.creates_per_minute = 20});
-    EXPECT_EQ(grants(quotas, Work::creates, "anna", "192.0.2.1", 100), 20);
-    const Quotas::QuotaDecision no = quotas.take(Work::creates, "anna", "192.0.2.1", start);
+    EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100), 20);
+    const Quotas::QuotaDecision no = quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start);
     EXPECT_FALSE(no.granted);
     EXPECT_NEAR(to_ms(no.retry_after), 3000, 2) << "one each three seconds";
-    EXPECT_FALSE(quotas.take(Work::creates, "anna", "192.0.2.1", start + 2990ms).granted);
-    EXPECT_TRUE(quotas.take(Work::creates, "anna", "192.0.2.1", start + no.retry_after).granted)
+    EXPECT_FALSE(quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + 2990ms).granted);
+    EXPECT_TRUE(quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + no.retry_after).granted)
         << "who waits as long as he is told is let in";
-    EXPECT_EQ(grants(quotas, Work::creates, "anna", "192.0.2.1", 100, start + 10min), 20);
+    EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100, start + 10min), 20);
 }
 
 TEST(Quotas, of_queries_a_seconds_worth_at_once) {
     Quotas quotas({.queries_per_second = 50});
-    EXPECT_EQ(grants(quotas, Work::queries, "anna", "192.0.2.1", 1000), 50);
-    EXPECT_NEAR(to_ms(quotas.look(Work::queries, "anna", "192.0.2.1", start).retry_after), 20, 2);
+    EXPECT_EQ(grants(quotas, QuotaKind::queries, "anna", "192.0.2.1", 1000), 50);
+    EXPECT_NEAR(to_ms(quotas.look(QuotaKind::queries, "anna", "192.0.2.1", start).retry_after), 20, 2);
 }
 
 TEST(Quotas, subjects_at_one_address_have_their_own_and_share_ten_times_as_much) {
     Quotas quotas({.joins_per_minute = 5, .address_factor = 10});
     int granted = 0;
     for (int i = 0; i < 30; ++i)
-        granted += grants(quotas, Work::joins, "s" + std::to_string(i), "192.0.2.1", 100);
+        granted += grants(quotas, QuotaKind::joins, "s" + std::to_string(i), "192.0.2.1", 100);
     EXPECT_EQ(granted, 50);
-    EXPECT_EQ(grants(quotas, Work::joins, "s0", "192.0.2.2", 1), 0) << "his own are gone";
-    EXPECT_EQ(grants(quotas, Work::joins, "new", "192.0.2.2", 100), 5);
-    EXPECT_EQ(grants(quotas, Work::joins, "", "192.0.2.3", 100), 50) << "anonymous: by address";
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "s0", "192.0.2.2", 1), 0) << "his own are gone";
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "new", "192.0.2.2", 100), 5);
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "", "192.0.2.3", 100), 50) << "anonymous: by address";
 }
 
 TEST(Quotas, a_refusal_costs_nothing) {
     Quotas quotas({.joins_per_minute = 1, .address_factor = 2});
-    EXPECT_EQ(grants(quotas, Work::joins, "anna", "192.0.2.1", 100), 1);
-    EXPECT_EQ(grants(quotas, Work::joins, "berta", "192.0.2.1", 100), 1)
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 100), 1);
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "berta", "192.0.2.1", 100), 1)
         << "what anna did not get was not taken from the address";
 }
 
 TEST(Quotas, kinds_of_work_do_not_share) {
     Quotas quotas({.creates_per_minute = 1, .refused_logins_per_minute = 3});
-    EXPECT_EQ(grants(quotas, Work::creates, "anna", "192.0.2.1", 9), 1);
-    EXPECT_EQ(grants(quotas, Work::joins, "anna", "192.0.2.1", 9), 9);
-    EXPECT_EQ(grants(quotas, Work::refused_logins, "", "192.0.2.1", 9), 3)
+    EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 9), 1);
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 9), 9);
+    EXPECT_EQ(grants(quotas, QuotaKind::refused_logins, "", "192.0.2.1", 9), 3)
         << "no factor for failures";
 }
 
 TEST(Quotas, memory_is_bounded_and_the_idlest_bucket_goes) {
     Quotas quotas({.creates_per_minute = 1, .address_factor = 1, .buckets_max = 100});
     for (int i = 0; i < 100000; ++i) {
-        quotas.take(Work::creates, "",
+        quotas.take(QuotaKind::creates, "",
                     "10.0." + std::to_string(i / 256) + "." + std::to_string(i % 256), start);
-        if (i % 50 == 0) quotas.take(Work::creates, "", "192.0.2.1", start);
+        if (i % 50 == 0) quotas.take(QuotaKind::creates, "", "192.0.2.1", start);
     }
     EXPECT_EQ(quotas.buckets(), 100u);
-    EXPECT_FALSE(quotas.take(Work::creates, "", "192.0.2.1", start).granted)
+    EXPECT_FALSE(quotas.take(QuotaKind::creates, "", "192.0.2.1", start).granted)
         << "who keeps asking is not forgotten";
 }
 

@@ -178,7 +178,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
         audit_refusal(entry, now);
         return error;
     };
-    const Quotas::QuotaDecision quota = quotas_.look(QuotaKind::refused_logins, {}, network, now.steady);
+    const Quotas::QuotaDecision quota = quotas_.peek(QuotaKind::refused_logins, {}, network, now.steady);
     if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)

@@ -50,17 +50,17 @@ Quotas::Quotas(const QuotaSettings& settings)
 Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    const QuotaDecision answer = look_locked(work, subject, network, now);
+    const QuotaDecision answer = peek_locked(work, subject, network, now);
     if (!answer.granted) return answer;
     if (!subject.empty()) bucket_of(work, true, subject, now).take(1, now);
     bucket_of(work, false, network, now).take(1, now);
     return answer;
 }
 
-Quotas::QuotaDecision Quotas::look(QuotaKind work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::peek(QuotaKind work, std::string_view subject, std::string_view network,
                             Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    return look_locked(work, subject, network, now);
+    return peek_locked(work, subject, network, now);
 }
 
 std::size_t Quotas::buckets() const {
@@ -78,7 +78,7 @@ TokenBucket& Quotas::bucket_of(QuotaKind work, bool subjects, std::string_view n
     });
 }
 
-Quotas::QuotaDecision Quotas::look_locked(QuotaKind work, std::string_view subject, std::string_view network,
+Quotas::QuotaDecision Quotas::peek_locked(QuotaKind work, std::string_view subject, std::string_view network,
                                    Clock::time_point now) {
     Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
     if (!subject.empty())

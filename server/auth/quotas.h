@@ -29,7 +29,7 @@ public:
     QuotaDecision take(QuotaKind work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
     // What take() would answer.
-    QuotaDecision look(QuotaKind work, std::string_view subject, std::string_view network,
+    QuotaDecision peek(QuotaKind work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
 
     std::size_t buckets() const;
@@ -37,7 +37,7 @@ public:
 private:
     TokenBucket& bucket_of(QuotaKind work, bool of_subject, std::string_view name,
                            Clock::time_point now);
-    QuotaDecision look_locked(QuotaKind work, std::string_view subject, std::string_view network,
+    QuotaDecision peek_locked(QuotaKind work, std::string_view subject, std::string_view network,
                        Clock::time_point now);
 
     const QuotaSettings settings_;

@@ -99,7 +99,7 @@ private:
     Quotas quotas_;
     Tickets tickets_;
     std::mutex logins_mutex_;
-    RecentMap<bool> logins_;  // which were told to the audit log already
+    LruMap<bool> logins_;  // which were told to the audit log already
 };
 
 // The token in an Authorization header, "Bearer TOKEN"; empty: there is no header. Anything else is

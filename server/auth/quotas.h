@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string_view>
 
-#include "server/auth/recent_map.h"
+#include "server/auth/lru_map.h"
 #include "server/config/config.h"
 #include "server/util/token_bucket.h"
 
@@ -42,7 +42,7 @@ private:
 
     const QuotaSettings settings_;
     mutable std::mutex mutex_;
-    RecentMap<TokenBucket> buckets_;
+    LruMap<TokenBucket> buckets_;
 };
 
 }  // namespace jostle::server

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "server/auth/recent_map.h"
+#include "server/auth/lru_map.h"
 
 #include <gtest/gtest.h>
 
 namespace jostle::server {
 namespace {
 
-TEST(RecentMap, what_was_not_asked_for_longest_goes) {
-    RecentMap<int> map(3);
+TEST(LruMap, what_was_not_asked_for_longest_goes) {
+    LruMap<int> map(3);
     int made = 0;
     const auto ask = [&](const char* key) { return map.find_or_make(key, [&] { return ++made; }); };
     EXPECT_EQ(ask("a"), 1);

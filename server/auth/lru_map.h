@@ -13,11 +13,11 @@
 namespace jostle::server {
 
 template <class Value>
-class RecentMap {
+class LruMap {
 public:
-    explicit RecentMap(std::size_t size_max) : size_max_(size_max) {}
-    RecentMap(const RecentMap&) = delete;  // places_ points into entries_
-    RecentMap& operator=(const RecentMap&) = delete;
+    explicit LruMap(std::size_t size_max) : size_max_(size_max) {}
+    LruMap(const LruMap&) = delete;  // places_ points into entries_
+    LruMap& operator=(const LruMap&) = delete;
 
     // The value of that key, made by `make()` if there is none. Good until the next call.
     template <class Make>

@@ -22,16 +22,16 @@ public:
     // The value of that key, made by `make()` if there is none. Good until the next call.
     template <class Make>
     Value& find_or_make(std::string_view key, Make make) {
-        if (const auto at = places_.find(key); at != places_.end()) {
+        if (const auto at = index_.find(key); at != index_.end()) {
             entries_.splice(entries_.begin(), entries_, at->second);
             return at->second->second;
         }
         if (entries_.size() >= size_max_) {
-            places_.erase(entries_.back().first);
+            index_.erase(entries_.back().first);
             entries_.pop_back();
         }
         entries_.emplace_front(std::string(key), make());
-        places_.emplace(entries_.front().first, entries_.begin());
+        index_.emplace(entries_.front().first, entries_.begin());
         return entries_.front().second;
     }
 
@@ -42,7 +42,7 @@ private:
 
     const std::size_t size_max_;
     Entries entries_;  // the last that was asked for comes first
-    std::unordered_map<std::string_view, typename Entries::iterator> places_;  // keys of entries_
+    std::unordered_map<std::string_view, typename Entries::iterator> index_;  // keys of entries_
 };
 
 }  // namespace jostle::server

@@ -116,15 +116,15 @@ Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget
     return check_owner(who, *row, world);
 }
 
-std::string_view reason_of(TicketFate fate) {
+std::string_view reason_of(TicketStatus fate) {
     switch (fate) {
-        case TicketFate::good:
+        case TicketStatus::good:
             return "";
-        case TicketFate::unknown:
+        case TicketStatus::unknown:
             return "the ticket is unknown";
-        case TicketFate::used:
+        case TicketStatus::used:
             return "the ticket was used before";
-        case TicketFate::expired:
+        case TicketStatus::expired:
             return "the ticket has expired";
     }
     return "";

@@ -76,7 +76,7 @@ Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now
     const auto at = key ? table_.find(*key) : table_.end();
     if (at == table_.end()) return {};
     const Redeemed redeemed{at->second.fate, at->second.who, at->second.world_id};
-    if (redeemed.fate == TicketFate::good) bury(at, TicketFate::used, now);
+    if (redeemed.fate == TicketStatus::good) bury(at, TicketStatus::used, now);
     return redeemed;
 }
 
@@ -90,7 +90,7 @@ void Tickets::sweep(Clock::time_point now) {
     while (!waiting_.empty()) {
         const auto oldest = table_.find(waiting_.front());
         if (oldest->second.until > now) break;
-        bury(oldest, TicketFate::expired, now);
+        bury(oldest, TicketStatus::expired, now);
     }
     while (!past_.empty() && table_.at(past_.front()).until <= now) {
         table_.erase(past_.front());
@@ -99,7 +99,7 @@ void Tickets::sweep(Clock::time_point now) {
 }
 
 // It is remembered for a while, so that the audit log can tell a replay from a guess.
-void Tickets::bury(Table::iterator at, TicketFate fate, Clock::time_point now) {
+void Tickets::bury(Table::iterator at, TicketStatus fate, Clock::time_point now) {
     Ticket& ticket = at->second;
     take_from_holder(ticket);
     past_.splice(past_.end(), waiting_, ticket.place);

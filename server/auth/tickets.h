@@ -28,7 +28,7 @@ struct TicketLimits {
     std::size_t address_max = 1000;  // of those who are anonymous at one address
 };
 
-enum class TicketFate { good, unknown, used, expired };
+enum class TicketStatus { good, unknown, used, expired };
 
 class Tickets {
 public:
@@ -40,7 +40,7 @@ public:
                               const std::string& world_id, Clock::time_point now);
 
     struct Redeemed {
-        TicketFate fate = TicketFate::unknown;
+        TicketStatus fate = TicketStatus::unknown;
         Identity who;          // not of an unknown one
         std::string world_id;  // likewise
     };
@@ -58,13 +58,13 @@ private:
         Identity who;
         std::string holder, world_id;
         Clock::time_point until;  // it expires, or is forgotten
-        TicketFate fate = TicketFate::good;
+        TicketStatus fate = TicketStatus::good;
         std::list<Key>::iterator place, place_of_holder;
     };
     using Table = std::unordered_map<Key, Ticket, KeyHash>;
 
     void sweep(Clock::time_point now);
-    void bury(Table::iterator ticket, TicketFate fate, Clock::time_point now);
+    void bury(Table::iterator ticket, TicketStatus fate, Clock::time_point now);
     void take_from_holder(const Ticket& ticket);
     void forget_oldest_of(const std::string& holder);
     std::size_t count_of(const std::string& holder) const;

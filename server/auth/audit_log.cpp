@@ -121,7 +121,7 @@ void AuditLog::run() {
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     std::vector<std::string> lines;
     while (wait_for_work(lines)) {
-        take_new_file();
+        switch_file();
         for (const std::string& line : lines) write_line(line);
         write_unwritten();
     }
@@ -146,10 +146,10 @@ bool AuditLog::wait_for_work(std::vector<std::string>& lines) {
 
 void AuditLog::write_line(const std::string& line) {
     for (std::size_t offset = 0; offset < line.size();) {
-        if (write_part(line, offset)) continue;
-        if (!wait_a_little()) return;
+        if (write_some(line, offset)) continue;
+        if (!wait_for_retry()) return;
         const int before = file_;
-        take_new_file();
+        switch_file();
         if (file_ != before) offset = 0;  // no half lines in the new file
     }
     if (failing_) log_info("the audit log is written again");
@@ -157,13 +157,13 @@ void AuditLog::write_line(const std::string& line) {
 }
 
 // False: nothing could be written now.
-bool AuditLog::write_part(const std::string& line, std::size_t& offset) {
+bool AuditLog::write_some(const std::string& line, std::size_t& offset) {
     pollfd ready{.fd = file_, .events = POLLOUT, .revents = 0};
     if (::poll(&ready, 1, 0) <= 0) return false;
     const std::size_t size = std::min(piece_bytes, line.size() - offset);
     const ssize_t written = ::write(file_, line.data() + offset, size);
     if (written > 0) offset += static_cast<std::size_t>(written);
-    if (written < 0 && errno != EAGAIN && errno != EINTR) say_once_that_it_fails(errno);
+    if (written < 0 && errno != EAGAIN && errno != EINTR) log_failure_once(errno);
     return written > 0;
 }
 
@@ -182,7 +182,7 @@ void AuditLog::write_unwritten() {
                         {"muted", now.muted}}));
 }
 
-void AuditLog::take_new_file() {
+void AuditLog::switch_file() {
     {
         const std::lock_guard lock(mutex_);
         if (!std::exchange(reopen_, false)) return;
@@ -197,7 +197,7 @@ void AuditLog::take_new_file() {
 }
 
 // False: the log comes to its end.
-bool AuditLog::wait_a_little() {
+bool AuditLog::wait_for_retry() {
     std::unique_lock lock(mutex_);
     if (!stop_) {
         work_.wait_for(lock, look_again, [&] { return stop_ || reopen_; });
@@ -209,7 +209,7 @@ bool AuditLog::wait_a_little() {
     return true;
 }
 
-void AuditLog::say_once_that_it_fails(int error) {
+void AuditLog::log_failure_once(int error) {
     if (!std::exchange(failing_, true))
         log_error("the audit log cannot be written: {}; its lines wait", std::strerror(error));
 }

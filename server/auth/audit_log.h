@@ -64,11 +64,11 @@ private:
     void run();
     bool wait_for_work(std::vector<std::string>& lines);
     void write_line(const std::string& line);
-    bool write_part(const std::string& line, std::size_t& offset);
+    bool write_some(const std::string& line, std::size_t& offset);
     void write_unwritten();
-    void take_new_file();
-    bool wait_a_little();
-    void say_once_that_it_fails(int error);
+    void switch_file();
+    bool wait_for_retry();
+    void log_failure_once(int error);
 
     const std::string path_;
     int file_;              // of the writing thread

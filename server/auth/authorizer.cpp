@@ -116,8 +116,8 @@ Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget
     return check_owner(who, *row, world);
 }
 
-std::string_view reason_of(TicketStatus fate) {
-    switch (fate) {
+std::string_view reason_of(TicketStatus ticket_status) {
+    switch (ticket_status) {
         case TicketStatus::good:
             return "";
         case TicketStatus::unknown:
@@ -225,7 +225,7 @@ Result<std::string> Authorizer::issue_ticket(const Identity& who, std::string_vi
 Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket, std::string_view world_id,
                                         std::string_view address, const ClockPair& now) {
     Tickets::Redeemed redeemed = tickets_.redeem(ticket, now.steady);
-    std::string_view reason = reason_of(redeemed.fate);
+    std::string_view reason = reason_of(redeemed.ticket_status);
     if (reason.empty() && !world_id.empty() && world_id != redeemed.world_id)
         reason = "the ticket is for another world";
     if (reason.empty() && now.wall >= redeemed.who.expires)

@@ -64,8 +64,8 @@ Result<std::string> Tickets::issue(const Identity& who, const std::string& holde
                    .holder = holder,
                    .world_id = world_id,
                    .until = now + limits_.life,
-                   .place = waiting_.insert(waiting_.end(), key),
-                   .place_of_holder = own.insert(own.end(), key)};
+                   .position = waiting_.insert(waiting_.end(), key),
+                   .holder_position = own.insert(own.end(), key)};
     return text_of(key);
 }
 
@@ -75,8 +75,8 @@ Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now
     const std::optional<Key> key = key_of(ticket);
     const auto at = key ? table_.find(*key) : table_.end();
     if (at == table_.end()) return {};
-    const Redeemed redeemed{at->second.fate, at->second.who, at->second.world_id};
-    if (redeemed.fate == TicketStatus::good) bury(at, TicketStatus::used, now);
+    const Redeemed redeemed{at->second.ticket_status, at->second.who, at->second.world_id};
+    if (redeemed.ticket_status == TicketStatus::good) retire(at, TicketStatus::used, now);
     return redeemed;
 }
 
@@ -90,7 +90,7 @@ void Tickets::sweep(Clock::time_point now) {
     while (!waiting_.empty()) {
         const auto oldest = table_.find(waiting_.front());
         if (oldest->second.until > now) break;
-        bury(oldest, TicketStatus::expired, now);
+        retire(oldest, TicketStatus::expired, now);
     }
     while (!past_.empty() && table_.at(past_.front()).until <= now) {
         table_.erase(past_.front());
@@ -99,11 +99,11 @@ void Tickets::sweep(Clock::time_point now) {
 }
 
 // It is remembered for a while, so that the audit log can tell a replay from a guess.
-void Tickets::bury(Table::iterator at, TicketStatus fate, Clock::time_point now) {
+void Tickets::retire(Table::iterator at, TicketStatus ticket_status, Clock::time_point now) {
     Ticket& ticket = at->second;
     take_from_holder(ticket);
-    past_.splice(past_.end(), waiting_, ticket.place);
-    ticket.fate = fate;
+    past_.splice(past_.end(), waiting_, ticket.position);
+    ticket.ticket_status = ticket_status;
     ticket.until = now + limits_.memory;
     if (past_.size() <= limits_.total_max) return;
     table_.erase(past_.front());
@@ -112,13 +112,13 @@ void Tickets::bury(Table::iterator at, TicketStatus fate, Clock::time_point now)
 
 void Tickets::take_from_holder(const Ticket& ticket) {
     const auto holder = by_holder_.find(ticket.holder);
-    holder->second.erase(ticket.place_of_holder);
+    holder->second.erase(ticket.holder_position);
     if (holder->second.empty()) by_holder_.erase(holder);
 }
 
 void Tickets::forget_oldest_of(const std::string& holder) {
     const auto at = table_.find(by_holder_.at(holder).front());
-    waiting_.erase(at->second.place);
+    waiting_.erase(at->second.position);
     take_from_holder(at->second);
     table_.erase(at);
 }

@@ -40,7 +40,7 @@ public:
                               const std::string& world_id, Clock::time_point now);
 
     struct Redeemed {
-        TicketStatus fate = TicketStatus::unknown;
+        TicketStatus ticket_status = TicketStatus::unknown;
         Identity who;          // not of an unknown one
         std::string world_id;  // likewise
     };
@@ -58,13 +58,13 @@ private:
         Identity who;
         std::string holder, world_id;
         Clock::time_point until;  // it expires, or is forgotten
-        TicketStatus fate = TicketStatus::good;
-        std::list<Key>::iterator place, place_of_holder;
+        TicketStatus ticket_status = TicketStatus::good;
+        std::list<Key>::iterator position, holder_position;
     };
     using Table = std::unordered_map<Key, Ticket, KeyHash>;
 
     void sweep(Clock::time_point now);
-    void bury(Table::iterator ticket, TicketStatus fate, Clock::time_point now);
+    void retire(Table::iterator ticket, TicketStatus ticket_status, Clock::time_point now);
     void take_from_holder(const Ticket& ticket);
     void forget_oldest_of(const std::string& holder);
     std::size_t count_of(const std::string& holder) const;

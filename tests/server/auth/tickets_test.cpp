@@ -19,11 +19,11 @@ TEST(Tickets, a_ticket_stands_for_who_asked_for_it_once) {
     const std::string ticket = tickets.issue(anna, "anna", "w1", now).value();
     EXPECT_EQ(ticket.size(), 32u) << "128 bits";
     const Tickets::Redeemed first = tickets.redeem(ticket, now + 29s);
-    EXPECT_EQ(first.fate, TicketStatus::good);
+    EXPECT_EQ(first.ticket_status, TicketStatus::good);
     EXPECT_EQ(first.who.subject, "anna");
     EXPECT_EQ(first.who.role, Role::player);
     EXPECT_EQ(first.world_id, "w1");
-    EXPECT_EQ(tickets.redeem(ticket, now + 29s).fate, TicketStatus::used);
+    EXPECT_EQ(tickets.redeem(ticket, now + 29s).ticket_status, TicketStatus::used);
 }
 
 TEST(Tickets, used_expired_and_unknown_ones_are_told_apart_for_a_minute) {
@@ -31,12 +31,12 @@ TEST(Tickets, used_expired_and_unknown_ones_are_told_apart_for_a_minute) {
     const Clock::time_point now{};
     const std::string used = tickets.issue(anna, "anna", "w1", now).value(),
                       old = tickets.issue(anna, "anna", "w1", now).value();
-    EXPECT_EQ(tickets.redeem(used, now).fate, TicketStatus::good);
-    EXPECT_EQ(tickets.redeem(old, now + 30s).fate, TicketStatus::expired);
-    EXPECT_EQ(tickets.redeem(used, now + 59s).fate, TicketStatus::used);
-    EXPECT_EQ(tickets.redeem(used, now + 60s).fate, TicketStatus::unknown);
-    EXPECT_EQ(tickets.redeem(old, now + 89s).fate, TicketStatus::expired);
-    EXPECT_EQ(tickets.redeem(old, now + 90s).fate, TicketStatus::unknown);
+    EXPECT_EQ(tickets.redeem(used, now).ticket_status, TicketStatus::good);
+    EXPECT_EQ(tickets.redeem(old, now + 30s).ticket_status, TicketStatus::expired);
+    EXPECT_EQ(tickets.redeem(used, now + 59s).ticket_status, TicketStatus::used);
+    EXPECT_EQ(tickets.redeem(used, now + 60s).ticket_status, TicketStatus::unknown);
+    EXPECT_EQ(tickets.redeem(old, now + 89s).ticket_status, TicketStatus::expired);
+    EXPECT_EQ(tickets.redeem(old, now + 90s).ticket_status, TicketStatus::unknown);
 }
 
 TEST(Tickets, what_is_no_ticket_is_unknown) {
@@ -47,9 +47,9 @@ TEST(Tickets, what_is_no_ticket_is_unknown) {
     for (const std::string& text :
          {std::string(), std::string(32, '0'), std::string(32, 'g'), std::string(1 << 20, 'a'),
           real.substr(1), real + "0", upper + " ", std::string(32, '\0')}) {
-        EXPECT_EQ(tickets.redeem(text, {}).fate, TicketStatus::unknown) << text.substr(0, 40);
+        EXPECT_EQ(tickets.redeem(text, {}).ticket_status, TicketStatus::unknown) << text.substr(0, 40);
     }
-    EXPECT_EQ(tickets.redeem(real, {}).fate, TicketStatus::good);
+    EXPECT_EQ(tickets.redeem(real, {}).ticket_status, TicketStatus::good);
 }
 
 TEST(Tickets, no_two_are_alike) {
@@ -65,9 +65,9 @@ TEST(Tickets, of_too_many_of_one_holder_his_own_oldest_goes) {
     std::vector<std::string> own;
     for (int i = 0; i < 10; ++i) own.push_back(tickets.issue(anna, "anna", "w1", {}).value());
     EXPECT_EQ(tickets.waiting(), 4u);
-    EXPECT_EQ(tickets.redeem(other, {}).fate, TicketStatus::good);
-    EXPECT_EQ(tickets.redeem(own[6], {}).fate, TicketStatus::unknown);
-    for (int i = 7; i < 10; ++i) EXPECT_EQ(tickets.redeem(own[i], {}).fate, TicketStatus::good);
+    EXPECT_EQ(tickets.redeem(other, {}).ticket_status, TicketStatus::good);
+    EXPECT_EQ(tickets.redeem(own[6], {}).ticket_status, TicketStatus::unknown);
+    for (int i = 7; i < 10; ++i) EXPECT_EQ(tickets.redeem(own[i], {}).ticket_status, TicketStatus::good);
     for (int i = 0; i < 10; ++i) EXPECT_TRUE(tickets.issue(nobody, "192.0.2.1", "w1", {}).ok());
     EXPECT_EQ(tickets.waiting(), 5u) << "an address holds several people";
 }
@@ -92,7 +92,7 @@ TEST(Tickets, nobody_pushes_out_who_has_fewer) {
     EXPECT_EQ(last.error().code, ErrorCode::resource_exhausted);
     EXPECT_EQ(last.error().retry_after_ms, 30000);
     for (const std::string& ticket : of_others)
-        EXPECT_EQ(tickets.redeem(ticket, {}).fate, TicketStatus::good);
+        EXPECT_EQ(tickets.redeem(ticket, {}).ticket_status, TicketStatus::good);
     const Clock::time_point later = Clock::time_point{} + 30s;
     EXPECT_TRUE(tickets.issue(anna, "later", "w1", later).ok());
     EXPECT_EQ(tickets.waiting(), 1u);
@@ -103,10 +103,10 @@ TEST(Tickets, what_is_remembered_is_bounded_too) {
     std::vector<std::string> used;
     for (int i = 0; i < 25; ++i) {
         used.push_back(tickets.issue(anna, "anna", "w1", {}).value());
-        EXPECT_EQ(tickets.redeem(used.back(), {}).fate, TicketStatus::good);
+        EXPECT_EQ(tickets.redeem(used.back(), {}).ticket_status, TicketStatus::good);
     }
-    EXPECT_EQ(tickets.redeem(used[14], {}).fate, TicketStatus::unknown);
-    EXPECT_EQ(tickets.redeem(used[15], {}).fate, TicketStatus::used);
+    EXPECT_EQ(tickets.redeem(used[14], {}).ticket_status, TicketStatus::unknown);
+    EXPECT_EQ(tickets.redeem(used[15], {}).ticket_status, TicketStatus::used);
 }
 
 }  // namespace

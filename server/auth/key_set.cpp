@@ -50,14 +50,14 @@ std::optional<VerifyKey> point_of(const json& key) {
 
 }  // namespace
 
-Result<KeySetText> read_key_set(std::string_view text) {
+Result<ParsedKeySet> read_key_set(std::string_view text) {
     const Result<json> set = parse_strict_json(text, set_depth_max);
     if (!set.ok()) return broken("it cannot be read: " + set.error().message);
     const auto list = set->is_object() ? set->find("keys") : set->end();
     if (list == set->end() || !list->is_array())
         return broken("it is no JSON object with an array \"keys\"");
     if (list->size() > keys_max) return broken("it holds more than 100 keys");
-    KeySetText out;
+    ParsedKeySet out;
     for (std::size_t i = 0; i < list->size(); ++i) {
         const json& key = (*list)[i];
         std::string fault = why_not(key);
@@ -106,7 +106,7 @@ Status KeySet::read() {
     stamp_ = stamp_of(path_);  // before it is read: a change in between is seen next time
     const Result<std::string> text = read_bounded(path_, file_bytes_max);
     if (!text.ok()) return text.error();
-    Result<KeySetText> read = read_key_set(*text);
+    Result<ParsedKeySet> read = read_key_set(*text);
     if (!read.ok()) return broken("the key set " + path_ + " is broken: " + read.error().message);
     for (const std::string& warning : read->warnings) log_warn("{}: {}", path_, warning);
     log_info("keys for tokens in force: {}", read->keys.size());

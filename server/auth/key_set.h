@@ -17,14 +17,14 @@
 
 namespace jostle::server {
 
-struct KeySetText {
+struct ParsedKeySet {
     VerifyKeys keys;
     std::vector<std::string> warnings;  // of keys that were left out, and why
 };
 
 // EC keys on P-256 that have a kid. Keys of other kinds are left out with a warning; a text without
 // any key that can be used, or with one kid twice, is an error.
-Result<KeySetText> read_key_set(std::string_view text);
+Result<ParsedKeySet> read_key_set(std::string_view text);
 
 class KeySet {
 public:

@@ -148,7 +148,7 @@ Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
              .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
-      anonymous_role_(role_named(anonymous_role(config)).value_or(Role::none)),
+      anonymous_role_(parse_role(anonymous_role(config)).value_or(Role::none)),
       keys_(std::move(keys)),
       audit_(std::move(audit)),
       quotas_(config.quota),

@@ -17,7 +17,7 @@ std::string_view name_of(Role role) {
     return role_names[static_cast<std::size_t>(role)];
 }
 
-std::optional<Role> role_named(std::string_view name) {
+std::optional<Role> parse_role(std::string_view name) {
     const auto at = std::ranges::find(role_names, name);
     if (at == role_names.end()) return std::nullopt;
     return static_cast<Role>(at - role_names.begin());

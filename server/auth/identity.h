@@ -16,7 +16,7 @@ namespace jostle::server {
 enum class Role { none, viewer, player, director, admin };
 
 std::string_view name_of(Role role);
-std::optional<Role> role_named(std::string_view name);
+std::optional<Role> parse_role(std::string_view name);
 
 // Subjects that no token may name: whoever shows nothing, and holders of client certificates.
 inline constexpr std::string_view anonymous_subject = "anonymous";

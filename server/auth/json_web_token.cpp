@@ -49,15 +49,15 @@ Result<json> read_object(std::string_view encoded, const std::string& what) {
 
 // The key that the header names.
 Result<const VerifyKey*> choose_key(const json& header, const VerifyKeys& keys) {
-    const std::string* algorithm = text_of(header, "alg");
+    const std::string* algorithm = string_member(header, "alg");
     if (!algorithm || *algorithm != "ES256")
         return refused("the token is not signed with ES256, the one algorithm that is taken");
     if (header.contains("crit"))
         return refused("the token's header asks for an extension (crit); none is known here");
-    if (const std::string* type = text_of(header, "typ");
+    if (const std::string* type = string_member(header, "typ");
         header.contains("typ") && (!type || (*type != "JWT" && *type != "at+jwt")))
         return refused("the token's header has a typ other than JWT and at+jwt");
-    const std::string* id = text_of(header, "kid");
+    const std::string* id = string_member(header, "kid");
     if (!id) return refused("the token's header names no key (kid)");
     const auto key = keys.find(*id);
     if (key == keys.end()) return refused("the token is signed with a key that is not known here");
@@ -115,7 +115,7 @@ bool names_audience(const json& claims, const std::string& audience) {
 }
 
 Status check_parties(const json& claims, const TokenRules& rules) {
-    const std::string* issuer = text_of(claims, "iss");
+    const std::string* issuer = string_member(claims, "iss");
     if (!issuer) return refused("the token does not say who issued it (iss)");
     if (*issuer != rules.issuer) return refused("the token is of another issuer (iss)");
     if (!claims.contains("aud")) return refused("the token does not say whom it is for (aud)");
@@ -136,7 +136,7 @@ Status check_subject(const std::string* subject) {
 // A short text that need not be there.
 Result<std::string> option_of(const json& claims, const char* name) {
     if (!claims.contains(name)) return std::string();
-    const std::string* text = text_of(claims, name);
+    const std::string* text = string_member(claims, name);
     if (!text || text->empty() || text->size() > subject_bytes_max)
         return refused(std::string("the token's ") + name + " is no text of 1 to 128 bytes");
     return *text;
@@ -144,11 +144,11 @@ Result<std::string> option_of(const json& claims, const char* name) {
 
 Result<Identity> read_identity(const json& claims) {
     Identity who{.anonymous = false};
-    const std::string* subject = text_of(claims, "sub");
+    const std::string* subject = string_member(claims, "sub");
     if (Status s = check_subject(subject); !s.ok()) return s.error();
     who.subject = *subject;
-    const std::string* role = text_of(claims, "role");
-    const std::optional<Role> named = role ? role_named(*role) : std::nullopt;
+    const std::string* role = string_member(claims, "role");
+    const std::optional<Role> named = role ? parse_role(*role) : std::nullopt;
     if (!named || *named == Role::none)
         return refused("the token's role is not viewer, player, director or admin");
     who.role = *named;

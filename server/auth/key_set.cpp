@@ -24,25 +24,25 @@ Error broken(std::string message) {
 
 // A member that is that text.
 bool says(const json& key, const char* name, std::string_view text) {
-    const std::string* found = text_of(key, name);
+    const std::string* found = string_member(key, name);
     return found && *found == text;
 }
 
 // Why a key cannot check tokens; empty: it can.
-std::string why_not(const json& key) {
+std::string rejection_reason(const json& key) {
     if (!key.is_object()) return "it is no JSON object";
     if (!says(key, "kty", "EC") || !says(key, "crv", "P-256"))
         return "it is no EC key on the curve P-256";
     if (key.contains("d")) return "it is a private key, which belongs with the issuer alone";
     if (key.contains("use") && !says(key, "use", "sig")) return "its use is not sig";
     if (key.contains("alg") && !says(key, "alg", "ES256")) return "its alg is not ES256";
-    const std::string* id = text_of(key, "kid");
+    const std::string* id = string_member(key, "kid");
     if (!id || id->empty() || id->size() > id_bytes_max) return "it has no kid of 1 to 256 bytes";
     return {};
 }
 
 std::optional<VerifyKey> point_of(const json& key) {
-    const std::string *x = text_of(key, "x"), *y = text_of(key, "y");
+    const std::string *x = string_member(key, "x"), *y = string_member(key, "y");
     if (!x || !y) return std::nullopt;
     const std::optional<std::string> x_bytes = from_base64url(*x), y_bytes = from_base64url(*y);
     return x_bytes && y_bytes ? VerifyKey::from_point(*x_bytes, *y_bytes) : std::nullopt;
@@ -60,14 +60,14 @@ Result<ParsedKeySet> read_key_set(std::string_view text) {
     ParsedKeySet out;
     for (std::size_t i = 0; i < list->size(); ++i) {
         const json& key = (*list)[i];
-        std::string fault = why_not(key);
+        std::string fault = rejection_reason(key);
         const std::optional<VerifyKey> point = fault.empty() ? point_of(key) : std::nullopt;
         if (fault.empty() && !point) fault = "its x and y are no point of the curve";
         if (!fault.empty()) {
             out.warnings.push_back(fmt::format("key {} is left out: {}", i + 1, fault));
             continue;
         }
-        if (!out.keys.emplace(*text_of(key, "kid"), *point).second)
+        if (!out.keys.emplace(*string_member(key, "kid"), *point).second)
             return broken(fmt::format("key {} has the kid of one before it", i + 1));
     }
     if (out.keys.empty()) return broken("it holds no EC key on P-256 with a kid");
@@ -88,8 +88,8 @@ std::shared_ptr<const VerifyKeys> KeySet::keys() const {
 bool KeySet::poll(Clock::time_point now) {
     {
         const std::lock_guard lock(reading_);
-        if (now < next_look_) return true;
-        next_look_ = now + std::chrono::seconds(1);
+        if (now < next_poll_) return true;
+        next_poll_ = now + std::chrono::seconds(1);
         if (stamp_of(path_) == stamp_) return true;
     }
     return reload();

@@ -49,7 +49,7 @@ private:
     std::shared_ptr<const VerifyKeys> keys_;
     std::mutex reading_;  // of what follows
     FileStamp stamp_;     // of the file when it was last read, good or not
-    Clock::time_point next_look_ = Clock::time_point::min();
+    Clock::time_point next_poll_ = Clock::time_point::min();
 };
 
 }  // namespace jostle::server

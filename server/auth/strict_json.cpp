@@ -60,7 +60,7 @@ Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t dept
     return nlohmann::json::parse(text, nullptr, false);
 }
 
-const std::string* text_of(const nlohmann::json& object, const char* name) {
+const std::string* string_member(const nlohmann::json& object, const char* name) {
     const auto at = object.find(name);
     return at == object.end() ? nullptr : at->get_ptr<const std::string*>();
 }

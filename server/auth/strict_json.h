@@ -16,6 +16,6 @@ namespace jostle::server {
 Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t depth_max);
 
 // A member of an object that is a string; null: it is missing or something else.
-const std::string* text_of(const nlohmann::json& object, const char* name);
+const std::string* string_member(const nlohmann::json& object, const char* name);
 
 }  // namespace jostle::server

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char digits[] = "0123456789abcdef";
 
-std::string text_of(std::span<const std::uint8_t> key) {
+std::string string_member(std::span<const std::uint8_t> key) {
     std::string text;
     for (const std::uint8_t byte : key) {
         text += digits[byte >> 4];
@@ -66,7 +66,7 @@ Result<std::string> Tickets::issue(const Identity& who, const std::string& holde
                    .until = now + limits_.life,
                    .position = waiting_.insert(waiting_.end(), key),
                    .holder_position = own.insert(own.end(), key)};
-    return text_of(key);
+    return string_member(key);
 }
 
 Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now) {

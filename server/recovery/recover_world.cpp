@@ -19,7 +19,7 @@ std::string said(const std::string& what, const Error& error) {
 
 class Recovery {
 public:
-    Recovery(WorldStore& store, const StoredWorld& stored, const WorldDefinition& record,
+    Recovery(WorldStorage& store, const StoredWorld& stored, const WorldDefinition& record,
              const RecoveryOptions& options)
         : store_(store), stored_(stored), record_(record), options_(options) {}
 
@@ -168,7 +168,7 @@ private:
         if (options_.after_tick) options_.after_tick(world, tick.tick);
     }
 
-    WorldStore& store_;
+    WorldStorage& store_;
     const StoredWorld& stored_;
     const WorldDefinition& record_;
     const RecoveryOptions& options_;
@@ -177,7 +177,7 @@ private:
 
 }  // namespace
 
-Result<RecoveredWorld> recover_world(WorldStore& store, const StoredWorld& stored,
+Result<RecoveredWorld> recover_world(WorldStorage& store, const StoredWorld& stored,
                                      const WorldDefinition& record, const RecoveryOptions& options) {
     return Recovery(store, stored, record, options).run();
 }

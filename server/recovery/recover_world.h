@@ -11,7 +11,7 @@
 
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 #include "server/world/hosted_world.h"
 
 namespace jostle::server {
@@ -37,7 +37,7 @@ struct RecoveryOptions {
 };
 
 // corrupt_data: no checkpoint is whole. not_found: there is none.
-Result<RecoveredWorld> recover_world(WorldStore& store, const StoredWorld& stored,
+Result<RecoveredWorld> recover_world(WorldStorage& store, const StoredWorld& stored,
                                      const WorldDefinition& record, const RecoveryOptions& options);
 
 }  // namespace jostle::server

@@ -105,14 +105,14 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     const Result<std::vector<StoredWorld>> worlds = (*store)->worlds();
     if (!worlds.ok()) return failed(worlds.error());
     // Keepers of worlds that are taken up know the writer: it comes first, and has nothing to do.
-    WorldStore& there = **store;
+    WorldStorage& there = **store;
     archive->writer_ = std::make_unique<StoreWriter>(*std::move(store), StoreWriterSettings{});
     CrashMarkers::count_fatal_signals(archive->marks_.get());
     if (Status s = archive->load_worlds(there, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }
 
-Status WorldArchive::read_notes(WorldStore& store) {
+Status WorldArchive::read_notes(WorldStorage& store) {
     const auto secret = store.note(secret_note);
     if (!secret.ok()) return secret.error();
     const auto clients = store.note(clients_note);
@@ -155,11 +155,11 @@ bool WorldArchive::flush(Clock::duration within) {
 
 // One that is damaged holds up no other; a disk that is full or gone may be well again soon, and
 // then all of them are to come back.
-Status WorldArchive::load_worlds(WorldStore& store, const std::vector<StoredWorld>& worlds) {
+Status WorldArchive::load_worlds(WorldStorage& store, const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
         Result<PersistedWorld> kept = Error{};
-        writer_->visit([&](WorldStore&) { kept = load_world(store, stored); }, std::chrono::hours(1));
+        writer_->visit([&](WorldStorage&) { kept = load_world(store, stored); }, std::chrono::hours(1));
         if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
                            kept.error().code == ErrorCode::resource_exhausted))
             return kept.error();
@@ -180,7 +180,7 @@ Status WorldArchive::load_worlds(WorldStore& store, const std::vector<StoredWorl
     return {};
 }
 
-Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredWorld& stored) {
+Result<PersistedWorld> WorldArchive::load_world(WorldStorage& store, const StoredWorld& stored) {
     Result<WorldDefinition> record = decode_world_definition(stored.settings);
     if (!record.ok()) return record.error();
     Result<RecoveredWorld> found = recover(store, stored, *record);
@@ -227,7 +227,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStore& store, const StoredW
 
 // A tick that crashed twice in a row is done again without its commands; should the fault lie
 // further back, each crash more takes twice as many ticks.
-Result<RecoveredWorld> WorldArchive::recover(WorldStore& store, const StoredWorld& stored,
+Result<RecoveredWorld> WorldArchive::recover(WorldStorage& store, const StoredWorld& stored,
                                              const WorldDefinition& record) {
     const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
@@ -300,17 +300,17 @@ void WorldArchive::drop(const std::string& id) {
         log_error("world {} may come back: that it was deleted could not be kept", id);
 }
 
-Result<std::unique_ptr<WorldStore>> WorldArchive::copy_of(const std::string& id,
+Result<std::unique_ptr<WorldStorage>> WorldArchive::copy_of(const std::string& id,
                                                           std::uint32_t last_tick) {
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
-    writer_->visit([&](WorldStore& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
+    writer_->visit([&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
                    timeout);
     if (!copy.ok()) return copy.error();
-    return std::unique_ptr<WorldStore>(*std::move(copy));
+    return std::unique_ptr<WorldStorage>(*std::move(copy));
 }
 
 Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t tick) {
-    const Result<std::unique_ptr<WorldStore>> copy = copy_of(id, tick);
+    const Result<std::unique_ptr<WorldStorage>> copy = copy_of(id, tick);
     if (!copy.ok()) return copy.error();
     const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
     if (!stored.ok()) return stored.error();
@@ -332,7 +332,7 @@ Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::s
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
     writer_->visit(
-        [&](WorldStore& store) {
+        [&](WorldStorage& store) {
             copy = WorldStorageCopy::of(store, id, 2);
             ticks = store.checkpoint_ticks(id);
         },

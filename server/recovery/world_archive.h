@@ -64,16 +64,16 @@ public:
     Result<WorldStart> reload(const std::string& id) override;
     Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld then) override;
     // Any thread: what is kept of a world, up to that tick.
-    Result<std::unique_ptr<WorldStore>> copy_of(const std::string& id, std::uint32_t last_tick);
+    Result<std::unique_ptr<WorldStorage>> copy_of(const std::string& id, std::uint32_t last_tick);
 
 private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_results_sent);
-    Status read_notes(WorldStore& store);
-    Status load_worlds(WorldStore& store, const std::vector<StoredWorld>& worlds);
-    Result<PersistedWorld> load_world(WorldStore& store, const StoredWorld& stored);
+    Status read_notes(WorldStorage& store);
+    Status load_worlds(WorldStorage& store, const std::vector<StoredWorld>& worlds);
+    Result<PersistedWorld> load_world(WorldStorage& store, const StoredWorld& stored);
     // As it was, but for what crashes it.
-    Result<RecoveredWorld> recover(WorldStore& store, const StoredWorld& stored,
+    Result<RecoveredWorld> recover(WorldStorage& store, const StoredWorld& stored,
                                    const WorldDefinition& record);
     // One of this process that runs no more.
     struct StoppedWorld {

@@ -6,7 +6,7 @@
 
 namespace jostle::server {
 
-Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStore& store, const std::string& id,
+Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& store, const std::string& id,
                                                      std::size_t checkpoints_max,
                                                      std::uint32_t last_tick) {
     constexpr std::size_t bytes_at_once = 8 << 20;

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 
 namespace jostle::server {
 
-class WorldStorageCopy : public WorldStore {
+class WorldStorageCopy : public WorldStorage {
 public:
     // The world, its checkpoints up to that tick, newest first and at most so many, and what came
     // after the oldest of them.
-    static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStore& store, const std::string& id,
+    static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStorage& store, const std::string& id,
                                                    std::size_t checkpoints_max,
                                                    std::uint32_t last_tick = 0xffffffff);
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 
 namespace jostle::server {
 
@@ -24,7 +24,7 @@ struct SqliteStoreOptions {
     const char* file_system = nullptr;
 };
 
-class SqliteStore : public WorldStore {
+class SqliteStore : public WorldStorage {
 public:
     // not_found: there is none, and none is to be made. failed_precondition: another process has it
     // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.

@@ -22,7 +22,7 @@ bool may_pass(const Status& failure) {
 
 }  // namespace
 
-StoreWriter::StoreWriter(std::unique_ptr<WorldStore> store, const StoreWriterSettings& settings)
+StoreWriter::StoreWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings)
     : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
 
 StoreWriter::~StoreWriter() {
@@ -53,7 +53,7 @@ bool StoreWriter::flush(Clock::duration timeout) {
     return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
-bool StoreWriter::visit(const std::function<void(WorldStore& store)>& look,
+bool StoreWriter::visit(const std::function<void(WorldStorage& store)>& look,
                         Clock::duration timeout) {
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);

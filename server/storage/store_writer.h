@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {
@@ -34,7 +34,7 @@ public:
     // writer ended before it could be written (aborted). Must not wait.
     using Done = std::function<void(const Status&)>;
 
-    StoreWriter(std::unique_ptr<WorldStore> store, const StoreWriterSettings& settings);
+    StoreWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings);
     // Tries for `patience` to write what waits.
     ~StoreWriter();
 
@@ -42,7 +42,7 @@ public:
     bool push(StoreChange change, Done done);
     // Any thread: looks at the store on the writer's thread, after what was pushed before, and
     // returns when that is over. False: the writer did not come to it within that time.
-    bool visit(const std::function<void(WorldStore& store)>& look, Clock::duration timeout);
+    bool visit(const std::function<void(WorldStorage& store)>& look, Clock::duration timeout);
     // Any thread: waits until all that was pushed before has been written or refused. False: not
     // within that time.
     bool flush(Clock::duration timeout);
@@ -64,14 +64,14 @@ private:
     // False: the writer ends, and what is left is not to be tried again.
     bool wait_for_retry();
 
-    const std::unique_ptr<WorldStore> store_;  // the writer thread's own
+    const std::unique_ptr<WorldStorage> store_;  // the writer thread's own
     const StoreWriterSettings settings_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Waiting> queue_;
     std::size_t bytes_ = 0;  // in the queue and in what is being written
     std::uint64_t pushed_ = 0, finished_ = 0;
-    const std::function<void(WorldStore& store)>* visit_ = nullptr;  // one at a time
+    const std::function<void(WorldStorage& store)>* visit_ = nullptr;  // one at a time
     bool visiting_ = false;
     std::optional<std::string> failure_;
     std::optional<Clock::time_point> writing_since_;

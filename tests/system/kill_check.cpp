@@ -119,7 +119,7 @@ struct Findings {
 };
 
 // How often each input is there; counts clients who left, too: none did.
-std::map<Numbered, int> inputs_in(server::WorldStore& store, const std::string& world,
+std::map<Numbered, int> inputs_in(server::WorldStorage& store, const std::string& world,
                                   std::size_t& left) {
     std::map<Numbered, int> kept;
     for (std::uint64_t after = 0;;) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "server/recovery/recover_world.h"
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 
 namespace jostle::replay {
 
@@ -59,13 +59,13 @@ public:
     const std::string& id() const { return stored_.id; }
 
 private:
-    PersistedWorld(std::unique_ptr<server::WorldStore> store, server::StoredWorld stored,
+    PersistedWorld(std::unique_ptr<server::WorldStorage> store, server::StoredWorld stored,
               server::WorldDefinition record)
         : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
     Result<server::RecoveredWorld> from_the_first(const server::RecoveryOptions& options);
     Result<std::uint32_t> oldest();
 
-    std::unique_ptr<server::WorldStore> store_;
+    std::unique_ptr<server::WorldStorage> store_;
     server::StoredWorld stored_;
     server::WorldDefinition record_;
 };

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/storage/world_store.h"
+#include "server/storage/world_storage.h"
 
 namespace jostle::test {
 
@@ -32,7 +32,7 @@ struct FaultyState {
     }
 };
 
-class FaultyStore : public server::WorldStore {
+class FaultyStore : public server::WorldStorage {
 public:
     explicit FaultyStore(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
 

@@ -31,7 +31,7 @@ std::unique_ptr<SqliteStore> opened(const std::string& path,
     EXPECT_TRUE(store.ok()) << store.error().message;
     return store.ok() ? *std::move(store) : nullptr;
 }
-Status write(WorldStore& store, std::vector<StoreChange> changes) {
+Status write(WorldStorage& store, std::vector<StoreChange> changes) {
     return store.write(changes);
 }
 
@@ -213,7 +213,7 @@ TEST(SqliteStore, what_is_cut_from_a_journal_can_be_written_otherwise) {
 }
 
 // All that a store says of a history.
-bool says_all(WorldStore& store, const std::string& id, bool& reported) {
+bool says_all(WorldStorage& store, const std::string& id, bool& reported) {
     const auto worlds = store.worlds();
     const auto ticks = store.checkpoint_ticks(id);
     reported = !worlds.ok() || !ticks.ok();

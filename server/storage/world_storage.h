@@ -18,9 +18,9 @@
 
 namespace jostle::server {
 
-class WorldStore {
+class WorldStorage {
 public:
-    virtual ~WorldStore() = default;
+    virtual ~WorldStorage() = default;
 
     // All of them or none, durable when it returns. Writing again what is there is no error, so
     // that who does not know whether a call took effect may repeat it.

@@ -88,7 +88,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
                                                          const HostLimits& limits, int threads,
                                                          std::function<void()> on_results_sent,
                                                          const char* file_system) {
-    Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(
+    Result<std::unique_ptr<SqliteStorage>> store = SqliteStorage::open(
         settings.store,
         {.durability = settings.level == "process" ? Durability::process : Durability::machine,
          .file_system = file_system});

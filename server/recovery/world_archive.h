@@ -35,7 +35,7 @@ class WorldArchive : public WorldPersistence {
 public:
     // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
     // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
-    // store cannot be opened (SqliteStore::open), or not be written to now.
+    // store cannot be opened (SqliteStorage::open), or not be written to now.
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
                                                       std::function<void()> on_results_sent,

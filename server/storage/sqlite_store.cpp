@@ -77,7 +77,7 @@ std::string name_of(const std::string& world, const JournalEntry& e) {
 }  // namespace
 
 // The statements that are run time and again.
-class SqliteStore::Database {
+class SqliteStorage::Database {
 public:
     enum Kind {
         put_world,
@@ -220,8 +220,8 @@ private:
     std::vector<SqliteStatement> statements_;
 };
 
-SqliteStore::SqliteStore(std::unique_ptr<Database> database) : database_(std::move(database)) {}
-SqliteStore::~SqliteStore() = default;
+SqliteStorage::SqliteStorage(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+SqliteStorage::~SqliteStorage() = default;
 
 namespace {
 
@@ -284,17 +284,17 @@ Status take_file(SqliteDatabase& database, Durability durability) {
 
 }  // namespace
 
-Result<std::unique_ptr<SqliteStore>> SqliteStore::open(const std::string& path,
+Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& path,
                                                        const SqliteStoreOptions& options) {
     Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.make);
     if (!opened.ok()) return named(path, opened.error());
     if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));
     if (Status s = database->prepare(); !s.ok()) return named(path, s.error());
-    return std::unique_ptr<SqliteStore>(new SqliteStore(std::move(database)));
+    return std::unique_ptr<SqliteStorage>(new SqliteStorage(std::move(database)));
 }
 
-Status SqliteStore::write(std::span<const StoreChange> changes) {
+Status SqliteStorage::write(std::span<const StoreChange> changes) {
     Database& database = *database_;
     Status done = database->execute("BEGIN IMMEDIATE");
     for (const StoreChange& change : changes)
@@ -308,7 +308,7 @@ Status SqliteStore::write(std::span<const StoreChange> changes) {
     return done;
 }
 
-Result<std::vector<StoredWorld>> SqliteStore::worlds() {
+Result<std::vector<StoredWorld>> SqliteStorage::worlds() {
     std::vector<StoredWorld> all;
     SqliteStatement& list = database_->of(Database::list_worlds);
     for (;;) {
@@ -328,7 +328,7 @@ Result<std::vector<StoredWorld>> SqliteStore::worlds() {
     }
 }
 
-Result<std::vector<std::uint32_t>> SqliteStore::checkpoint_ticks(const std::string& world) {
+Result<std::vector<std::uint32_t>> SqliteStorage::checkpoint_ticks(const std::string& world) {
     std::vector<std::uint32_t> ticks;
     SqliteStatement& list = database_->of(Database::list_checkpoints).bind(1, world);
     for (;;) {
@@ -339,7 +339,7 @@ Result<std::vector<std::uint32_t>> SqliteStore::checkpoint_ticks(const std::stri
     }
 }
 
-Result<Checkpoint> SqliteStore::checkpoint(const std::string& world, std::uint32_t tick) {
+Result<Checkpoint> SqliteStorage::checkpoint(const std::string& world, std::uint32_t tick) {
     const std::string where =
         "the checkpoint of tick " + std::to_string(tick) + " of world \"" + world + "\"";
     SqliteStatement& read =
@@ -358,7 +358,7 @@ Result<Checkpoint> SqliteStore::checkpoint(const std::string& world, std::uint32
     return found;
 }
 
-Result<std::vector<JournalEntry>> SqliteStore::entries(const std::string& world,
+Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& world,
                                                        std::uint64_t after, std::size_t bytes_max) {
     std::optional<Chain> before;
     if (after == 0) before = Chain{};
@@ -408,7 +408,7 @@ Result<std::vector<JournalEntry>> SqliteStore::entries(const std::string& world,
     }
 }
 
-Result<std::optional<std::string>> SqliteStore::note(const std::string& name) {
+Result<std::optional<std::string>> SqliteStorage::note(const std::string& name) {
     SqliteStatement& read = database_->of(Database::read_note).bind(1, name);
     const Result<bool> row = read.step();
     if (!row.ok()) return row.error();

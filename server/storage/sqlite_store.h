@@ -24,13 +24,13 @@ struct SqliteStoreOptions {
     const char* file_system = nullptr;
 };
 
-class SqliteStore : public WorldStorage {
+class SqliteStorage : public WorldStorage {
 public:
     // not_found: there is none, and none is to be made. failed_precondition: another process has it
     // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.
-    static Result<std::unique_ptr<SqliteStore>> open(const std::string& path,
+    static Result<std::unique_ptr<SqliteStorage>> open(const std::string& path,
                                                      const SqliteStoreOptions& options);
-    ~SqliteStore() override;
+    ~SqliteStorage() override;
 
     Status write(std::span<const StoreChange> changes) override;
     Result<std::vector<StoredWorld>> worlds() override;
@@ -42,7 +42,7 @@ public:
 
 private:
     class Database;
-    explicit SqliteStore(std::unique_ptr<Database> database);
+    explicit SqliteStorage(std::unique_ptr<Database> database);
 
     std::unique_ptr<Database> database_;
 };

@@ -142,7 +142,7 @@ std::map<Numbered, int> inputs_in(server::WorldStorage& store, const std::string
 
 Findings read_store(const std::string& path, const std::vector<std::unique_ptr<Bot>>& bots) {
     Findings found;
-    const auto store = server::SqliteStore::open(path, {}).value();
+    const auto store = server::SqliteStorage::open(path, {}).value();
     const server::StoredWorld stored = store->worlds().value().at(0);
     const auto record = server::decode_world_definition(stored.settings).value();
     const std::map<Numbered, int> kept = inputs_in(*store, stored.id, found.left);

@@ -14,13 +14,13 @@ namespace jostle::replay {
 using server::RecoveredWorld;
 
 Result<std::vector<server::StoredWorld>> PersistedWorld::list(const std::string& file) {
-    auto store = server::SqliteStore::open(file, {.make = false});
+    auto store = server::SqliteStorage::open(file, {.make = false});
     if (!store.ok()) return store.error();
     return (*store)->worlds();
 }
 
 Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::string& world) {
-    auto store = server::SqliteStore::open(file, {.make = false});
+    auto store = server::SqliteStorage::open(file, {.make = false});
     if (!store.ok()) return store.error();
     const auto all = (*store)->worlds();
     if (!all.ok()) return all.error();

@@ -87,7 +87,7 @@ TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
     }
     // What was told as applied is there, and what was refused is not.
     for (const InputResult& result : results_->take()) told_.insert(result.sequence);
-    auto store = SqliteStore::open(path, {}).value();
+    auto store = SqliteStorage::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const auto record = decode_world_definition(stored.settings).value();
     std::set<std::uint32_t> kept;

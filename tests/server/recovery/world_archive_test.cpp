@@ -104,7 +104,7 @@ struct Ended {
 };
 // Of a world as it is in the store, gone on with to that tick.
 Ended kept_in(const std::string& path, std::uint32_t tick) {
-    auto store = SqliteStore::open(path, {}).value();
+    auto store = SqliteStorage::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldDefinition record = decode_world_definition(stored.settings).value();
     RecoveredWorld found = recover_world(*store, stored, record, {.last_tick = tick}).value();
@@ -149,7 +149,7 @@ TEST(WorldArchive, an_orderly_end_leaves_a_checkpoint_and_nothing_to_do_again) {
         process.worlds->stop_all();
         EXPECT_TRUE(process.archive->flush(5s));
     }
-    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
     const std::string id = store->worlds().value().at(0).id;
     EXPECT_EQ(store->checkpoint_ticks(id).value().front(), tick);
 }
@@ -186,7 +186,7 @@ TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two
     EXPECT_EQ(ticks.size(), 2u);
     EXPECT_GT(ticks.back(), 300u);
     process.die();
-    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
     EXPECT_EQ(store->checkpoint_ticks(id).value(), ticks);
     EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
 }
@@ -266,7 +266,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
         process.die();
     }
     // From the first checkpoint, through all three, as from the last.
-    auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+    auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldDefinition record = decode_world_definition(stored.settings).value();
     for (const std::uint32_t checkpoint : store->checkpoint_ticks(stored.id).value()) {
@@ -330,7 +330,7 @@ TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands)
         EXPECT_EQ(process.worlds->find("yard")->frame()->tick, 21u);
         process.die();
     }
-    auto store = SqliteStore::open(path, {}).value();
+    auto store = SqliteStorage::open(path, {}).value();
     const auto aside = store->note("aside " + id + " 15").value();
     ASSERT_TRUE(aside.has_value());
     EXPECT_EQ(decode_journal(*aside).value().ticks.at(0).commands.size(), 2u);
@@ -355,7 +355,7 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
     const Ended whole = kept_in(folder / "worlds.db", tick);
     EXPECT_EQ(whole.tick, tick);
     {
-        auto store = SqliteStore::open(folder / "worlds.db", {}).value();
+        auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
         Checkpoint newest =
             store->checkpoint(id, store->checkpoint_ticks(id).value().front()).value();
         newest.exact[newest.exact.size() / 2] ^= 1;

@@ -25,9 +25,9 @@ using test::error_of;
 using test::JournalMaker;
 using test::stored_world;
 
-std::unique_ptr<SqliteStore> opened(const std::string& path,
+std::unique_ptr<SqliteStorage> opened(const std::string& path,
                                     const SqliteStoreOptions& options = {}) {
-    Result<std::unique_ptr<SqliteStore>> store = SqliteStore::open(path, options);
+    Result<std::unique_ptr<SqliteStorage>> store = SqliteStorage::open(path, options);
     EXPECT_TRUE(store.ok()) << store.error().message;
     return store.ok() ? *std::move(store) : nullptr;
 }
@@ -46,7 +46,7 @@ std::vector<StoreChange> small_history(JournalMaker& journal, const std::string&
     return all;
 }
 
-TEST(SqliteStore, what_was_written_is_there_after_a_restart) {
+TEST(SqliteStorage, what_was_written_is_there_after_a_restart) {
     const test::TempFolder folder;
     JournalMaker journal("sea");
     const std::vector<StoreChange> all = small_history(journal, "sea");
@@ -64,7 +64,7 @@ TEST(SqliteStore, what_was_written_is_there_after_a_restart) {
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-TEST(SqliteStore, a_long_journal_comes_in_pages) {
+TEST(SqliteStorage, a_long_journal_comes_in_pages) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -84,7 +84,7 @@ TEST(SqliteStore, a_long_journal_comes_in_pages) {
     EXPECT_EQ(pages, 10);
 }
 
-TEST(SqliteStore, changes_are_written_all_or_none) {
+TEST(SqliteStorage, changes_are_written_all_or_none) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea"), nowhere("nowhere");
@@ -94,7 +94,7 @@ TEST(SqliteStore, changes_are_written_all_or_none) {
     EXPECT_TRUE(store->worlds()->empty());
 }
 
-TEST(SqliteStore, the_same_change_again_is_no_error_and_another_one_is) {
+TEST(SqliteStorage, the_same_change_again_is_no_error_and_another_one_is) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -109,7 +109,7 @@ TEST(SqliteStore, the_same_change_again_is_no_error_and_another_one_is) {
               "entry 14 of the journal of world \"sea\" comes after 12");
 }
 
-TEST(SqliteStore, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
+TEST(SqliteStorage, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -125,13 +125,13 @@ TEST(SqliteStore, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
     EXPECT_TRUE(store->checkpoint_ticks("sea")->empty());
 }
 
-TEST(SqliteStore, two_servers_cannot_have_one_store) {
+TEST(SqliteStorage, two_servers_cannot_have_one_store) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
     const pid_t child = fork();
     if (child == 0)  // another process: locks are a process's own
-        _exit(error_of(SqliteStore::open(folder / "worlds.db", {})).code ==
+        _exit(error_of(SqliteStorage::open(folder / "worlds.db", {})).code ==
                       ErrorCode::failed_precondition
                   ? 0
                   : 1);
@@ -140,36 +140,36 @@ TEST(SqliteStore, two_servers_cannot_have_one_store) {
     EXPECT_EQ(status, 0);
 }
 
-TEST(SqliteStore, files_of_others_are_refused_with_their_names) {
+TEST(SqliteStorage, files_of_others_are_refused_with_their_names) {
     const test::TempFolder folder;
     const std::string path = folder.write("notes.txt", std::string(2000, 'n'));
-    EXPECT_EQ(error_of(SqliteStore::open(path, {})).code, ErrorCode::corrupt_data);
-    EXPECT_EQ(error_of(SqliteStore::open(path, {})).message, path + ": file is not a database");
-    EXPECT_EQ(error_of(SqliteStore::open(folder / "no/such/folder.db", {})).code,
+    EXPECT_EQ(error_of(SqliteStorage::open(path, {})).code, ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(SqliteStorage::open(path, {})).message, path + ": file is not a database");
+    EXPECT_EQ(error_of(SqliteStorage::open(folder / "no/such/folder.db", {})).code,
               ErrorCode::unavailable);
     EXPECT_EQ(folder.read("notes.txt"), std::string(2000, 'n')) << "and are left as they are";
     const std::string few = folder.write("few.txt", "to do");
-    EXPECT_EQ(error_of(SqliteStore::open(few, {})).message, few + ": file is not a database");
+    EXPECT_EQ(error_of(SqliteStorage::open(few, {})).message, few + ": file is not a database");
     EXPECT_EQ(folder.read("few.txt"), "to do") << "also those that SQLite takes for empty";
 
     sqlite3* other = nullptr;
     sqlite3_open((folder / "other.db").c_str(), &other);
     sqlite3_exec(other, "CREATE TABLE poems(text)", nullptr, nullptr, nullptr);
     sqlite3_close(other);
-    EXPECT_EQ(error_of(SqliteStore::open(folder / "other.db", {})).message,
+    EXPECT_EQ(error_of(SqliteStorage::open(folder / "other.db", {})).message,
               folder / "other.db: it is a database, but not one of Jostle's worlds");
 
     opened(folder / "later.db");
     sqlite3_open((folder / "later.db").c_str(), &other);
     sqlite3_exec(other, "PRAGMA user_version = 9", nullptr, nullptr, nullptr);
     sqlite3_close(other);
-    EXPECT_EQ(error_of(SqliteStore::open(folder / "later.db", {})).message,
+    EXPECT_EQ(error_of(SqliteStorage::open(folder / "later.db", {})).message,
               folder /
                   "later.db: it was written by a later version of Jostle (schema 9; this one "
                   "knows 2)");
 }
 
-TEST(SqliteStore, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
+TEST(SqliteStorage, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
     const test::TempFolder folder;
     const std::string path = folder / "old.db";
     const StoreChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
@@ -189,7 +189,7 @@ TEST(SqliteStore, a_store_of_the_version_before_is_taken_up_and_has_room_for_not
     EXPECT_EQ(opened(path)->note("secret").value(), std::string("a\0b", 3));
 }
 
-TEST(SqliteStore, what_is_cut_from_a_journal_can_be_written_otherwise) {
+TEST(SqliteStorage, what_is_cut_from_a_journal_can_be_written_otherwise) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     Chain chain{};
@@ -225,7 +225,7 @@ bool says_all(WorldStorage& store, const std::string& id, bool& reported) {
            *ticks == std::vector<std::uint32_t>{100, 60} && entries->size() == 12;
 }
 
-TEST(SqliteStore, a_flipped_byte_is_reported_or_changes_nothing) {
+TEST(SqliteStorage, a_flipped_byte_is_reported_or_changes_nothing) {
     const test::TempFolder folder;
     JournalMaker journal("sea");
     ASSERT_TRUE(write(*opened(folder / "worlds.db"), small_history(journal, "sea")).ok());
@@ -239,7 +239,7 @@ TEST(SqliteStore, a_flipped_byte_is_reported_or_changes_nothing) {
         const auto at = random.below(bytes.size());
         bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
         const std::string path = folder.write("flipped.db", bytes);
-        const auto store = SqliteStore::open(path, {});
+        const auto store = SqliteStorage::open(path, {});
         bool reported = !store.ok();
         if (store.ok() && !says_all(**store, "sea", reported) && !reported) silent++;
         reports += reported ? 1 : 0;
@@ -260,7 +260,7 @@ void write_without_end(const std::string& path, int to) {
     }
 }
 
-TEST(SqliteStore, thirty_killed_processes_lose_nothing_that_was_durable) {
+TEST(SqliteStorage, thirty_killed_processes_lose_nothing_that_was_durable) {
     test::Random random(9);
     for (int kill_number = 0; kill_number < 30; kill_number++) {
         const test::TempFolder folder;
@@ -284,7 +284,7 @@ TEST(SqliteStore, thirty_killed_processes_lose_nothing_that_was_durable) {
     }
 }
 
-TEST(SqliteStore, a_disk_that_fails_is_told_and_works_again) {
+TEST(SqliteStorage, a_disk_that_fails_is_told_and_works_again) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db", {.file_system = test::failing_disk()});
     JournalMaker journal("sea");

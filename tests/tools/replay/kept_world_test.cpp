@@ -132,7 +132,7 @@ TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     {
-        auto store = server::SqliteStore::open(folder / "worlds.db", {}).value();
+        auto store = server::SqliteStorage::open(folder / "worlds.db", {}).value();
         const std::string id = store->worlds().value().at(0).id;
         const std::uint32_t newest = store->checkpoint_ticks(id).value().front();
         auto checkpoint = store->checkpoint(id, newest).value();

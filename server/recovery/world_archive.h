@@ -33,7 +33,7 @@ struct PersistedWorld {
 
 class WorldArchive : public WorldPersistence {
 public:
-    // `file_system`: SqliteStoreOptions. What is there is read and taken up. From now on a fatal
+    // `file_system`: SqliteStorageOptions. What is there is read and taken up. From now on a fatal
     // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
     // store cannot be opened (SqliteStorage::open), or not be written to now.
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,

@@ -285,7 +285,7 @@ Status take_file(SqliteDatabase& database, Durability durability) {
 }  // namespace
 
 Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& path,
-                                                       const SqliteStoreOptions& options) {
+                                                       const SqliteStorageOptions& options) {
     Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.make);
     if (!opened.ok()) return named(path, opened.error());
     if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());

@@ -17,7 +17,7 @@ enum class Durability {
     machine,  // ... and that of the machine
 };
 
-struct SqliteStoreOptions {
+struct SqliteStorageOptions {
     Durability durability = Durability::machine;
     bool make = true;  // the file, mode 0600, if there is none
     // Of SQLite's own file systems; null: the usual one. For tests of disks that fail.
@@ -29,7 +29,7 @@ public:
     // not_found: there is none, and none is to be made. failed_precondition: another process has it
     // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.
     static Result<std::unique_ptr<SqliteStorage>> open(const std::string& path,
-                                                     const SqliteStoreOptions& options);
+                                                     const SqliteStorageOptions& options);
     ~SqliteStorage() override;
 
     Status write(std::span<const StoreChange> changes) override;

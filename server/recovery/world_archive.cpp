@@ -13,7 +13,7 @@
 #include "server/recovery/journal_codec.h"
 #include "server/storage/compressed.h"
 #include "server/storage/journal_chain.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 #include "server/util/bytes.h"
 #include "server/util/log.h"
 

@@ -24,7 +24,7 @@
 #include "jostle/v1/world.grpc.pb.h"
 #include "server/recovery/recover_world.h"
 #include "server/storage/compressed.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 
 namespace jostle {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "jostle/physics/snapshot.h"
 #include "server/storage/compressed.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 
 namespace jostle::replay {
 

@@ -13,7 +13,7 @@
 #include "jostle/scenes/catalog.h"
 #include "server/recovery/recover_world.h"
 #include "server/recovery/world_archive.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 #include "server/world/world_directory.h"
 #include "tests/server/storage/failing_disk.h"
 #include "tests/support/temp_folder.h"

@@ -10,7 +10,7 @@
 #include "jostle/scenes/catalog.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/recover_world.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 #include "server/world/world_directory.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random.h"

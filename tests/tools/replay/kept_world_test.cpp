@@ -11,7 +11,7 @@
 #include "jostle/scenes/lab.h"
 #include "jostle/scenes/scene_file.h"
 #include "server/recovery/world_archive.h"
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 #include "server/world/world_directory.h"
 #include "tests/support/error_of.h"
 #include "tests/support/temp_folder.h"

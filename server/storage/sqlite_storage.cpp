@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/storage/sqlite_store.h"
+#include "server/storage/sqlite_storage.h"
 
 #include <algorithm>
 #include <array>

@@ -66,7 +66,7 @@ void CheckpointWriter::run() {
 // --- StoredWorldJournal ---
 
 StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPosition& position,
-                           StoreWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
+                           StorageWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
                            JournalSettings settings)
     : world_(std::move(world)),
       hz_(hz),

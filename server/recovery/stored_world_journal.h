@@ -60,7 +60,7 @@ private:
 
 class StoredWorldJournal : public WorldJournal, public std::enable_shared_from_this<StoredWorldJournal> {
 public:
-    StoredWorldJournal(std::string world, double hz, const JournalPosition& position, StoreWriter& writer,
+    StoredWorldJournal(std::string world, double hz, const JournalPosition& position, StorageWriter& writer,
                  CheckpointWriter& checkpoints, CrashMarker mark, JournalSettings settings);
 
     std::optional<std::string> failure_reason() const override;
@@ -93,7 +93,7 @@ private:
 
     const std::string world_;
     const double hz_;
-    StoreWriter& writer_;
+    StorageWriter& writer_;
     CheckpointWriter& checkpoints_;
     const CrashMarker mark_;
     const JournalSettings settings_;

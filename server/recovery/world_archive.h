@@ -91,7 +91,7 @@ private:
     const int threads_;
     const JournalSettings journal_settings_;
     std::unique_ptr<CrashMarkers> marks_;
-    std::unique_ptr<StoreWriter> writer_;
+    std::unique_ptr<StorageWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
     std::vector<PersistedWorld> loaded_;
     std::string secret_;

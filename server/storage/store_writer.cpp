@@ -22,10 +22,10 @@ bool may_pass(const Status& failure) {
 
 }  // namespace
 
-StoreWriter::StoreWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings)
+StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings)
     : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
 
-StoreWriter::~StoreWriter() {
+StorageWriter::~StorageWriter() {
     {
         const std::lock_guard lock(mutex_);
         last_try_ = Clock::now() + settings_.timeout;
@@ -34,7 +34,7 @@ StoreWriter::~StoreWriter() {
     thread_.join();
 }
 
-bool StoreWriter::push(StoreChange change, Done done) {
+bool StorageWriter::push(StoreChange change, Done done) {
     const std::size_t bytes = bytes_of(change);
     {
         const std::lock_guard lock(mutex_);
@@ -47,13 +47,13 @@ bool StoreWriter::push(StoreChange change, Done done) {
     return true;
 }
 
-bool StoreWriter::flush(Clock::duration timeout) {
+bool StorageWriter::flush(Clock::duration timeout) {
     std::unique_lock lock(mutex_);
     const std::uint64_t all = pushed_;
     return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
-bool StoreWriter::visit(const std::function<void(WorldStorage& store)>& look,
+bool StorageWriter::visit(const std::function<void(WorldStorage& store)>& look,
                         Clock::duration timeout) {
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
@@ -72,7 +72,7 @@ bool StoreWriter::visit(const std::function<void(WorldStorage& store)>& look,
     return false;
 }
 
-std::optional<std::string> StoreWriter::failing() const {
+std::optional<std::string> StorageWriter::failing() const {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
     if (writing_since_ && Clock::now() - *writing_since_ > settings_.timeout)
@@ -81,12 +81,12 @@ std::optional<std::string> StoreWriter::failing() const {
     return std::nullopt;
 }
 
-std::size_t StoreWriter::pending_bytes() const {
+std::size_t StorageWriter::pending_bytes() const {
     const std::lock_guard lock(mutex_);
     return bytes_;
 }
 
-void StoreWriter::run() {
+void StorageWriter::run() {
     for (;;) {
         std::deque<Waiting> group;
         {
@@ -110,7 +110,7 @@ void StoreWriter::run() {
 }
 
 // Until all of the group is finished.
-void StoreWriter::write(std::deque<Waiting>& group) {
+void StorageWriter::write(std::deque<Waiting>& group) {
     for (;;) {
         try_write(group);
         if (group.empty()) return;
@@ -130,7 +130,7 @@ void StoreWriter::write(std::deque<Waiting>& group) {
 
 // What is finished leaves the group. All at once, or, when something in it can never be written,
 // one after the other.
-void StoreWriter::try_write(std::deque<Waiting>& group) {
+void StorageWriter::try_write(std::deque<Waiting>& group) {
     {
         const std::lock_guard lock(mutex_);
         writing_since_ = Clock::now();
@@ -166,7 +166,7 @@ void StoreWriter::try_write(std::deque<Waiting>& group) {
     changed_.notify_all();
 }
 
-bool StoreWriter::wait_for_retry() {
+bool StorageWriter::wait_for_retry() {
     std::unique_lock lock(mutex_);
     if (last_try_ && Clock::now() >= *last_try_) return false;
     // What is pushed meanwhile wakes it for nothing; the end does not.

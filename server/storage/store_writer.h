@@ -27,16 +27,16 @@ struct StoreWriterSettings {
     Clock::duration timeout = std::chrono::seconds(1);
 };
 
-class StoreWriter {
+class StorageWriter {
 public:
     // On the writer's thread, once for each change that was taken: ok when it is durable. Anything
     // else: it contradicts what is stored (already_exists, not_found) and is left out, or the
     // writer ended before it could be written (aborted). Must not wait.
     using Done = std::function<void(const Status&)>;
 
-    StoreWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings);
+    StorageWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings);
     // Tries for `patience` to write what waits.
-    ~StoreWriter();
+    ~StorageWriter();
 
     // Any thread; never waits for the store. False: too much waits, and the change was not taken.
     bool push(StoreChange change, Done done);

@@ -22,13 +22,13 @@ using test::wait_until;
 // A writer over a store that can be made to fail.
 struct Desk {
     std::shared_ptr<FaultyState> disk = std::make_shared<FaultyState>();
-    std::unique_ptr<StoreWriter> writer;
+    std::unique_ptr<StorageWriter> writer;
     JournalMaker journal{"sea"};
     std::atomic<int> done{0}, refused{0};
     Clock::duration slowest{};
 
     explicit Desk(const StoreWriterSettings& settings = {})
-        : writer(std::make_unique<StoreWriter>(std::make_unique<FaultyStore>(disk), settings)) {}
+        : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStore>(disk), settings)) {}
 
     bool push(StoreChange change) {
         const auto began = Clock::now();
@@ -47,7 +47,7 @@ struct Desk {
     }
 };
 
-TEST(StoreWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transaction) {
+TEST(StorageWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transaction) {
     Desk desk;
     desk.disk->delay_ms = 30;
     desk.push(desk.journal.next("first"));
@@ -60,7 +60,7 @@ TEST(StoreWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transacti
     EXPECT_EQ(desk.writer->pending_bytes(), 0u);
 }
 
-TEST(StoreWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) {
+TEST(StorageWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) {
     for (const ErrorCode code : {ErrorCode::unavailable, ErrorCode::resource_exhausted}) {
         Desk desk;
         desk.disk->fail(Error{code, "the disk is gone"});
@@ -80,7 +80,7 @@ TEST(StoreWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) 
     }
 }
 
-TEST(StoreWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
+TEST(StorageWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
     Desk desk({.timeout = 100ms});
     desk.disk->delay_ms = 500;
     EXPECT_TRUE(desk.push(desk.journal.next("slow")));
@@ -94,7 +94,7 @@ TEST(StoreWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
     EXPECT_EQ(desk.text(), "slower");
 }
 
-TEST(StoreWriter, beyond_its_buffer_changes_are_refused_until_the_disk_is_back) {
+TEST(StorageWriter, beyond_its_buffer_changes_are_refused_until_the_disk_is_back) {
     Desk desk({.bytes_max = 10'000});
     desk.disk->fail(Error{ErrorCode::resource_exhausted, "the disk is full"});
     int taken = 0;
@@ -106,7 +106,7 @@ TEST(StoreWriter, beyond_its_buffer_changes_are_refused_until_the_disk_is_back) 
     EXPECT_TRUE(desk.push(desk.journal.next("again")));
 }
 
-TEST(StoreWriter, what_contradicts_the_store_is_left_out_alone) {
+TEST(StorageWriter, what_contradicts_the_store_is_left_out_alone) {
     Desk desk;
     desk.disk->delay_ms = 30;
     for (const char* text : {"a", "b"}) desk.push(desk.journal.next(text));
@@ -118,7 +118,7 @@ TEST(StoreWriter, what_contradicts_the_store_is_left_out_alone) {
     EXPECT_EQ(desk.refused, 1);
 }
 
-TEST(StoreWriter, at_the_end_it_writes_what_waits_or_says_that_it_could_not) {
+TEST(StorageWriter, at_the_end_it_writes_what_waits_or_says_that_it_could_not) {
     Desk desk;
     desk.disk->delay_ms = 20;
     for (const char* text : {"a", "b", "c"}) desk.push(desk.journal.next(text));

@@ -106,7 +106,7 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     if (!worlds.ok()) return failed(worlds.error());
     // Keepers of worlds that are taken up know the writer: it comes first, and has nothing to do.
     WorldStorage& there = **store;
-    archive->writer_ = std::make_unique<StorageWriter>(*std::move(store), StoreWriterSettings{});
+    archive->writer_ = std::make_unique<StorageWriter>(*std::move(store), StorageWriterSettings{});
     CrashMarkers::count_fatal_signals(archive->marks_.get());
     if (Status s = archive->load_worlds(there, *worlds); !s.ok()) return failed(s.error());
     return archive;

@@ -22,7 +22,7 @@ bool may_pass(const Status& failure) {
 
 }  // namespace
 
-StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings)
+StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store, const StorageWriterSettings& settings)
     : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
 
 StorageWriter::~StorageWriter() {

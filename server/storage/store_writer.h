@@ -20,7 +20,7 @@
 
 namespace jostle::server {
 
-struct StoreWriterSettings {
+struct StorageWriterSettings {
     std::size_t bytes_max = 64 << 20;  // that wait; beyond it changes are refused
     Clock::duration retry = std::chrono::milliseconds(250);  // after a failure
     // A store that has taken so long over what it was given counts as failing.
@@ -34,7 +34,7 @@ public:
     // writer ended before it could be written (aborted). Must not wait.
     using Done = std::function<void(const Status&)>;
 
-    StorageWriter(std::unique_ptr<WorldStorage> store, const StoreWriterSettings& settings);
+    StorageWriter(std::unique_ptr<WorldStorage> store, const StorageWriterSettings& settings);
     // Tries for `patience` to write what waits.
     ~StorageWriter();
 
@@ -65,7 +65,7 @@ private:
     bool wait_for_retry();
 
     const std::unique_ptr<WorldStorage> store_;  // the writer thread's own
-    const StoreWriterSettings settings_;
+    const StorageWriterSettings settings_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Waiting> queue_;

@@ -27,7 +27,7 @@ struct Desk {
     std::atomic<int> done{0}, refused{0};
     Clock::duration slowest{};
 
-    explicit Desk(const StoreWriterSettings& settings = {})
+    explicit Desk(const StorageWriterSettings& settings = {})
         : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStore>(disk), settings)) {}
 
     bool push(StoreChange change) {

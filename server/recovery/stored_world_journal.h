@@ -14,7 +14,7 @@
 
 #include "server/recovery/crash_markers.h"
 #include "server/recovery/journal_codec.h"
-#include "server/storage/store_writer.h"
+#include "server/storage/storage_writer.h"
 #include "server/util/clock.h"
 #include "server/world/world_persistence.h"
 

@@ -15,7 +15,7 @@
 #include "server/recovery/recover_world.h"
 #include "server/recovery/stored_world_journal.h"
 #include "server/recovery/world_definition.h"
-#include "server/storage/store_writer.h"
+#include "server/storage/storage_writer.h"
 #include "server/world/world_host.h"
 
 namespace jostle::server {

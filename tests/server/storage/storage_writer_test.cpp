@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/storage/store_writer.h"
+#include "server/storage/storage_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -133,7 +133,7 @@ Status WorldArchive::read_notes(WorldStorage& store) {
     if (secret_.size() != secret_bytes || first_client_ > 0xffffffff - 2 * ids_per_reservation)
         return Error{ErrorCode::corrupt_data, "a note is not what it was"};
     reserved_ = first_client_ + ids_per_reservation;
-    const StoreChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
+    const StorageChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
     return store.write(changes);
 }
 
@@ -192,7 +192,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& store, const Store
                     .epoch = stored.epoch + 1,
                     .engine = build_engine_id(),
                     .settings = encode_world_definition(*record)};
-    std::vector<StoreChange> changes{CutJournal{stored.id, found->tick, found->sequence}};
+    std::vector<StorageChange> changes{CutJournal{stored.id, found->tick, found->sequence}};
     // From here on it is as a world that was never stopped: what came before is in a checkpoint,
     // unless nothing came.
     const bool as_it_was = found->tick == found->checkpoint && now.engine == stored.engine &&

@@ -42,7 +42,7 @@ Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& sto
     return copy;
 }
 
-Status WorldStorageCopy::write(std::span<const StoreChange>) {
+Status WorldStorageCopy::write(std::span<const StorageChange>) {
     return Error{ErrorCode::unavailable, "this is a copy of what was kept"};
 }
 

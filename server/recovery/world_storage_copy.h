@@ -20,7 +20,7 @@ public:
                                                    std::size_t checkpoints_max,
                                                    std::uint32_t last_tick = 0xffffffff);
 
-    Status write(std::span<const StoreChange> changes) override;  // unavailable
+    Status write(std::span<const StorageChange> changes) override;  // unavailable
     Result<std::vector<StoredWorld>> worlds() override { return std::vector{world_}; }
     Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string& world) override;
     Result<Checkpoint> checkpoint(const std::string& world, std::uint32_t tick) override;

@@ -294,10 +294,10 @@ Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& pa
     return std::unique_ptr<SqliteStorage>(new SqliteStorage(std::move(database)));
 }
 
-Status SqliteStorage::write(std::span<const StoreChange> changes) {
+Status SqliteStorage::write(std::span<const StorageChange> changes) {
     Database& database = *database_;
     Status done = database->execute("BEGIN IMMEDIATE");
-    for (const StoreChange& change : changes)
+    for (const StorageChange& change : changes)
         if (done.ok()) done = std::visit(database, change);
     if (done.ok()) done = database->execute("COMMIT");
     // Some errors have ended it already.

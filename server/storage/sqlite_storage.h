@@ -32,7 +32,7 @@ public:
                                                      const SqliteStorageOptions& options);
     ~SqliteStorage() override;
 
-    Status write(std::span<const StoreChange> changes) override;
+    Status write(std::span<const StorageChange> changes) override;
     Result<std::vector<StoredWorld>> worlds() override;
     Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string& world) override;
     Result<Checkpoint> checkpoint(const std::string& world, std::uint32_t tick) override;

@@ -34,7 +34,7 @@ StorageWriter::~StorageWriter() {
     thread_.join();
 }
 
-bool StorageWriter::push(StoreChange change, Done done) {
+bool StorageWriter::push(StorageChange change, Done done) {
     const std::size_t bytes = bytes_of(change);
     {
         const std::lock_guard lock(mutex_);
@@ -135,7 +135,7 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
         const std::lock_guard lock(mutex_);
         writing_since_ = Clock::now();
     }
-    std::vector<StoreChange> changes;
+    std::vector<StorageChange> changes;
     for (Waiting& waiting : group) changes.push_back(std::move(waiting.change));
     Status result = store_->write(changes);
     std::vector<Status> results(group.size(), result);

@@ -39,7 +39,7 @@ public:
     ~StorageWriter();
 
     // Any thread; never waits for the store. False: too much waits, and the change was not taken.
-    bool push(StoreChange change, Done done);
+    bool push(StorageChange change, Done done);
     // Any thread: looks at the store on the writer's thread, after what was pushed before, and
     // returns when that is over. False: the writer did not come to it within that time.
     bool visit(const std::function<void(WorldStorage& store)>& look, Clock::duration timeout);
@@ -53,7 +53,7 @@ public:
 
 private:
     struct Waiting {
-        StoreChange change;
+        StorageChange change;
         Done done;
         std::size_t bytes = 0;
     };

@@ -25,7 +25,7 @@ struct Size {
 
 }  // namespace
 
-std::size_t bytes_of(const StoreChange& change) {
+std::size_t bytes_of(const StorageChange& change) {
     return row_bytes + std::visit(Size{}, change);
 }
 

@@ -78,10 +78,10 @@ struct CutJournal {
 struct PutNote {
     std::string name, value;
 };
-using StoreChange =
+using StorageChange =
     std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim, CutJournal, PutNote>;
 
 // About how much memory it takes.
-std::size_t bytes_of(const StoreChange& change);
+std::size_t bytes_of(const StorageChange& change);
 
 }  // namespace jostle::server

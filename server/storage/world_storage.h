@@ -24,7 +24,7 @@ public:
 
     // All of them or none, durable when it returns. Writing again what is there is no error, so
     // that who does not know whether a call took effect may repeat it.
-    virtual Status write(std::span<const StoreChange> changes) = 0;
+    virtual Status write(std::span<const StorageChange> changes) = 0;
 
     virtual Result<std::vector<StoredWorld>> worlds() = 0;
     // The ticks of those that are there, newest first.

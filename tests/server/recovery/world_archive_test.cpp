@@ -359,7 +359,7 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
         Checkpoint newest =
             store->checkpoint(id, store->checkpoint_ticks(id).value().front()).value();
         newest.exact[newest.exact.size() / 2] ^= 1;
-        const StoreChange change[] = {PutCheckpoint{id, newest}};
+        const StorageChange change[] = {PutCheckpoint{id, newest}};
         store->write(change).expect();
         const StoredWorld stored = store->worlds().value().at(0);
         const auto record = decode_world_definition(stored.settings).value();

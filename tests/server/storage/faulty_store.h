@@ -19,7 +19,7 @@ struct FaultyState {
     std::atomic<int> delay_ms{0};  // of each write
     std::mutex mutex;
     std::optional<Error> error;  // of each write
-    std::vector<server::StoreChange> written;
+    std::vector<server::StorageChange> written;
     std::vector<std::size_t> groups;  // changes in each successful write
 
     void fail(std::optional<Error> with) {
@@ -36,11 +36,11 @@ class FaultyStore : public server::WorldStorage {
 public:
     explicit FaultyStore(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
 
-    Status write(std::span<const server::StoreChange> changes) override {
+    Status write(std::span<const server::StorageChange> changes) override {
         std::this_thread::sleep_for(std::chrono::milliseconds(state_->delay_ms.load()));
         const std::lock_guard lock(state_->mutex);
         if (state_->error) return *state_->error;
-        for (const server::StoreChange& change : changes)
+        for (const server::StorageChange& change : changes)
             if (std::holds_alternative<server::DropWorld>(change))
                 return Error{ErrorCode::not_found, "there is no such world"};
         state_->written.insert(state_->written.end(), changes.begin(), changes.end());

@@ -31,13 +31,13 @@ std::unique_ptr<SqliteStorage> opened(const std::string& path,
     EXPECT_TRUE(store.ok()) << store.error().message;
     return store.ok() ? *std::move(store) : nullptr;
 }
-Status write(WorldStorage& store, std::vector<StoreChange> changes) {
+Status write(WorldStorage& store, std::vector<StorageChange> changes) {
     return store.write(changes);
 }
 
 // A world, twelve entries and two checkpoints.
-std::vector<StoreChange> small_history(JournalMaker& journal, const std::string& id) {
-    std::vector<StoreChange> all{PutWorld{stored_world(id)}};
+std::vector<StorageChange> small_history(JournalMaker& journal, const std::string& id) {
+    std::vector<StorageChange> all{PutWorld{stored_world(id)}};
     for (int k = 0; k < 12; k++)
         all.push_back(journal.next(id + " was pushed " + std::to_string(k)));
     all.push_back(
@@ -49,7 +49,7 @@ std::vector<StoreChange> small_history(JournalMaker& journal, const std::string&
 TEST(SqliteStorage, what_was_written_is_there_after_a_restart) {
     const test::TempFolder folder;
     JournalMaker journal("sea");
-    const std::vector<StoreChange> all = small_history(journal, "sea");
+    const std::vector<StorageChange> all = small_history(journal, "sea");
     ASSERT_TRUE(write(*opened(folder / "worlds.db"), all).ok());
 
     const auto store = opened(folder / "worlds.db");
@@ -68,7 +68,7 @@ TEST(SqliteStorage, a_long_journal_comes_in_pages) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
-    std::vector<StoreChange> all{PutWorld{stored_world("sea")}};
+    std::vector<StorageChange> all{PutWorld{stored_world("sea")}};
     for (int k = 0; k < 100; k++) all.push_back(journal.next(std::string(100, 'x')));
     ASSERT_TRUE(store->write(all).ok());
     std::uint64_t after = 0;
@@ -98,7 +98,7 @@ TEST(SqliteStorage, the_same_change_again_is_no_error_and_another_one_is) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
-    const std::vector<StoreChange> all = small_history(journal, "sea");
+    const std::vector<StorageChange> all = small_history(journal, "sea");
     ASSERT_TRUE(store->write(all).ok());
     EXPECT_TRUE(store->write(all).ok());
     AppendEntry other = std::get<AppendEntry>(all[5]);
@@ -172,14 +172,14 @@ TEST(SqliteStorage, files_of_others_are_refused_with_their_names) {
 TEST(SqliteStorage, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
     const test::TempFolder folder;
     const std::string path = folder / "old.db";
-    const StoreChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
+    const StorageChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
     EXPECT_TRUE(opened(path)->write(world).ok());
     sqlite3* old = nullptr;
     sqlite3_open(path.c_str(), &old);
     sqlite3_exec(old, "DROP TABLE note; PRAGMA user_version = 1", nullptr, nullptr, nullptr);
     sqlite3_close(old);
 
-    const StoreChange note[] = {PutNote{"secret", std::string("a\0b", 3)}};
+    const StorageChange note[] = {PutNote{"secret", std::string("a\0b", 3)}};
     {
         const auto store = opened(path);
         EXPECT_EQ(store->worlds().value().at(0).name, "yard");
@@ -198,13 +198,13 @@ TEST(SqliteStorage, what_is_cut_from_a_journal_can_be_written_otherwise) {
         chain = next_chain(chain, data);
         return AppendEntry{"w1", {sequence, 1, tick, tick, chain, data}};
     };
-    std::vector<StoreChange> changes{PutWorld{{.id = "w1"}}, entry(1, "a")};
+    std::vector<StorageChange> changes{PutWorld{{.id = "w1"}}, entry(1, "a")};
     const Chain after_one = chain;
     changes.insert(changes.end(), {entry(2, "b"), entry(3, "c"), PutCheckpoint{"w1", {.tick = 1}},
                                    PutCheckpoint{"w1", {.tick = 3}}});
     EXPECT_TRUE(store->write(changes).ok());
     chain = after_one;
-    const StoreChange other[] = {CutJournal{"w1", 2, 1}, entry(2, "B")};
+    const StorageChange other[] = {CutJournal{"w1", 2, 1}, entry(2, "B")};
     EXPECT_TRUE(store->write(other).ok());
     EXPECT_EQ(store->checkpoint_ticks("w1").value(), std::vector<std::uint32_t>{1});
     const auto entries = store->entries("w1", 0, 100).value();

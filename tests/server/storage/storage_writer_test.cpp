@@ -30,7 +30,7 @@ struct Desk {
     explicit Desk(const StorageWriterSettings& settings = {})
         : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStore>(disk), settings)) {}
 
-    bool push(StoreChange change) {
+    bool push(StorageChange change) {
         const auto began = Clock::now();
         const bool taken = writer->push(
             std::move(change), [this](const Status& status) { (status.ok() ? done : refused)++; });
@@ -41,7 +41,7 @@ struct Desk {
     std::string text() {
         const std::lock_guard lock(disk->mutex);
         std::string all;
-        for (const StoreChange& change : disk->written)
+        for (const StorageChange& change : disk->written)
             if (const auto* append = std::get_if<AppendEntry>(&change)) all += append->entry.data;
         return all;
     }

@@ -137,7 +137,7 @@ TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
         const std::uint32_t newest = store->checkpoint_ticks(id).value().front();
         auto checkpoint = store->checkpoint(id, newest).value();
         checkpoint.hash++;
-        const server::StoreChange change[] = {server::PutCheckpoint{id, checkpoint}};
+        const server::StorageChange change[] = {server::PutCheckpoint{id, checkpoint}};
         EXPECT_TRUE(store->write(change).ok());
     }
     auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();

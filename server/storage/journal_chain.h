@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "server/storage/stored.h"
+#include "server/storage/storage_types.h"
 
 namespace jostle::server {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/storage/stored.h"
+#include "server/storage/storage_types.h"
 
 namespace jostle::server {
 

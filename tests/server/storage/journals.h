@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/storage/journal_chain.h"
-#include "server/storage/stored.h"
+#include "server/storage/storage_types.h"
 
 namespace jostle::test {
 

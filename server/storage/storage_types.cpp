@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/storage/stored.h"
+#include "server/storage/storage_types.h"
 
 namespace jostle::server {
 namespace {

@@ -12,7 +12,7 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/lab.h"
 #include "server/recovery/checkpoint_data.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 
 namespace jostle::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jostle/physics/snapshot.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/util/bytes.h"
 
 namespace jostle::server {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "server/recovery/checkpoint_data.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 
 namespace jostle::server {
 namespace {

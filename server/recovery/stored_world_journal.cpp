@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "server/recovery/checkpoint_data.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
 #include "server/util/log.h"
 

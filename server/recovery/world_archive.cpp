@@ -11,7 +11,7 @@
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/world_storage_copy.h"
 #include "server/recovery/journal_codec.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
 #include "server/storage/sqlite_storage.h"
 #include "server/util/bytes.h"

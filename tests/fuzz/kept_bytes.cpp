@@ -6,7 +6,7 @@
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/world/saved_host_state.h"
 #include "tests/fuzz/target.h"
 

@@ -23,7 +23,7 @@
 #include "jostle/v1/admin.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
 #include "server/recovery/recover_world.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/storage/sqlite_storage.h"
 
 namespace jostle {

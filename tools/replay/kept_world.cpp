@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "jostle/physics/snapshot.h"
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 #include "server/storage/sqlite_storage.h"
 
 namespace jostle::replay {

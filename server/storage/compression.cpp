@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/storage/compressed.h"
+#include "server/storage/compression.h"
 
 #include <zstd.h>
 

@@ -192,7 +192,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& store, const Store
                     .epoch = stored.epoch + 1,
                     .engine = build_engine_id(),
                     .settings = encode_world_definition(*record)};
-    std::vector<StorageChange> changes{CutJournal{stored.id, found->tick, found->sequence}};
+    std::vector<StorageChange> changes{TruncateJournal{stored.id, found->tick, found->sequence}};
     // From here on it is as a world that was never stopped: what came before is in a checkpoint,
     // unless nothing came.
     const bool as_it_was = found->tick == found->checkpoint && now.engine == stored.engine &&

@@ -195,7 +195,7 @@ public:
                 return s;
         return {};
     }
-    Status operator()(const CutJournal& cut) {
+    Status operator()(const TruncateJournal& cut) {
         Status done = of(cut_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
         return done.ok() ? of(cut_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
     }

@@ -19,7 +19,7 @@ struct Size {
         return c.world.size() + c.checkpoint.exact.size() + c.checkpoint.portable.size();
     }
     std::size_t operator()(const Trim& c) const { return c.world.size(); }
-    std::size_t operator()(const CutJournal& c) const { return c.world.size(); }
+    std::size_t operator()(const TruncateJournal& c) const { return c.world.size(); }
     std::size_t operator()(const PutNote& c) const { return c.name.size() + c.value.size(); }
 };
 

@@ -69,7 +69,7 @@ struct Trim {
 };
 // The world is of another past: entries after that sequence, and checkpoints after that tick, are
 // not its own.
-struct CutJournal {
+struct TruncateJournal {
     std::string world;
     std::uint32_t tick = 0;
     std::uint64_t sequence = 0;
@@ -79,7 +79,7 @@ struct PutNote {
     std::string name, value;
 };
 using StorageChange =
-    std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim, CutJournal, PutNote>;
+    std::variant<PutWorld, DropWorld, AppendEntry, PutCheckpoint, Trim, TruncateJournal, PutNote>;
 
 // About how much memory it takes.
 std::size_t bytes_of(const StorageChange& change);

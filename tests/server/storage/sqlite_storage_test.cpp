@@ -204,7 +204,7 @@ TEST(SqliteStorage, what_is_cut_from_a_journal_can_be_written_otherwise) {
                                    PutCheckpoint{"w1", {.tick = 3}}});
     EXPECT_TRUE(store->write(changes).ok());
     chain = after_one;
-    const StorageChange other[] = {CutJournal{"w1", 2, 1}, entry(2, "B")};
+    const StorageChange other[] = {TruncateJournal{"w1", 2, 1}, entry(2, "B")};
     EXPECT_TRUE(store->write(other).ok());
     EXPECT_EQ(store->checkpoint_ticks("w1").value(), std::vector<std::uint32_t>{1});
     const auto entries = store->entries("w1", 0, 100).value();

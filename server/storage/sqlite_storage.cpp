@@ -94,7 +94,7 @@ public:
         list_entries,
         chain_of_entry,
         cut_checkpoints,
-        cut_journal,
+        truncate_journal,
         put_note,
         read_note,
         kinds,
@@ -197,7 +197,7 @@ public:
     }
     Status operator()(const TruncateJournal& cut) {
         Status done = of(cut_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
-        return done.ok() ? of(cut_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
+        return done.ok() ? of(truncate_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
     }
     Status operator()(const PutNote& note) {
         const Digest digest = digest_of_row(note);

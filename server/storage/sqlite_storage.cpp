@@ -93,7 +93,7 @@ public:
         read_checkpoint,
         list_entries,
         chain_of_entry,
-        cut_checkpoints,
+        truncate_checkpoints,
         truncate_journal,
         put_note,
         read_note,
@@ -196,7 +196,7 @@ public:
         return {};
     }
     Status operator()(const TruncateJournal& cut) {
-        Status done = of(cut_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
+        Status done = of(truncate_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
         return done.ok() ? of(truncate_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
     }
     Status operator()(const PutNote& note) {

@@ -123,7 +123,7 @@ Status read_command(JournalReader& reader, JournaledCommand& command) {
     if (reader.from.ok() && kind != only_counted) {
         if (!make_action(kind, command.action.emplace()))
             return not_a_journal("has a command of kind " + std::to_string(kind));
-        std::visit([&](auto& action) { visit_action(reader, action); }, *command.action);
+        std::run_on_writer([&](auto& action) { visit_action(reader, action); }, *command.action);
     }
     if (!reader.status.ok()) return not_a_journal("has a " + reader.status.error().message);
     if (!reader.from.ok()) return not_a_journal("ends too early");
@@ -140,7 +140,7 @@ void write_ticks(JournalWriter& writer, const std::vector<JournaledTick>& ticks)
             writer.to.number(command.sequence);
             writer.to.number(command.action ? command.action->index() : only_counted);
             if (command.action)
-                std::visit([&](const auto& action) { visit_action(writer, action); },
+                std::run_on_writer([&](const auto& action) { visit_action(writer, action); },
                            *command.action);
         }
     }

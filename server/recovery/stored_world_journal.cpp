@@ -84,7 +84,7 @@ std::optional<std::string> StoredWorldJournal::failure_reason() const {
         const std::lock_guard lock(mutex_);
         if (divergence_) return divergence_;
     }
-    return writer_.failing();
+    return writer_.failure_reason();
 }
 
 std::uint32_t StoredWorldJournal::oldest_tick() const {

@@ -159,7 +159,7 @@ Status WorldArchive::load_worlds(WorldStorage& store, const std::vector<StoredWo
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
         Result<PersistedWorld> kept = Error{};
-        writer_->visit([&](WorldStorage&) { kept = load_world(store, stored); }, std::chrono::hours(1));
+        writer_->run_on_writer([&](WorldStorage&) { kept = load_world(store, stored); }, std::chrono::hours(1));
         if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
                            kept.error().code == ErrorCode::resource_exhausted))
             return kept.error();
@@ -303,7 +303,7 @@ void WorldArchive::drop(const std::string& id) {
 Result<std::unique_ptr<WorldStorage>> WorldArchive::copy_of(const std::string& id,
                                                           std::uint32_t last_tick) {
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
-    writer_->visit([&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
+    writer_->run_on_writer([&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
                    timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStorage>(*std::move(copy));

@@ -53,7 +53,7 @@ public:
     void on_client(ClientId next);
 
     // Any thread: why nothing can be kept now; nothing: all is well.
-    std::optional<std::string> failure_reason() const { return writer_->failing(); }
+    std::optional<std::string> failure_reason() const { return writer_->failure_reason(); }
     std::size_t pending_bytes() const { return writer_->pending_bytes(); }
     // Waits until all is kept that was handed over. False: not within that time.
     bool flush(Clock::duration timeout);

@@ -15,7 +15,7 @@ namespace {
 // Level 3 takes half as long again for what a world is saved as, and is no smaller.
 constexpr int level = 1;
 
-Error not_packed(const std::string& why) {
+Error not_compressed(const std::string& why) {
     return {ErrorCode::corrupt_data, "packed bytes " + why};
 }
 
@@ -53,17 +53,17 @@ std::string compress(std::span<const std::string_view> pieces) {
 Result<std::string> decompress(std::string_view packed, std::size_t bytes_max) {
     const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
     if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
-        return not_packed("do not say how many they are");
+        return not_compressed("do not say how many they are");
     if (size > bytes_max)
-        return not_packed("are " + std::to_string(size) + " unpacked; " +
+        return not_compressed("are " + std::to_string(size) + " unpacked; " +
                           std::to_string(bytes_max) + " are allowed");
     if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size())
-        return not_packed("have an end that is not theirs");
+        return not_compressed("have an end that is not theirs");
     std::string bytes(size, '\0');
     const std::size_t got =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got)) return not_packed(std::string("are damaged: ") + ZSTD_getErrorName(got));
-    if (got != size) return not_packed("are fewer than they say");
+    if (ZSTD_isError(got)) return not_compressed(std::string("are damaged: ") + ZSTD_getErrorName(got));
+    if (got != size) return not_compressed("are fewer than they say");
     return bytes;
 }
 

@@ -43,7 +43,7 @@ Error error_of(sqlite3* handle) {
 
 // SQLite would make it readable for all whom the umask lets. And it takes what is shorter than the
 // smallest page for an empty file, and writes over it.
-Status make_file(const std::string& path, bool make) {
+Status create_file(const std::string& path, bool create) {
     constexpr off_t smallest_page = 512;
     const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0600);
     if (file < 0)
@@ -109,8 +109,8 @@ std::uint64_t SqliteStatement::number(int column) const {
 }
 
 Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char* file_system,
-                                            bool make) {
-    if (Status made = make_file(path, make); !made.ok()) return made.error();
+                                            bool create) {
+    if (Status made = create_file(path, create); !made.ok()) return made.error();
     sqlite3* handle = nullptr;
     const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
     const int code = sqlite3_open_v2(path.c_str(), &handle, flags, file_system);

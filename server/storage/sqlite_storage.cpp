@@ -286,7 +286,7 @@ Status take_file(SqliteDatabase& database, Durability durability) {
 
 Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& path,
                                                        const SqliteStorageOptions& options) {
-    Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.make);
+    Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.create);
     if (!opened.ok()) return named(path, opened.error());
     if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));

@@ -19,7 +19,7 @@ enum class Durability {
 
 struct SqliteStorageOptions {
     Durability durability = Durability::machine;
-    bool make = true;  // the file, mode 0600, if there is none
+    bool create = true;  // the file, mode 0600, if there is none
     // Of SQLite's own file systems; null: the usual one. For tests of disks that fail.
     const char* file_system = nullptr;
 };

@@ -53,26 +53,26 @@ bool StorageWriter::flush(Clock::duration timeout) {
     return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
-bool StorageWriter::visit(const std::function<void(WorldStorage& store)>& look,
+bool StorageWriter::run_on_writer(const std::function<void(WorldStorage& store)>& look,
                         Clock::duration timeout) {
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
-    if (!changed_.wait_until(lock, until, [&] { return !visit_; })) return false;
-    visit_ = &look;
+    if (!changed_.wait_until(lock, until, [&] { return !task_; })) return false;
+    task_ = &look;
     changed_.notify_all();
-    const auto is_over = [&] { return visit_ != &look; };
+    const auto is_over = [&] { return task_ != &look; };
     if (changed_.wait_until(lock, until, is_over)) return true;
     // One that was begun is waited for.
-    if (visiting_) {
+    if (task_running_) {
         changed_.wait(lock, is_over);
         return true;
     }
-    visit_ = nullptr;
+    task_ = nullptr;
     changed_.notify_all();
     return false;
 }
 
-std::optional<std::string> StorageWriter::failing() const {
+std::optional<std::string> StorageWriter::failure_reason() const {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
     if (writing_since_ && Clock::now() - *writing_since_ > settings_.timeout)
@@ -91,14 +91,14 @@ void StorageWriter::run() {
         std::deque<Waiting> group;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || visit_; });
-            if (queue_.empty() && visit_) {
-                visiting_ = true;
+            changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || task_; });
+            if (queue_.empty() && task_) {
+                task_running_ = true;
                 lock.unlock();
-                (*visit_)(*store_);
+                (*task_)(*store_);
                 lock.lock();
-                visiting_ = false;
-                visit_ = nullptr;
+                task_running_ = false;
+                task_ = nullptr;
                 changed_.notify_all();
                 continue;
             }

@@ -42,12 +42,12 @@ public:
     bool push(StorageChange change, Done done);
     // Any thread: looks at the store on the writer's thread, after what was pushed before, and
     // returns when that is over. False: the writer did not come to it within that time.
-    bool visit(const std::function<void(WorldStorage& store)>& look, Clock::duration timeout);
+    bool run_on_writer(const std::function<void(WorldStorage& store)>& look, Clock::duration timeout);
     // Any thread: waits until all that was pushed before has been written or refused. False: not
     // within that time.
     bool flush(Clock::duration timeout);
     // Any thread: why the store does not take what it is given; nothing: it does.
-    std::optional<std::string> failing() const;
+    std::optional<std::string> failure_reason() const;
     // Any thread.
     std::size_t pending_bytes() const;
 
@@ -71,8 +71,8 @@ private:
     std::deque<Waiting> queue_;
     std::size_t bytes_ = 0;  // in the queue and in what is being written
     std::uint64_t pushed_ = 0, finished_ = 0;
-    const std::function<void(WorldStorage& store)>* visit_ = nullptr;  // one at a time
-    bool visiting_ = false;
+    const std::function<void(WorldStorage& store)>* task_ = nullptr;  // one at a time
+    bool task_running_ = false;
     std::optional<std::string> failure_;
     std::optional<Clock::time_point> writing_since_;
     std::optional<Clock::time_point> last_try_;  // set: the writer ends then

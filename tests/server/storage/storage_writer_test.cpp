@@ -65,8 +65,8 @@ TEST(StorageWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits
         Desk desk;
         desk.disk->fail(Error{code, "the disk is gone"});
         for (const char* text : {"a", "b", "c"}) EXPECT_TRUE(desk.push(desk.journal.next(text)));
-        ASSERT_TRUE(wait_until([&] { return desk.writer->failing().has_value(); }));
-        EXPECT_EQ(*desk.writer->failing(), "the disk is gone");
+        ASSERT_TRUE(wait_until([&] { return desk.writer->failure_reason().has_value(); }));
+        EXPECT_EQ(*desk.writer->failure_reason(), "the disk is gone");
         EXPECT_TRUE(desk.push(desk.journal.next("d")));
         EXPECT_EQ(desk.done, 0);
         desk.disk->fail({});
@@ -75,7 +75,7 @@ TEST(StorageWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits
         EXPECT_LT(Clock::now() - began, 2s);
         EXPECT_EQ(desk.text(), "abcd");
         EXPECT_EQ(desk.done, 4);
-        EXPECT_FALSE(desk.writer->failing());
+        EXPECT_FALSE(desk.writer->failure_reason());
         EXPECT_LT(to_ms(desk.slowest), 50) << "on a busy machine; a few microseconds otherwise";
     }
 }
@@ -84,13 +84,13 @@ TEST(StorageWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
     Desk desk({.timeout = 100ms});
     desk.disk->delay_ms = 500;
     EXPECT_TRUE(desk.push(desk.journal.next("slow")));
-    ASSERT_TRUE(wait_until([&] { return desk.writer->failing().has_value(); }));
-    EXPECT_EQ(*desk.writer->failing(), "the store takes longer than 100 ms to write");
+    ASSERT_TRUE(wait_until([&] { return desk.writer->failure_reason().has_value(); }));
+    EXPECT_EQ(*desk.writer->failure_reason(), "the store takes longer than 100 ms to write");
     EXPECT_TRUE(desk.push(desk.journal.next("er")));
     EXPECT_LT(to_ms(desk.slowest), 50);
     desk.disk->delay_ms = 0;
     ASSERT_TRUE(desk.writer->flush(5s));
-    EXPECT_FALSE(desk.writer->failing());
+    EXPECT_FALSE(desk.writer->failure_reason());
     EXPECT_EQ(desk.text(), "slower");
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/server/storage/faulty_store.h"
+#include "tests/server/storage/faulty_storage.h"
 #include "tests/server/storage/journals.h"
 #include "tests/support/wait_until.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::FaultyState;
-using test::FaultyStore;
+using test::FaultyStorage;
 using test::JournalMaker;
 using test::wait_until;
 
@@ -28,7 +28,7 @@ struct Desk {
     Clock::duration slowest{};
 
     explicit Desk(const StorageWriterSettings& settings = {})
-        : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStore>(disk), settings)) {}
+        : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStorage>(disk), settings)) {}
 
     bool push(StorageChange change) {
         const auto began = Clock::now();

@@ -32,9 +32,9 @@ struct FaultyState {
     }
 };
 
-class FaultyStore : public server::WorldStorage {
+class FaultyStorage : public server::WorldStorage {
 public:
-    explicit FaultyStore(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
+    explicit FaultyStorage(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
 
     Status write(std::span<const server::StorageChange> changes) override {
         std::this_thread::sleep_for(std::chrono::milliseconds(state_->delay_ms.load()));

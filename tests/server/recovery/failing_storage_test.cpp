@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::DiskFault;
 
-class FailingStore : public testing::TestWithParam<DiskFault> {
+class FailingStorage : public testing::TestWithParam<DiskFault> {
 protected:
     void TearDown() override { test::set_disk_fault(DiskFault::none); }
 
@@ -53,7 +53,7 @@ protected:
     std::set<std::uint32_t> told_, refused_;
 };
 
-TEST_P(FailingStore, the_world_runs_on_and_is_kept_again_by_itself) {
+TEST_P(FailingStorage, the_world_runs_on_and_is_kept_again_by_itself) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db";
     const HostLimits limits{.scene = {.bodies_max = 400}};
@@ -105,7 +105,7 @@ std::string name_of_fault(const testing::TestParamInfo<DiskFault>& fault) {
     static constexpr std::array<const char*, 5> names = {"none", "error", "full", "torn", "slow"};
     return names[static_cast<std::size_t>(fault.param)];
 }
-INSTANTIATE_TEST_SUITE_P(Faults, FailingStore,
+INSTANTIATE_TEST_SUITE_P(Faults, FailingStorage,
                          testing::Values(DiskFault::error, DiskFault::full, DiskFault::torn,
                                          DiskFault::slow),
                          name_of_fault);

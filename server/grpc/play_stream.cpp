@@ -36,7 +36,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
-    link_ = std::make_unique<ClientLink>(context,
+    link_ = std::make_unique<ClientSession>(context,
                                          Peer{.name = "grpc:" + connection_->peer,
                                               .address = connection_->address,
                                               .call = "jostle.v1.PlayService/Play",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One gRPC play stream as a ClientLink: at most one read and one write in flight, raw bytes both
+// One gRPC play stream as a ClientSession: at most one read and one write in flight, raw bytes both
 // ways. Lives on the thread of its PlayShard, which hands it the events of its completion queue;
 // never called from anywhere else.
 #pragma once
@@ -59,7 +59,7 @@ public:
     void advance(Clock::time_point now);
 
     bool begun() const { return link_ != nullptr; }
-    ClientLink& link() { return *link_; }  // only when begun
+    ClientSession& link() { return *link_; }  // only when begun
     const std::string& network() const { return network_; }
     // Nothing is in flight and nothing will be: may be destroyed.
     bool over() const { return finished_ && !reading_ && !writing_; }
@@ -75,7 +75,7 @@ private:
     PlayTag read_{this, PlayTag::Event::read};
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
-    std::unique_ptr<ClientLink> link_;
+    std::unique_ptr<ClientSession> link_;
     std::shared_ptr<Connection> connection_;
     RpcMetrics* metrics_ = nullptr;
     std::string network_;

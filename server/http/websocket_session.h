@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One browser socket as a ClientLink: each binary message is a ClientMessage or a ServerMessage.
+// One browser socket as a ClientSession: each binary message is a ClientMessage or a ServerMessage.
 // Lives on the gateway's thread; kept alive by the operations it has in flight.
 #pragma once
 
@@ -50,7 +50,7 @@ private:
     // what waits inside of the stream holds the session, and goes with it.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
     std::string peer_, address_;
-    std::optional<ClientLink> link_;
+    std::optional<ClientSession> link_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;
     bool writing_ = false;

@@ -59,28 +59,28 @@ std::uint64_t motion_bit(const std::vector<physics::ChannelKind>& kinds) {
 
 }  // namespace
 
-ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
+ClientSession::ClientSession(PlayContext& context, Peer peer, Clock::time_point now)
     : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), looked_(now) {}
 
-ClientLink::~ClientLink() {
+ClientSession::~ClientSession() {
     leave_world();
 }
 
 // --- what the client sends ---
 
-void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
+void ClientSession::receive(std::string_view bytes, Clock::time_point now) {
     if (delay_)
         delay_->hear(bytes, now);
     else
         take_in(bytes, now);
 }
 
-void ClientLink::take_in_delayed(Clock::time_point now, bool at_once) {
+void ClientSession::take_in_delayed(Clock::time_point now, bool at_once) {
     if (!delay_) return;
     while (const auto bytes = delay_->take_heard(now, at_once)) take_in(*bytes, now);
 }
 
-void ClientLink::take_in(std::string_view bytes, Clock::time_point now) {
+void ClientSession::take_in(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
     last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
@@ -101,7 +101,7 @@ void ClientLink::take_in(std::string_view bytes, Clock::time_point now) {
 }
 
 // Not even parsed: a flood should cost its sender more than us.
-void ClientLink::drop_message(Clock::time_point now) {
+void ClientSession::drop_message(Clock::time_point now) {
     dropped_++;
     if (now - dropping_since_ < rate_notice_period) {
         if (dropped_ > flood_factor * limits_.messages_per_second) {
@@ -118,7 +118,7 @@ void ClientLink::drop_message(Clock::time_point now) {
                     limits_.messages_per_second, limits_.bytes_per_second)));
 }
 
-void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
+void ClientSession::on_message(const Hello& hello, Clock::time_point now) {
     if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
     if (context_.draining) {
         return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
@@ -137,7 +137,7 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
     enter(*world, hello, now);
 }
 
-Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wanted) const {
+Result<std::shared_ptr<WorldHost>> ClientSession::find_world(const std::string& wanted) const {
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
     if (world) return world;
     return Error{ErrorCode::not_found, wanted.empty() ? "the server has no world"
@@ -145,7 +145,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wan
 }
 
 // By the token of the stream or of the hello, or as one who shows none.
-Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
+Result<std::shared_ptr<WorldHost>> ClientSession::let_in(const Hello& hello) {
     const Result<Identity> who =
         hello.token.empty()
             ? peer_.who
@@ -160,7 +160,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
     return world;
 }
 
-Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hello) {
+Result<std::shared_ptr<WorldHost>> ClientSession::let_in_by_ticket(const Hello& hello) {
     std::string named;
     if (!hello.world.empty()) {
         const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
@@ -177,12 +177,12 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hel
     return world;
 }
 
-Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+Status ClientSession::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
     if (hello.spectator) return {};
     return context_.authorizer.admit(who, {play_inputs, world_target(world), peer_.address});
 }
 
-void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
+void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now, LostClient* lost) {
     const Result<ClientId> client = lost ? lost->client : take_place(*world);
     if (!client.ok()) return refuse(client.error(), now);
@@ -258,7 +258,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
              hello.spectator ? " as a spectator" : "");
 }
 
-void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
+void ClientSession::on_message(const InputBatch& batch, Clock::time_point now) {
     const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
     if (batch.inputs.size() > inputs_max) {
         return refuse(Error{ErrorCode::invalid_argument,
@@ -274,7 +274,7 @@ void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
 }
 
 // What came before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+void ClientSession::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
@@ -282,7 +282,7 @@ void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
         results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+Status ClientSession::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
@@ -296,7 +296,7 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
     return {};
 }
 
-void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
+void ClientSession::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.ack_delay_ms), now);
     sent_.on_ack(ack.frame);
     if (lane_) lane_->on_ack(ack.frame, ack.before, now);
@@ -307,11 +307,11 @@ void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     if (sight_) sight_->reset();
 }
 
-void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
+void ClientSession::on_message(const Ping& ping, Clock::time_point now) {
     send(encode_pong(ping.client_time_us, to_us(now)));
 }
 
-void ClientLink::on_message(const Interest& interest, Clock::time_point now) {
+void ClientSession::on_message(const Interest& interest, Clock::time_point now) {
     if (!sight_)
         return refuse(Error{ErrorCode::failed_precondition,
                             "an interest in a stream without one; name the first in the hello"},
@@ -319,17 +319,17 @@ void ClientLink::on_message(const Interest& interest, Clock::time_point now) {
     sight_->look_at(interest);
 }
 
-void ClientLink::on_message(const Leave&, Clock::time_point now) {
+void ClientSession::on_message(const Leave&, Clock::time_point now) {
     finish({}, now);
 }
 
-void ClientLink::on_peer_closed(Clock::time_point now) {
+void ClientSession::on_peer_closed(Clock::time_point now) {
     take_in_delayed(now, true);
     drop_waiting();
     if (!end_) finish({}, now, true);
 }
 
-void ClientLink::on_fault(Clock::time_point now) {
+void ClientSession::on_fault(Clock::time_point now) {
     drop_waiting();
     results_.clear();
     finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
@@ -337,7 +337,7 @@ void ClientLink::on_fault(Clock::time_point now) {
 
 // --- how it ends ---
 
-void ClientLink::refuse(Error error, Clock::time_point now, bool lost) {
+void ClientSession::refuse(Error error, Clock::time_point now, bool lost) {
     if (end_) return;
     log_warn("{} was refused: {}",
              client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
@@ -347,7 +347,7 @@ void ClientLink::refuse(Error error, Clock::time_point now, bool lost) {
     finish(std::move(error), now, lost);
 }
 
-void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
+void ClientSession::finish(Status status, Clock::time_point now, bool lost) {
     if (end_) return;
     end_ = std::move(status);
     end_time_ = now;
@@ -359,7 +359,7 @@ void ClientLink::finish(Status status, Clock::time_point now, bool lost) {
     leave_world(lost ? std::optional(now) : std::nullopt);
 }
 
-void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
+void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
     watch_.left();
     if (wants_events_) feed_->host().remove_event_listener();
@@ -380,7 +380,7 @@ void ClientLink::leave_world(std::optional<Clock::time_point> lost) {
     lane_.reset();
 }
 
-void ClientLink::forgive_process_stall(Clock::time_point now) {
+void ClientSession::forgive_process_stall(Clock::time_point now) {
     const Clock::duration pause = now - std::exchange(looked_, now);
     if (pause <= process_stall_min) return;
     begun_ += pause;
@@ -389,7 +389,7 @@ void ClientLink::forgive_process_stall(Clock::time_point now) {
 }
 
 // What time alone decides, and what the server as a whole decided.
-void ClientLink::check_timeouts(Clock::time_point now) {
+void ClientSession::check_timeouts(Clock::time_point now) {
     if (end_) return;
     forgive_process_stall(now);
     const StreamSettings& limits = context_.config.stream;

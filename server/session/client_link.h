@@ -35,12 +35,12 @@
 
 namespace jostle::server {
 
-class ClientLink {
+class ClientSession {
 public:
-    ClientLink(PlayContext& context, Peer peer, Clock::time_point now);
-    ~ClientLink();
-    ClientLink(const ClientLink&) = delete;
-    ClientLink& operator=(const ClientLink&) = delete;
+    ClientSession(PlayContext& context, Peer peer, Clock::time_point now);
+    ~ClientSession();
+    ClientSession(const ClientSession&) = delete;
+    ClientSession& operator=(const ClientSession&) = delete;
 
     // One ClientMessage arrived.
     void receive(std::string_view bytes, Clock::time_point now);

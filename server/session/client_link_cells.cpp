@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a ClientLink that tells who sees a part of the world: cells, and who is in them.
+// The part of a ClientSession that tells who sees a part of the world: cells, and who is in them.
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -19,7 +19,7 @@ constexpr std::size_t entity_updates_per_message_max = 64, entity_bytes = 48;
 
 // The part of the frame that the client sees and can be told of now. A cell comes after the rosters
 // of all that is in it, and so not before the next snapshot.
-OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
+OutMessage ClientSession::take_part(const FramePtr& frame, Clock::time_point now) {
     if (frame->entity_list != entity_list_) tell_removed(frame->entity_list);
     std::vector<SharedBytes> cells;
     const CellFeed::Cells there = feed_->cells_of(frame);
@@ -47,7 +47,7 @@ OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
 }
 
 // Of what is in the cell and not known yet, as much as there is budget for. True: all was known.
-bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
+bool ClientSession::tell_members(const wire::QuantizedFrame& cell) {
     EntityList fresh;
     bool all = true;
     for (const wire::EntityState& entity : cell.entities) {
@@ -71,7 +71,7 @@ bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
 }
 
 // Who is gone, of those that this client knows.
-void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities) {
+void ClientSession::tell_removed(const std::shared_ptr<const EntityList>& entities) {
     if (entity_list_) {
         std::vector<EntityId> gone;
         for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a ClientLink that goes by datagrams (docs/protocol.md): snapshots one way, acks and
+// The part of a ClientSession that goes by datagrams (docs/protocol.md): snapshots one way, acks and
 // inputs the other. Whatever must not get lost stays with the stream.
 #include <spdlog/fmt/fmt.h>
 
@@ -25,7 +25,7 @@ constexpr auto lost_after_min = 250ms;
 
 // Cells have bases of their own, which nobody acknowledges: who sees a part of a world keeps to the
 // stream.
-void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
+void ClientSession::offer_datagrams(const Hello& hello, Welcome& welcome) {
     if (!hello.datagrams || !context_.datagrams || !peer_.wake || sight_) return;
     auto path = context_.datagrams->open([wake = peer_.wake](std::string_view message) {
         if (looks_like_inputs(message)) wake();  // all else waits for the next frame
@@ -36,7 +36,7 @@ void ClientLink::offer_datagrams(const Hello& hello, Welcome& welcome) {
                          .credentials = (*path)->credentials()};
 }
 
-void ClientLink::take_datagrams(Clock::time_point now) {
+void ClientSession::take_datagrams(Clock::time_point now) {
     if (!lane_ || end_) return;
     for (const DatagramConnection::ReceivedMessage& mail : lane_->take_messages()) {
         receive_datagram(mail.message, mail.at, now);
@@ -45,7 +45,7 @@ void ClientLink::take_datagrams(Clock::time_point now) {
     send_datagram(now);
 }
 
-void ClientLink::receive_datagram(std::string_view bytes, Clock::time_point at,
+void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point at,
                                   Clock::time_point now) {
     last_received_ = std::max(last_received_, at);
     if (!admission_->admit_message(bytes.size(), now)) return;  // a later one says it again
@@ -62,11 +62,11 @@ void ClientLink::receive_datagram(std::string_view bytes, Clock::time_point at,
            now);
 }
 
-bool ClientLink::by_datagrams(const Frame& frame, Clock::time_point now) {
+bool ClientSession::by_datagrams(const Frame& frame, Clock::time_point now) {
     return lane_ && !end_ && lane_->carries(frame.tick, now);
 }
 
-void ClientLink::send_datagram(Clock::time_point now) {
+void ClientSession::send_datagram(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
     if (lane_->sent_last()) {
         const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
@@ -93,7 +93,7 @@ void ClientLink::send_datagram(Clock::time_point now) {
 }
 
 // Numbers of which each makes those before it superfluous, so that any may get lost.
-ClientUpdate ClientLink::datagram_client_update() {
+ClientUpdate ClientSession::datagram_client_update() {
     ClientUpdate own{.input_sequence = std::exchange(untold_sequence_, 0),
                 .echo_client_time_us = std::exchange(client_time_us_, 0)};
     own.input_margin_us = std::exchange(untold_margin_us_, 0);
@@ -103,7 +103,7 @@ ClientUpdate ClientLink::datagram_client_update() {
 
 // What must come exactly once, while snapshots go by datagrams: results, events and statistics, in
 // a Snapshot that tells nothing of the world.
-std::optional<OutMessage> ClientLink::take_news(Clock::time_point now) {
+std::optional<OutMessage> ClientSession::take_news(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);

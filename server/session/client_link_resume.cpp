@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// ClientLink: what of a conversation outlives its connection, and how another one goes on with it.
+// ClientSession: what of a conversation outlives its connection, and how another one goes on with it.
 #include <chrono>
 #include <iterator>
 #include <utility>
@@ -68,7 +68,7 @@ void end_lost_clients(PlayContext& context, Clock::time_point now) {
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
-Result<ClientId> ClientLink::take_place(const WorldHost& world) {
+Result<ClientId> ClientSession::take_place(const WorldHost& world) {
     const std::string network = network_of(peer_.address);
     Result<ClientId> client = context_.sessions.enter(world.id(), network);
     if (client.ok()) return client;
@@ -80,7 +80,7 @@ Result<ClientId> ClientLink::take_place(const WorldHost& world) {
     return context_.sessions.enter(world.id(), network);
 }
 
-std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
+std::shared_ptr<ResumeSeat> ClientSession::open_seat(const WorldHost& world) {
     const ResumeToken who{.client = client_,
                           .world = world.id(),
                           .subject = watch_.subject(),
@@ -91,7 +91,7 @@ std::shared_ptr<ResumeSeat> ClientLink::open_seat(const WorldHost& world) {
     return context_.resumes.open(client_, world.is_persisted() ? &who : nullptr);
 }
 
-void ClientLink::keep_place(Clock::time_point now) {
+void ClientSession::keep_place(Clock::time_point now) {
     collect_results();
     feed_->host().disconnect(client_);
     LostClient lost{.client = client_,
@@ -114,7 +114,7 @@ void ClientLink::keep_place(Clock::time_point now) {
 }
 
 // By a ticket one comes in once; the token stands for it, and for no more than it allowed.
-Status ClientLink::may_resume(const Hello& hello, const LostClient& lost) {
+Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
     if (lost.by_ticket) {
         if (lost.spectator && !hello.spectator)
             return Error{ErrorCode::permission_denied,
@@ -132,7 +132,7 @@ Status ClientLink::may_resume(const Hello& hello, const LostClient& lost) {
 }
 
 // False: it comes in as one that is new.
-bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
+bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     ResumeDesk::Claim claim = context_.resumes.claim(hello.resume->token);
     if (claim.answer == ResumeDesk::Answer::unknown) return false;
     if (claim.answer == ResumeDesk::Answer::not_yet) {
@@ -169,7 +169,7 @@ bool ClientLink::resume(const Hello& hello, Clock::time_point now) {
 }
 
 // Whom it may know that is no more, if it goes on from that frame; nothing: it begins anew.
-std::optional<std::vector<EntityId>> ClientLink::take_over(LostClient& lost, std::uint32_t frame,
+std::optional<std::vector<EntityId>> ClientSession::take_over(LostClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
     kept_sequence_ = lost.kept_sequence;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a ClientLink that says things: rosters, snapshots, and what travels in them.
+// The part of a ClientSession that says things: rosters, snapshots, and what travels in them.
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -28,17 +28,17 @@ std::int32_t within_margins(std::int64_t margin_us) {
 
 }  // namespace
 
-void ClientLink::send(std::string message) {
+void ClientSession::send(std::string message) {
     waiting_.push_back({std::move(message), nullptr});
     replies_waiting_++;
 }
 
-void ClientLink::drop_waiting() {
+void ClientSession::drop_waiting() {
     waiting_.clear();
     replies_waiting_ = 0;
 }
 
-std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
     take_in_delayed(now);
     std::optional<OutMessage> message = next_message(now);
     if (delay_) {
@@ -49,7 +49,7 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
     return message;
 }
 
-std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
+std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
@@ -68,7 +68,7 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
     return message;
 }
 
-void ClientLink::wait_for_write(Clock::time_point now) {
+void ClientSession::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
     if (!writing_since_) writing_since_ = now;
     take_in_delayed(now);
@@ -83,7 +83,7 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
+void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_waits_ && seen_tick_ != 0) {
         skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
@@ -95,7 +95,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
-bool ClientLink::has_news(const Frame& frame, Clock::time_point now) {
+bool ClientSession::has_news(const Frame& frame, Clock::time_point now) {
     // What went by a datagram is told again until the client says that it has it.
     const std::uint32_t told =
         by_datagrams(frame, now) ? lane_->frames().newest() : baselines_.last();
@@ -104,7 +104,7 @@ bool ClientLink::has_news(const Frame& frame, Clock::time_point now) {
            now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
 
-void ClientLink::collect_results() {
+void ClientSession::collect_results() {
     std::vector<InputResult> fresh = result_queue_->take();
     for (const InputResult& result : fresh) {
         untold_sequence_ = std::max(untold_sequence_, result.sequence);
@@ -117,7 +117,7 @@ void ClientLink::collect_results() {
 }
 
 // What only this client is told with a snapshot; each number when it is another than last time.
-ClientUpdate ClientLink::client_update() {
+ClientUpdate ClientSession::client_update() {
     std::uint32_t answered = told_.input_sequence;
     std::int64_t margin_us = 0;
     for (const InputResult& result : results_) {
@@ -135,7 +135,7 @@ ClientUpdate ClientLink::client_update() {
 }
 
 // A field, or nothing when it is too early for the next.
-std::string ClientLink::take_stats(const FramePtr& frame, Clock::time_point now) {
+std::string ClientSession::take_stats(const FramePtr& frame, Clock::time_point now) {
     if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) return {};
     last_stats_ = now;
     const auto clients =
@@ -145,7 +145,7 @@ std::string ClientLink::take_stats(const FramePtr& frame, Clock::time_point now)
 
 // The fields of all ticks up to the frame's, so that the client has been told of the entities. How
 // many ticks may wait is up to the frame, which holds the newest few.
-std::string ClientLink::take_events(const Frame& frame) {
+std::string ClientSession::take_events(const Frame& frame) {
     std::string fields;
     if (!wants_events_) return fields;
     const auto& ticks = frame.events->ticks;
@@ -169,7 +169,7 @@ std::string ClientLink::take_events(const Frame& frame) {
 
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
-std::string ClientLink::take_driven(const Frame& frame) {
+std::string ClientSession::take_driven(const Frame& frame) {
     if (!wants_driven_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
@@ -183,14 +183,14 @@ std::string ClientLink::take_driven(const Frame& frame) {
 }
 
 // Shapes before the bodies that have them, each once in a stream.
-void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
+void ClientSession::tell_entities(const std::shared_ptr<const EntityList>& entities) {
     const auto messages = feed_->entity_list_change(entity_list_, entities);
     push(*messages);
     entity_list_ = entities;
     if (goes_on_later()) sent_.on_list(entities, baselines_.last());
 }
 
-void ClientLink::push(const EntityUpdateMessages& messages) {
+void ClientSession::push(const EntityUpdateMessages& messages) {
     for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
         if (goes_on_later()) sent_.on_geometry(geometry->id, baselines_.last());
@@ -201,7 +201,7 @@ void ClientLink::push(const EntityUpdateMessages& messages) {
 
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
 // it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
-std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
+std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= newest_sent()) return std::nullopt;
@@ -214,11 +214,11 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
 }
 
 // By the stream or by datagrams.
-std::uint32_t ClientLink::newest_sent() const {
+std::uint32_t ClientSession::newest_sent() const {
     return lane_ ? std::max(baselines_.last(), lane_->frames().last_sent()) : baselines_.last();
 }
 
-OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                                    std::vector<SharedBytes> cells) {
     if (lane_)
         if (auto baselines = lane_->take_stream_bases()) baselines_ = *std::move(baselines);

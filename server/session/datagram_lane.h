@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a ClientLink has beside its stream when its client takes datagrams: the way there, which
+// What a ClientSession has beside its stream when its client takes datagrams: the way there, which
 // frames the client has, and whether snapshots should go by it now. They do while the client is
 // heard and acknowledges what it is sent. What no datagram can hold, and what there is no base for,
 // goes by the stream, which has its own bases: the frames that the client acknowledged, then those

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A link that is worse than the real one, for development: what a client said is heard later, and
-// what it is told leaves later, in order. A ClientLink has one when its world's settings say so.
+// what it is told leaves later, in order. A ClientSession has one when its world's settings say so.
 // The transport asks for messages with each frame of the world, so times are good to a tick. One
 // thread.
 #pragma once

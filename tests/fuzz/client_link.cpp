@@ -89,7 +89,7 @@ private:
 
     SmallServer server_;
     Clock::time_point now_ = Clock::time_point() + 1000s;
-    server::ClientLink link_{server_.context,
+    server::ClientSession link_{server_.context,
                              server::Peer{.name = "fuzz",
                                           .address = "127.0.0.1",
                                           .call = "jostle.v1.PlayService/Play",

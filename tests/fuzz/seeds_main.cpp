@@ -161,7 +161,7 @@ std::string talk(bool events) {
 std::vector<std::string> server_messages(bool events) {
     SmallServer small;
     server::Clock::time_point now = server::Clock::time_point() + 1000s;
-    server::ClientLink link(small.context,
+    server::ClientSession link(small.context,
                             server::Peer{.name = "seed",
                                          .address = "127.0.0.1",
                                          .call = "jostle.v1.PlayService/Play",

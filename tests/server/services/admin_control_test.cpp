@@ -52,7 +52,7 @@ protected:
                 if (parsed.has_notice()) notice = parsed.notice().message();
             }
         }
-        ClientLink link;
+        ClientSession link;
         std::string notice;
     };
 

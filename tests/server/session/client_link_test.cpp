@@ -98,7 +98,7 @@ struct TestClient {
         return message.SerializeAsString();
     }
 
-    ClientLink link;
+    ClientSession link;
     PlayState state;
     std::vector<v1::ServerMessage::MessageCase> kinds;
     SharedBytes newest_shared;

@@ -28,13 +28,13 @@ protected:
                 .call = "jostle.v1.PlayService/Play",
                 .who = authorizer->identify({.address = "127.0.0.1"})};
     }
-    static void hello(ClientLink& link) {
+    static void hello(ClientSession& link) {
         v1::ClientMessage message;
         message.mutable_hello()->set_protocol(1);
         link.receive(message.SerializeAsString(), Clock::now());
     }
     // Reads for so long; the newest frame and the bytes of all snapshots.
-    std::pair<std::uint32_t, std::size_t> listen(ClientLink& link, Clock::duration time,
+    std::pair<std::uint32_t, std::size_t> listen(ClientSession& link, Clock::duration time,
                                                  bool acknowledge) {
         std::uint32_t frame = 0;
         std::size_t bytes = 0;
@@ -72,7 +72,7 @@ protected:
 
 TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
     {
-        ClientLink link(context, peer(), Clock::now());
+        ClientSession link(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
         hello(link);
         EXPECT_EQ(clients(), 1);
@@ -101,7 +101,7 @@ TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
 }
 
 TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
-    ClientLink link(context, peer(), Clock::now());
+    ClientSession link(context, peer(), Clock::now());
     hello(link);
     listen(link, 400ms, false);
     EXPECT_LE(snapshots, 5) << "the window";
@@ -117,7 +117,7 @@ TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as
 }
 
 TEST_F(LinkWatchTest, refusals_are_counted_by_their_reason) {
-    ClientLink link(context, peer(), Clock::now());
+    ClientSession link(context, peer(), Clock::now());
     link.receive("garbage", Clock::now());
     EXPECT_TRUE(link.end());
     EXPECT_EQ(metrics.refusals[ErrorCode::invalid_argument].Value(), 1);

@@ -87,7 +87,7 @@ struct PlayedLink {
     client::Conversation conversation;
     client::LinkSettings settings;
     client::HeldMessages outgoing, incoming;
-    std::optional<server::ClientLink> link;
+    std::optional<server::ClientSession> link;
     std::function<void(std::string&)> tamper;  // with what the server says
 };
 

@@ -229,8 +229,8 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
     const ClientId id = player.conversation.stats().client_id;
     // The old link is still there, and hears nothing.
     player.conversation.ended(Error{ErrorCode::unavailable, "another network"});
-    ClientLink& before = *player.link;
-    ClientLink now_on(server.context,
+    ClientSession& before = *player.link;
+    ClientSession now_on(server.context,
                       {.name = "test",
                        .address = "127.0.0.1",
                        .call = "jostle.v1.PlayService/Play",
@@ -261,7 +261,7 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
         v1::ClientMessage hello;
         hello.mutable_hello()->set_protocol(1);
         hello.mutable_hello()->mutable_resume()->set_token(token);
-        ClientLink link(server.context,
+        ClientSession link(server.context,
                         {.name = "thief",
                          .address = "127.0.0.1",
                          .call = "jostle.v1.PlayService/Play",

@@ -42,7 +42,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         worlds.create("yard", test::small_scene()).value();
 
     Clock::time_point now = Clock::time_point() + 1000s;
-    server::ClientLink link(context,
+    server::ClientSession link(context,
                             {.name = "test",
                              .address = "127.0.0.1",
                              .call = "jostle.v1.PlayService/Play",

@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::PlayState;
 
-class ClientLinkTest : public testing::Test {
+class ClientSessionTest : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok()); }
 
@@ -119,7 +119,7 @@ v1::Input removal(std::uint32_t entity) {
     return input;
 }
 
-TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_snapshot) {
+TEST_F(ClientSessionTest, hello_is_answered_with_welcome_roster_and_an_absolute_snapshot) {
     TestClient client(context);
     client.listen();
     EXPECT_TRUE(client.kinds.empty()) << "the client speaks first";
@@ -139,7 +139,7 @@ TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_sna
     EXPECT_EQ(sessions.clients(), 1);
 }
 
-TEST_F(ClientLinkTest, the_codec_is_the_best_that_both_know) {
+TEST_F(ClientSessionTest, the_codec_is_the_best_that_both_know) {
     const auto welcomed = [&](std::uint32_t theirs, int ours) {
         config.stream.codec = ours;
         TestClient client(context);
@@ -155,7 +155,7 @@ TEST_F(ClientLinkTest, the_codec_is_the_best_that_both_know) {
     EXPECT_EQ(welcomed(2, 1), 1u) << "the operator may keep to the first";
 }
 
-TEST_F(ClientLinkTest, clients_on_one_cadence_share_the_same_bytes) {
+TEST_F(ClientSessionTest, clients_on_one_cadence_share_the_same_bytes) {
     TestClient one(context), two(context);
     one.hello();
     two.hello();
@@ -170,7 +170,7 @@ TEST_F(ClientLinkTest, clients_on_one_cadence_share_the_same_bytes) {
     EXPECT_EQ(one.state.broken + two.state.broken, 0);
 }
 
-TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
+TEST_F(ClientSessionTest, each_input_is_applied_once_and_answered_once) {
     TestClient client(context);
     client.hello();
     client.inputs(1, {ball(0.3), ball(0.2)});
@@ -199,7 +199,7 @@ TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientLinkTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
+TEST_F(ClientSessionTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
     TestClient client(context);
     client.hello();
     ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
@@ -217,7 +217,7 @@ TEST_F(ClientLinkTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_to
     EXPECT_LT(client.state.input_margin_us, (8 + lost) * 16'667);
 }
 
-TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
+TEST_F(ClientSessionTest, what_a_client_spawned_goes_with_it) {
     TestClient leaver(context), stayer(context);
     leaver.hello();
     stayer.hello();
@@ -234,7 +234,7 @@ TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
     EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
 }
 
-TEST_F(ClientLinkTest, a_spectator_sees_and_changes_nothing) {
+TEST_F(ClientSessionTest, a_spectator_sees_and_changes_nothing) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_spectator(true); });
     client.inputs(1, {ball(0.3)});
@@ -243,7 +243,7 @@ TEST_F(ClientLinkTest, a_spectator_sees_and_changes_nothing) {
     EXPECT_GT(client.state.snapshots, 0);
 }
 
-TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
+TEST_F(ClientSessionTest, without_acks_no_more_than_a_window_is_sent) {
     TestClient client(context);
     client.hello();
     // Four messages until the first is acknowledged, of which the welcome and the roster are two.
@@ -255,7 +255,7 @@ TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientLinkTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
+TEST_F(ClientSessionTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
     TestClient client(context);
     client.hello();
     ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
@@ -268,7 +268,7 @@ TEST_F(ClientLinkTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientLinkTest, a_wanted_rate_is_rounded_down_to_a_divider) {
+TEST_F(ClientSessionTest, a_wanted_rate_is_rounded_down_to_a_divider) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_snapshot_hz(25); });
     client.listen();
@@ -281,7 +281,7 @@ TEST_F(ClientLinkTest, a_wanted_rate_is_rounded_down_to_a_divider) {
     EXPECT_EQ(phases, std::set<std::uint32_t>{0});
 }
 
-TEST_F(ClientLinkTest, pings_are_answered) {
+TEST_F(ClientSessionTest, pings_are_answered) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage ping;
@@ -291,7 +291,7 @@ TEST_F(ClientLinkTest, pings_are_answered) {
     EXPECT_EQ(client.state.pongs, 1);
 }
 
-TEST_F(ClientLinkTest, refuses_politely) {
+TEST_F(ClientSessionTest, refuses_politely) {
     struct Case {
         const char* what;
         std::function<void(TestClient&)> misbehave;
@@ -338,7 +338,7 @@ TEST_F(ClientLinkTest, refuses_politely) {
     EXPECT_EQ(sessions.clients(), 0);
 }
 
-TEST_F(ClientLinkTest, a_full_server_says_so) {
+TEST_F(ClientSessionTest, a_full_server_says_so) {
     TestClient one(context), two(context), three(context);
     one.hello();
     two.hello();
@@ -351,7 +351,7 @@ TEST_F(ClientLinkTest, a_full_server_says_so) {
     EXPECT_FALSE(four.link.end());
 }
 
-TEST_F(ClientLinkTest, silence_ends_a_conversation) {
+TEST_F(ClientSessionTest, silence_ends_a_conversation) {
     TestClient mute(context), quiet(context);
     quiet.hello();
     mute.stay_silent(0s, 4s);
@@ -367,7 +367,7 @@ TEST_F(ClientLinkTest, silence_ends_a_conversation) {
     EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
-TEST_F(ClientLinkTest, a_pause_of_ours_is_not_the_clients_silence) {
+TEST_F(ClientSessionTest, a_pause_of_ours_is_not_the_clients_silence) {
     TestClient mute(context), quiet(context);
     quiet.hello();
     for (TestClient* client : {&mute, &quiet}) {
@@ -381,7 +381,7 @@ TEST_F(ClientLinkTest, a_pause_of_ours_is_not_the_clients_silence) {
     EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
-TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
+TEST_F(ClientSessionTest, a_flood_is_dropped_then_ended) {
     TestClient client(context);
     client.hello();
     const Clock::time_point now = Clock::now();
@@ -396,7 +396,7 @@ TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
     EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
 }
 
-TEST_F(ClientLinkTest, an_ack_for_each_snapshot_is_no_flood) {
+TEST_F(ClientSessionTest, an_ack_for_each_snapshot_is_no_flood) {
     scenes::SceneDescription fast = *scenes::find_scene("stack");
     fast.name = "fast";
     fast.hz = 240;
@@ -409,7 +409,7 @@ TEST_F(ClientLinkTest, an_ack_for_each_snapshot_is_no_flood) {
     EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
 }
 
-TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
+TEST_F(ClientSessionTest, one_that_asks_without_reading_is_ended) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage ping;
@@ -422,7 +422,7 @@ TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
     EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
 }
 
-TEST_F(ClientLinkTest, draining_and_closing_are_told) {
+TEST_F(ClientSessionTest, draining_and_closing_are_told) {
     TestClient client(context), late(context);
     client.hello();
     context.draining = true;
@@ -439,7 +439,7 @@ TEST_F(ClientLinkTest, draining_and_closing_are_told) {
     EXPECT_EQ(client.link.end()->error().code, ErrorCode::unavailable);
 }
 
-TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
+TEST_F(ClientSessionTest, a_deleted_world_ends_its_conversations) {
     TestClient client(context);
     client.hello();
     client.listen();
@@ -460,7 +460,7 @@ constexpr const char* gate_scene = R"({
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
     {"name": "ball", "position": {"y": 6}, "maySleep": false, "shapes": [{"sphere": {"radius": 0.5}, "reportStays": true}]}]})";
 
-class EventsTest : public ClientLinkTest {
+class EventsTest : public ClientSessionTest {
 protected:
     void add_gate(double hz = 60) {
         scenes::SceneDescription scene = *scenes::read_scene_json(gate_scene);
@@ -577,7 +577,7 @@ TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
 }
 
 // A row of 40 balls that roll, ten metres apart.
-class SightTest : public ClientLinkTest {
+class SightTest : public ClientSessionTest {
 protected:
     void SetUp() override {
         scenes::SceneDescription row = *scenes::read_scene_json(
@@ -685,7 +685,7 @@ TEST_F(SightTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
               "hello.interest.radius is not 0, for all of the world, or 1 m or more");
 }
 
-TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {
+TEST_F(ClientSessionTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {
     TestClient client(context);
     client.hello();
     v1::Input mesh, points;
@@ -705,7 +705,7 @@ TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what
         << client.state.results[3].message();
 }
 
-TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {
+TEST_F(ClientSessionTest, a_ticket_leads_to_its_world_once) {
     ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
     const std::string ticket =
         authorizer->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false}, "w2",

@@ -16,7 +16,7 @@
 #include "jostle/v1/play.grpc.pb.h"
 #include "server/grpc/rpc_tag.h"
 #include "server/grpc_proxy/connection_table.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 

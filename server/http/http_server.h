@@ -12,7 +12,7 @@
 #include "jostle/base/result.h"
 #include "server/http/http_server_settings.h"
 #include "server/http/http_handler.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 

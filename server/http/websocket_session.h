@@ -17,7 +17,7 @@
 
 #include "jostle/base/result.h"
 #include "server/http/socket_stream.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 

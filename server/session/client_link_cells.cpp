@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "server/messages/server_message.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "server/messages/server_message.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "server/util/log.h"
 
 namespace jostle::server {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "server/util/address.h"
 #include "server/util/log.h"
 

@@ -11,7 +11,7 @@
 
 #include "server/messages/event_message.h"
 #include "server/messages/server_message.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 

@@ -26,7 +26,7 @@
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "server/world/saved_host_state.h"
 #include "server/world/hosted_world.h"
 #include "tests/fuzz/reader.h"
@@ -146,7 +146,7 @@ std::vector<v1::ClientMessage> client_messages() {
             with([](auto& m) { m.mutable_leave(); })};
 }
 
-// Kinds of records: tests/fuzz/client_link.cpp.
+// Kinds of records: tests/fuzz/client_session.cpp.
 std::string talk(bool events) {
     std::string out = record(0, hello(events).SerializeAsString()) + record(3);
     for (std::uint32_t round = 0; round < 3; round++) {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "tests/simulation/chance.h"
 #include "tests/simulation/pipe.h"
 

@@ -12,7 +12,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"
 #include "jostle/v1/play.pb.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "tests/support/error_of.h"
 
 namespace jostle::server {

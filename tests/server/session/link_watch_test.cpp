@@ -9,7 +9,7 @@
 
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/play.pb.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::server {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "clients/cpp/core/src/conversation.h"
 #include "clients/cpp/core/src/held_messages.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 namespace jostle::test {
 

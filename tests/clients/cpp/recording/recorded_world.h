@@ -15,7 +15,7 @@
 #include "clients/cpp/core/src/conversation.h"
 #include "jostle/client/playback.h"
 #include "jostle/client/recording_writer.h"
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 #include "tests/support/small_scene.h"
 
 namespace jostle::client {

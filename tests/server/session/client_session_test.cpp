@@ -2,7 +2,7 @@
 //
 // Conversations with real worlds over a transport in memory. The link's clock is an argument, so
 // silences of many seconds take no time; the worlds tick in real time.
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 #include <spdlog/fmt/fmt.h>
 

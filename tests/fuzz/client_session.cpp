@@ -2,7 +2,7 @@
 //
 // A whole conversation: what a client sends, whatever its order, while the world ticks and time
 // passes when the input says so. What the server says is checked as the tests check it.
-#include "server/session/client_link.h"
+#include "server/session/client_session.h"
 
 #include "jostle/v1/play.pb.h"
 #include "tests/fuzz/mutate_message.h"

@@ -71,7 +71,7 @@ public:
 private:
     void take_in(std::string_view bytes, Clock::time_point now);
     void take_in_delayed(Clock::time_point now, bool at_once = false);
-    // client_link_datagrams.cpp
+    // client_session_datagrams.cpp
     void receive_datagram(std::string_view bytes, Clock::time_point at, Clock::time_point now);
     void offer_datagrams(const Hello& hello, Welcome& welcome);
     bool by_datagrams(const Frame& frame, Clock::time_point now);

@@ -86,7 +86,7 @@ private:
     void on_message(const Leave& leave, Clock::time_point now);
     void on_message(const Interest& interest, Clock::time_point now);
 
-    // client_link_resume.cpp: how a conversation goes on after its connection broke.
+    // client_session_resume.cpp: how a conversation goes on after its connection broke.
     bool resume(const Hello& hello, Clock::time_point now);
     Status may_resume(const Hello& hello, const LostClient& lost);
     std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,

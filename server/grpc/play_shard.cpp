@@ -43,7 +43,7 @@ std::size_t PlayShard::streams_max() const {
 // Of those without a hello no address takes all the room.
 bool PlayShard::too_many_wait_from(const std::string& network) const {
     const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
-        return !stream->link().said_hello() && stream->network() == network;
+        return !stream->session().said_hello() && stream->network() == network;
     });
     return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
 }
@@ -148,7 +148,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             owned->begin(
                 context_, connections_, [this] { wake_for_datagrams(); }, now);
             if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
-                owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
+                owned->session().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             streams_.push_back(std::move(owned));
             housekeeping_ = std::min(housekeeping_, now + shard_housekeeping_period);
             stream_count_.store(streams_.size(), std::memory_order_relaxed);
@@ -182,7 +182,7 @@ void PlayShard::advance_all(Clock::time_point now) {
 
 void PlayShard::advance_with_datagrams(Clock::time_point now) {
     for (const auto& stream : streams_)
-        if (stream->link().has_datagrams()) stream->advance(now);
+        if (stream->session().has_datagrams()) stream->advance(now);
 }
 
 void PlayShard::drop_finished() {

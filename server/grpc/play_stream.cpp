@@ -36,7 +36,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
-    link_ = std::make_unique<ClientSession>(context,
+    session_ = std::make_unique<ClientSession>(context,
                                          Peer{.name = "grpc:" + connection_->peer,
                                               .address = connection_->address,
                                               .call = "jostle.v1.PlayService/Play",
@@ -58,7 +58,7 @@ void PlayStream::guarded(Clock::time_point now, const Work& work) {
         work();
     } catch (const std::exception& error) {
         log_error("grpc:{}: {}", connection_->peer, error.what());
-        link_->on_fault(now);
+        session_->on_fault(now);
     }
 }
 
@@ -67,14 +67,14 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
     guarded(now, [&] {
         if (!ok) {
             // The client closed its half, or the connection is gone.
-            link_->on_peer_closed(now);
+            session_->on_peer_closed(now);
             return;
         }
         connection_->consumed += incoming_.Length();
         copy_bytes(incoming_bytes_, incoming_);
         incoming_.Clear();
-        link_->receive(incoming_bytes_, now);
-        if (!link_->end()) start_read();
+        session_->receive(incoming_bytes_, now);
+        if (!session_->end()) start_read();
     });
     advance(now);
 }
@@ -82,7 +82,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
 void PlayStream::on_wrote(bool ok, Clock::time_point now) {
     writing_ = false;
     // A write fails only when the connection is gone; the read that is in flight will fail as well.
-    if (!ok) link_->on_peer_closed(now);
+    if (!ok) session_->on_peer_closed(now);
     advance(now);
 }
 
@@ -98,21 +98,21 @@ void PlayStream::settle(PlayTag::Event event) {
 
 void PlayStream::advance(Clock::time_point now) {
     if (finishing_) return;
-    guarded(now, [&] { link_->take_datagrams(now); });
+    guarded(now, [&] { session_->take_datagrams(now); });
     if (writing_) {
-        link_->wait_for_write(now);
+        session_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its stream, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_timeout) context_.TryCancel();
+        if (session_->end() && now >= session_->end_time() + last_write_timeout) context_.TryCancel();
         return;
     }
     std::optional<OutMessage> message;
-    guarded(now, [&] { message = link_->take_message(now); });
+    guarded(now, [&] { message = session_->take_message(now); });
     if (message) {
         writing_ = true;
         stream_.Write(to_byte_buffer(*message), &wrote_);
         return;
     }
-    if (const std::optional<Status>& end = link_->end()) {
+    if (const std::optional<Status>& end = session_->end()) {
         finishing_ = true;
         const grpc::Status status = to_grpc(*end);
         if (metrics_) metrics_->handled(play_path, status.error_code(), 0);

@@ -58,8 +58,8 @@ public:
     // stream.
     void advance(Clock::time_point now);
 
-    bool begun() const { return link_ != nullptr; }
-    ClientSession& link() { return *link_; }  // only when begun
+    bool begun() const { return session_ != nullptr; }
+    ClientSession& session() { return *session_; }  // only when begun
     const std::string& network() const { return network_; }
     // Nothing is in flight and nothing will be: may be destroyed.
     bool over() const { return finished_ && !reading_ && !writing_; }
@@ -75,7 +75,7 @@ private:
     PlayTag read_{this, PlayTag::Event::read};
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
-    std::unique_ptr<ClientSession> link_;
+    std::unique_ptr<ClientSession> session_;
     std::shared_ptr<Connection> connection_;
     RpcMetrics* metrics_ = nullptr;
     std::string network_;

@@ -86,7 +86,7 @@ void WebSocketSession::start(const Request& upgrade) {
 
 void WebSocketSession::on_accepted(beast::error_code error) {
     if (error || !socket_) return;  // the socket closes with the last reference to this session
-    link_.emplace(
+    session_.emplace(
         context_,
         Peer{.name = peer_,
              .address = address_,
@@ -108,14 +108,14 @@ void WebSocketSession::on_read(beast::error_code error) {
     if (!socket_) return;
     const Clock::time_point now = Clock::now();
     if (error == websocket::error::message_too_big) {
-        link_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
+        session_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
     } else if (error) {
-        link_->on_peer_closed(now);
+        session_->on_peer_closed(now);
     } else if (socket_->got_text()) {
-        link_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
+        session_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
     } else {
         const const_buffer bytes = incoming_.cdata();
-        link_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
+        session_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
         incoming_.consume(bytes.size());
         // Reading goes on after the link ended, because that is how the peer's close frame arrives.
         read();
@@ -127,29 +127,29 @@ void WebSocketSession::on_wrote(beast::error_code error) {
     if (!socket_) return;
     const Clock::time_point now = Clock::now();
     writing_ = false;
-    if (error) link_->on_peer_closed(now);
+    if (error) session_->on_peer_closed(now);
     advance(now);
 }
 
 void WebSocketSession::advance(Clock::time_point now) {
-    if (!link_ || !socket_) return;
+    if (!session_ || !socket_) return;
     if (closing_since_) {
         if (now >= *closing_since_ + handshake_timeout) abort();
         return;
     }
     if (writing_) {
-        link_->wait_for_write(now);
+        session_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its socket, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_timeout) abort();
+        if (session_->end() && now >= session_->end_time() + last_write_timeout) abort();
         return;
     }
-    if (std::optional<OutMessage> message = link_->take_message(now)) {
+    if (std::optional<OutMessage> message = session_->take_message(now)) {
         outgoing_ = std::move(*message);
         writing_ = true;
         write();
         return;
     }
-    if (const std::optional<Status>& end = link_->end()) close(*end, now);
+    if (const std::optional<Status>& end = session_->end()) close(*end, now);
 }
 
 void WebSocketSession::write() {

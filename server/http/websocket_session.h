@@ -50,7 +50,7 @@ private:
     // what waits inside of the stream holds the session, and goes with it.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
     std::string peer_, address_;
-    std::optional<ClientSession> link_;
+    std::optional<ClientSession> session_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;
     bool writing_ = false;

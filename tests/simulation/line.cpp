@@ -23,7 +23,7 @@ server::Peer peer(server::PlayContext& context, const std::string& name,
 
 Line::Line(server::PlayContext& context, const std::string& name, const std::string& address,
            LineQuality quality, std::uint64_t seed, Clock::time_point now)
-    : chance_(seed), quality_(quality), link_(context, peer(context, name, address), now) {}
+    : chance_(seed), quality_(quality), session_(context, peer(context, name, address), now) {}
 
 Clock::time_point Line::arrival(Clock::time_point now) {
     return now + quality_.delay +
@@ -46,7 +46,7 @@ std::optional<std::string> Line::receive(Clock::time_point now) {
 void Line::hang_up(Clock::time_point now) {
     if (hung_up_) return;
     hung_up_ = true;
-    if (!closed_) link_.on_peer_closed(now);
+    if (!closed_) session_.on_peer_closed(now);
 }
 
 void Line::cut(Clock::time_point now, const std::string& why) {
@@ -65,28 +65,28 @@ void Line::deliver(Clock::time_point now) {
     for (int i = 0; i < messages_of_turn && !hung_up_; i++) {
         const std::optional<std::string> message = up_.take(now);
         if (!message) return;
-        if (!link_.end()) link_.receive(*message, now);
+        if (!session_.end()) session_.receive(*message, now);
     }
 }
 
 void Line::write(Clock::time_point now) {
     while (!down_.is_full()) {
-        const std::optional<server::OutMessage> out = link_.take_message(now);
+        const std::optional<server::OutMessage> out = session_.take_message(now);
         if (!out) {
-            if (link_.end()) {
+            if (session_.end()) {
                 closed_ = true;
-                if (end_.ok()) end_ = *link_.end();
+                if (end_.ok()) end_ = *session_.end();
             }
             return;
         }
         if (hung_up_) continue;
         down_.put(out->in_one(), arrival(now));
     }
-    link_.wait_for_write(now);
+    session_.wait_for_write(now);
     // As the transports do with who takes nothing: nobody waits for the last word to be heard.
-    if (link_.end()) {
+    if (session_.end()) {
         closed_ = true;
-        end_ = *link_.end();
+        end_ = *session_.end();
     }
 }
 

@@ -43,7 +43,7 @@ private:
 
     Chance chance_;
     const LineQuality quality_;
-    server::ClientSession link_;
+    server::ClientSession session_;
     Pipe up_, down_;
     bool hung_up_ = false, closed_ = false, over_ = false;
     Status end_;

@@ -35,7 +35,7 @@ protected:
 // One client: what it says goes straight to its link, what the link says to a PlayState.
 struct TestClient {
     explicit TestClient(PlayContext& context)
-        : link(context,
+        : session(context,
                Peer{.name = "test",
                     .address = "127.0.0.1",
                     .call = "jostle.v1.PlayService/Play",
@@ -43,7 +43,7 @@ struct TestClient {
                Clock::now()) {}
 
     void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
-        link.receive(message.SerializeAsString(), Clock::now() + later);
+        session.receive(message.SerializeAsString(), Clock::now() + later);
     }
     void hello(const std::function<void(v1::Hello&)>& change = [](v1::Hello&) {}) {
         v1::ClientMessage message;
@@ -66,7 +66,7 @@ struct TestClient {
     }
     // Takes all that the link has to say.
     void listen(Clock::duration later = 0s) {
-        while (std::optional<OutMessage> out = link.take_message(Clock::now() + later)) {
+        while (std::optional<OutMessage> out = session.take_message(Clock::now() + later)) {
             v1::ServerMessage message;
             const std::string bytes = out->in_one();
             ASSERT_TRUE(message.ParseFromString(bytes));
@@ -87,7 +87,7 @@ struct TestClient {
         for (const auto end = Clock::now() + 5s; Clock::now() < end;) {
             listen();
             if (condition()) return true;
-            if (acknowledge && state.newest_frame != 0) link.receive(ack_bytes(), Clock::now());
+            if (acknowledge && state.newest_frame != 0) session.receive(ack_bytes(), Clock::now());
             std::this_thread::sleep_for(10ms);
         }
         return false;
@@ -98,7 +98,7 @@ struct TestClient {
         return message.SerializeAsString();
     }
 
-    ClientSession link;
+    ClientSession session;
     PlayState state;
     std::vector<v1::ServerMessage::MessageCase> kinds;
     SharedBytes newest_shared;
@@ -228,7 +228,7 @@ TEST_F(ClientSessionTest, what_a_client_spawned_goes_with_it) {
     v1::ClientMessage leave;
     leave.mutable_leave();
     leaver.send(leave);
-    EXPECT_TRUE(leaver.link.end() && leaver.link.end()->ok());
+    EXPECT_TRUE(leaver.session.end() && leaver.session.end()->ok());
     EXPECT_EQ(sessions.clients(), 1);
     EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
     EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
@@ -307,9 +307,9 @@ TEST_F(ClientSessionTest, refuses_politely) {
         {"ticket", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_ticket("forged"); }); },
          ErrorCode::unauthenticated},
         {"ack before hello", [](TestClient& c) { c.ack(1); }, ErrorCode::failed_precondition},
-        {"garbage", [](TestClient& c) { c.link.receive("\xff\xff", Clock::now()); },
+        {"garbage", [](TestClient& c) { c.session.receive("\xff\xff", Clock::now()); },
          ErrorCode::invalid_argument},
-        {"size", [](TestClient& c) { c.link.receive(std::string(70000, 'x'), Clock::now()); },
+        {"size", [](TestClient& c) { c.session.receive(std::string(70000, 'x'), Clock::now()); },
          ErrorCode::resource_exhausted},
         {"second hello",
          [&](TestClient& c) {
@@ -327,12 +327,12 @@ TEST_F(ClientSessionTest, refuses_politely) {
     for (const Case& c : cases) {
         TestClient client(context);
         c.misbehave(client);
-        ASSERT_TRUE(client.link.end() && !client.link.end()->ok()) << c.what;
-        EXPECT_EQ(client.link.end()->error().code, c.code) << c.what;
+        ASSERT_TRUE(client.session.end() && !client.session.end()->ok()) << c.what;
+        EXPECT_EQ(client.session.end()->error().code, c.code) << c.what;
         client.listen();
         ASSERT_FALSE(client.state.notices.empty()) << c.what;
         EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
-        EXPECT_EQ(client.state.notices.back().message(), client.link.end()->error().message)
+        EXPECT_EQ(client.state.notices.back().message(), client.session.end()->error().message)
             << c.what;
     }
     EXPECT_EQ(sessions.clients(), 0);
@@ -343,28 +343,28 @@ TEST_F(ClientSessionTest, a_full_server_says_so) {
     one.hello();
     two.hello();
     three.hello();
-    ASSERT_TRUE(three.link.end() && !three.link.end()->ok());
-    EXPECT_EQ(three.link.end()->error().code, ErrorCode::resource_exhausted);
-    one.link.on_peer_closed(Clock::now());
+    ASSERT_TRUE(three.session.end() && !three.session.end()->ok());
+    EXPECT_EQ(three.session.end()->error().code, ErrorCode::resource_exhausted);
+    one.session.on_peer_closed(Clock::now());
     TestClient four(context);
     four.hello();
-    EXPECT_FALSE(four.link.end());
+    EXPECT_FALSE(four.session.end());
 }
 
 TEST_F(ClientSessionTest, silence_ends_a_conversation) {
     TestClient mute(context), quiet(context);
     quiet.hello();
     mute.stay_silent(0s, 4s);
-    EXPECT_FALSE(mute.link.end());
+    EXPECT_FALSE(mute.session.end());
     mute.stay_silent(4s, 6s);
-    ASSERT_TRUE(mute.link.end() && !mute.link.end()->ok());
-    EXPECT_EQ(mute.link.end()->error().code, ErrorCode::deadline_exceeded);
+    ASSERT_TRUE(mute.session.end() && !mute.session.end()->ok());
+    EXPECT_EQ(mute.session.end()->error().code, ErrorCode::deadline_exceeded);
     quiet.stay_silent(0s, 9s);
-    EXPECT_FALSE(quiet.link.end());
+    EXPECT_FALSE(quiet.session.end());
     for (Clock::duration later = 9s; later <= 11s; later += 100ms)
-        quiet.link.wait_for_write(Clock::now() + later);  // it does not read either
-    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
-    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
+        quiet.session.wait_for_write(Clock::now() + later);  // it does not read either
+    ASSERT_TRUE(quiet.session.end() && !quiet.session.end()->ok());
+    EXPECT_EQ(quiet.session.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
 TEST_F(ClientSessionTest, a_pause_of_ours_is_not_the_clients_silence) {
@@ -372,13 +372,13 @@ TEST_F(ClientSessionTest, a_pause_of_ours_is_not_the_clients_silence) {
     quiet.hello();
     for (TestClient* client : {&mute, &quiet}) {
         client->listen(12s);  // the first look after 12 s
-        EXPECT_FALSE(client->link.end());
+        EXPECT_FALSE(client->session.end());
         client->stay_silent(12s, 15s);
-        EXPECT_FALSE(client->link.end());
+        EXPECT_FALSE(client->session.end());
     }
     quiet.stay_silent(15s, 23s);
-    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
-    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
+    ASSERT_TRUE(quiet.session.end() && !quiet.session.end()->ok());
+    EXPECT_EQ(quiet.session.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
 TEST_F(ClientSessionTest, a_flood_is_dropped_then_ended) {
@@ -386,14 +386,14 @@ TEST_F(ClientSessionTest, a_flood_is_dropped_then_ended) {
     client.hello();
     const Clock::time_point now = Clock::now();
     const std::string message = client.ack_bytes();
-    for (int i = 0; i < 200; ++i) client.link.receive(message, now);
-    EXPECT_FALSE(client.link.end());
+    for (int i = 0; i < 200; ++i) client.session.receive(message, now);
+    EXPECT_FALSE(client.session.end());
     client.listen();
     ASSERT_EQ(client.state.notices.size(), 1u) << "told once";
     EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_RATE_LIMIT);
-    for (int i = 0; i < 1200; ++i) client.link.receive(message, now);
-    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
-    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
+    for (int i = 0; i < 1200; ++i) client.session.receive(message, now);
+    ASSERT_TRUE(client.session.end() && !client.session.end()->ok());
+    EXPECT_EQ(client.session.end()->error().code, ErrorCode::resource_exhausted);
 }
 
 TEST_F(ClientSessionTest, an_ack_for_each_snapshot_is_no_flood) {
@@ -404,7 +404,7 @@ TEST_F(ClientSessionTest, an_ack_for_each_snapshot_is_no_flood) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_world("fast"); });
     const Clock::time_point now = Clock::now();
-    for (int i = 0; i < 300; ++i) client.link.receive(client.ack_bytes(), now);
+    for (int i = 0; i < 300; ++i) client.session.receive(client.ack_bytes(), now);
     client.listen();
     EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
 }
@@ -414,12 +414,12 @@ TEST_F(ClientSessionTest, one_that_asks_without_reading_is_ended) {
     client.hello();
     v1::ClientMessage ping;
     ping.mutable_ping();
-    for (int second = 0; second < 9 && !client.link.end(); ++second) {
+    for (int second = 0; second < 9 && !client.session.end(); ++second) {
         for (int i = 0; i < 80; ++i) client.send(ping, std::chrono::seconds(second));
-        client.link.wait_for_write(Clock::now() + std::chrono::seconds(second));
+        client.session.wait_for_write(Clock::now() + std::chrono::seconds(second));
     }
-    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
-    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
+    ASSERT_TRUE(client.session.end() && !client.session.end()->ok());
+    EXPECT_EQ(client.session.end()->error().code, ErrorCode::resource_exhausted);
 }
 
 TEST_F(ClientSessionTest, draining_and_closing_are_told) {
@@ -427,16 +427,16 @@ TEST_F(ClientSessionTest, draining_and_closing_are_told) {
     client.hello();
     context.draining = true;
     late.hello();
-    ASSERT_TRUE(late.link.end() && !late.link.end()->ok());
-    EXPECT_EQ(late.link.end()->error().code, ErrorCode::unavailable);
+    ASSERT_TRUE(late.session.end() && !late.session.end()->ok());
+    EXPECT_EQ(late.session.end()->error().code, ErrorCode::unavailable);
     client.listen();
-    EXPECT_FALSE(client.link.end()) << "may go on until the drain is over";
+    EXPECT_FALSE(client.session.end()) << "may go on until the drain is over";
     ASSERT_EQ(client.state.notices.size(), 1u);
     EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_DRAINING);
     context.closing = true;
     client.listen();
-    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
-    EXPECT_EQ(client.link.end()->error().code, ErrorCode::unavailable);
+    ASSERT_TRUE(client.session.end() && !client.session.end()->ok());
+    EXPECT_EQ(client.session.end()->error().code, ErrorCode::unavailable);
 }
 
 TEST_F(ClientSessionTest, a_deleted_world_ends_its_conversations) {
@@ -445,8 +445,8 @@ TEST_F(ClientSessionTest, a_deleted_world_ends_its_conversations) {
     client.listen();
     worlds.remove("stack");
     client.listen();
-    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
-    EXPECT_EQ(client.link.end()->error().code, ErrorCode::aborted);
+    ASSERT_TRUE(client.session.end() && !client.session.end()->ok());
+    EXPECT_EQ(client.session.end()->error().code, ErrorCode::aborted);
     EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_WORLD_CLOSED);
 }
 
@@ -716,8 +716,8 @@ TEST_F(ClientSessionTest, a_ticket_leads_to_its_world_once) {
     client.listen();
     EXPECT_EQ(client.state.welcome.world_name(), "second");
     thief.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
-    ASSERT_TRUE(thief.link.end() && !thief.link.end()->ok());
-    EXPECT_EQ(thief.link.end()->error().code, ErrorCode::unauthenticated);
+    ASSERT_TRUE(thief.session.end() && !thief.session.end()->ok());
+    EXPECT_EQ(thief.session.end()->error().code, ErrorCode::unauthenticated);
 }
 
 }  // namespace

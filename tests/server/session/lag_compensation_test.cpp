@@ -95,7 +95,7 @@ Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rew
 
 TEST(LagCompensation, a_shooter_150_ms_away_hits_what_he_sees_with_it_and_misses_without) {
     const client::LinkSettings link{.delay_ms = 75};
-    const Round with = shoot(true, link), without = shoot(false, link);
+    const Round with = shoot(true, session), without = shoot(false, session);
     EXPECT_EQ(with.shots, 16);
     EXPECT_EQ(with.hits, with.shots);
     EXPECT_EQ(with.clamped, 0);

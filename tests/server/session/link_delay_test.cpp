@@ -16,7 +16,7 @@ namespace {
 using test::PlayedLink;
 using test::QuietServer;
 
-Config with_link(const std::string& link, std::vector<std::string> worlds = {}) {
+Config with_link(const std::string& session, std::vector<std::string> worlds = {}) {
     Config config;
     config.development = {link, std::move(worlds)};
     EXPECT_TRUE(check(config).ok());
@@ -67,7 +67,7 @@ TEST(LinkDelay, jitter_makes_snapshots_later_and_never_overtake) {
 }
 
 TEST(LinkDelay, is_for_the_worlds_that_are_named) {
-    const std::string link = "delay=5";
+    const std::string session = "delay=5";
     EXPECT_TRUE(link_delay_for({link, {}}, "yard", 1));
     EXPECT_TRUE(link_delay_for({link, {"lab", "yard"}}, "yard", 1));
     EXPECT_FALSE(link_delay_for({link, {"lab"}}, "yard", 1));
@@ -90,7 +90,7 @@ TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
     test::play(server, *world, {&player}, 120);
     player.conversation.leave();
     player.exchange();
-    player.link->on_peer_closed(server.now);
+    player.session->on_peer_closed(server.now);
     EXPECT_EQ(server.sessions.clients(), 0);
     EXPECT_EQ(server.context.resumes.lost(), 0u);
 }

@@ -28,19 +28,19 @@ protected:
                 .call = "jostle.v1.PlayService/Play",
                 .who = authorizer->identify({.address = "127.0.0.1"})};
     }
-    static void hello(ClientSession& link) {
+    static void hello(ClientSession& session) {
         v1::ClientMessage message;
         message.mutable_hello()->set_protocol(1);
-        link.receive(message.SerializeAsString(), Clock::now());
+        session.receive(message.SerializeAsString(), Clock::now());
     }
     // Reads for so long; the newest frame and the bytes of all snapshots.
-    std::pair<std::uint32_t, std::size_t> listen(ClientSession& link, Clock::duration time,
+    std::pair<std::uint32_t, std::size_t> listen(ClientSession& session, Clock::duration time,
                                                  bool acknowledge) {
         std::uint32_t frame = 0;
         std::size_t bytes = 0;
         for (const auto end = Clock::now() + time; Clock::now() < end;
              std::this_thread::sleep_for(5ms)) {
-            while (const auto message = link.take_message(Clock::now())) {
+            while (const auto message = session.take_message(Clock::now())) {
                 v1::ServerMessage parsed;
                 parsed.ParseFromString(message->head + (message->shared ? *message->shared : ""));
                 if (!parsed.has_snapshot()) continue;
@@ -51,7 +51,7 @@ protected:
             if (!acknowledge || frame == 0) continue;
             v1::ClientMessage ack;
             ack.mutable_ack()->set_frame(frame);
-            link.receive(ack.SerializeAsString(), Clock::now());
+            session.receive(ack.SerializeAsString(), Clock::now());
         }
         return {frame, bytes};
     }
@@ -72,7 +72,7 @@ protected:
 
 TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
     {
-        ClientSession link(context, peer(), Clock::now());
+        ClientSession session(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
         hello(link);
         EXPECT_EQ(clients(), 1);
@@ -86,7 +86,7 @@ TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
         message.mutable_input()->add_inputs()->mutable_release();
         v1::Input& huge = *message.mutable_input()->add_inputs();
         huge.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(1000);
-        link.receive(message.SerializeAsString(), Clock::now());
+        session.receive(message.SerializeAsString(), Clock::now());
         listen(link, 200ms, true);
         EXPECT_EQ(metrics.inputs[InputOutcome::not_found].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::applied].Value(), 1);
@@ -101,7 +101,7 @@ TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
 }
 
 TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
-    ClientSession link(context, peer(), Clock::now());
+    ClientSession session(context, peer(), Clock::now());
     hello(link);
     listen(link, 400ms, false);
     EXPECT_LE(snapshots, 5) << "the window";
@@ -109,7 +109,7 @@ TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as
     // A transport that cannot write: frames come and go.
     const auto stuck_until = Clock::now() + 200ms;
     while (Clock::now() < stuck_until) {
-        link.wait_for_write(Clock::now());
+        session.wait_for_write(Clock::now());
         std::this_thread::sleep_for(5ms);
     }
     listen(link, 50ms, false);
@@ -117,8 +117,8 @@ TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as
 }
 
 TEST_F(LinkWatchTest, refusals_are_counted_by_their_reason) {
-    ClientSession link(context, peer(), Clock::now());
-    link.receive("garbage", Clock::now());
+    ClientSession session(context, peer(), Clock::now());
+    session.receive("garbage", Clock::now());
     EXPECT_TRUE(link.end());
     EXPECT_EQ(metrics.refusals[ErrorCode::invalid_argument].Value(), 1);
 }

@@ -56,7 +56,7 @@ struct PlayedLink {
     }
     // A new connection.
     void connect() {
-        link.emplace(server.context,
+        session.emplace(server.context,
                      server::Peer{.name = "test",
                                   .address = "127.0.0.1",
                                   .call = "jostle.v1.PlayService/Play",
@@ -68,8 +68,8 @@ struct PlayedLink {
     void exchange() {
         while (auto said = conversation.take_message(server.now))
             outgoing.push(*std::move(said), server.now);
-        while (const auto arrived = outgoing.take(server.now)) link->receive(*arrived, server.now);
-        while (const auto out = link->take_message(server.now)) {
+        while (const auto arrived = outgoing.take(server.now)) session->receive(*arrived, server.now);
+        while (const auto out = session->take_message(server.now)) {
             std::string bytes = out->head + (out->shared ? *out->shared : "");
             for (const server::SharedBytes& cell : out->cells) bytes += *cell;
             if (tamper) tamper(bytes);
@@ -87,7 +87,7 @@ struct PlayedLink {
     client::Conversation conversation;
     client::LinkSettings settings;
     client::HeldMessages outgoing, incoming;
-    std::optional<server::ClientSession> link;
+    std::optional<server::ClientSession> session;
     std::function<void(std::string&)> tamper;  // with what the server says
 };
 

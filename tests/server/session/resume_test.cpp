@@ -37,7 +37,7 @@ protected:
     void SetUp() override { world = server.host(test::small_scene()); }
     // The connection breaks; what was on the way is lost.
     void cut(PlayedLink& player) {
-        player.link->on_peer_closed(server.now);
+        player.session->on_peer_closed(server.now);
         player.conversation.ended(Error{ErrorCode::unavailable, "the line broke"});
         player.lose_what_is_on_the_way();
     }
@@ -229,7 +229,7 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
     const ClientId id = player.conversation.stats().client_id;
     // The old link is still there, and hears nothing.
     player.conversation.ended(Error{ErrorCode::unavailable, "another network"});
-    ClientSession& before = *player.link;
+    ClientSession& before = *player.session;
     ClientSession now_on(server.context,
                       {.name = "test",
                        .address = "127.0.0.1",
@@ -261,18 +261,18 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
         v1::ClientMessage hello;
         hello.mutable_hello()->set_protocol(1);
         hello.mutable_hello()->mutable_resume()->set_token(token);
-        ClientSession link(server.context,
+        ClientSession session(server.context,
                         {.name = "thief",
                          .address = "127.0.0.1",
                          .call = "jostle.v1.PlayService/Play",
                          .who = server.authorizer->identify({.address = "127.0.0.1"})},
                         server.now);
-        link.receive(hello.SerializeAsString(), server.now);
+        session.receive(hello.SerializeAsString(), server.now);
         v1::ServerMessage welcome;
         ASSERT_TRUE(welcome.ParseFromString(link.take_message(server.now)->head));
         EXPECT_FALSE(welcome.welcome().resumed());
         EXPECT_NE(welcome.welcome().client_id(), id);
-        link.on_peer_closed(server.now);
+        session.on_peer_closed(server.now);
     }
     EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
 }
@@ -293,7 +293,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
     EXPECT_EQ(watcher.conversation.stats().resumed, 1u) << watcher.conversation.stats().last_error;
     cut(watcher);
     // The same Hello, but for what he wants to be.
-    watcher.link.emplace(server.context,
+    watcher.session.emplace(server.context,
                          Peer{.name = "test",
                               .address = "127.0.0.1",
                               .call = "jostle.v1.PlayService/Play",
@@ -303,9 +303,9 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(*watcher.conversation.take_message(server.now)));
     hello.mutable_hello()->set_spectator(false);
-    watcher.link->receive(hello.SerializeAsString(), server.now);
-    ASSERT_TRUE(watcher.link->end());
-    EXPECT_EQ(watcher.link->end()->error().code, ErrorCode::permission_denied);
+    watcher.session->receive(hello.SerializeAsString(), server.now);
+    ASSERT_TRUE(watcher.session->end());
+    EXPECT_EQ(watcher.session->end()->error().code, ErrorCode::permission_denied);
     EXPECT_EQ(server.context.resumes.lost(), 1u) << "his place is still kept";
 }
 

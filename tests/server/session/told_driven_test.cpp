@@ -23,7 +23,7 @@ using test::QuietServer;
 struct Driver {
     QuietServer server;
     std::shared_ptr<WorldHost> world;
-    PlayedLink link;
+    PlayedLink session;
     client::Predictor predictor;
     EntityId own = 0;
     std::map<std::uint32_t, Vec3> truth;  // by tick
@@ -38,11 +38,11 @@ struct Driver {
 
     Driver(const scenes::SceneDescription& scene, const char* name, bool told = true)
         : world(server.host(scene)),
-          link(server,
+          session(server,
                {.channels =
                     told ? std::vector<std::string>{motion_kind} : std::vector<std::string>{}},
                {.delay_ms = 50, .jitter_ms = 10, .seed = 7}) {
-        link.tamper = [this](std::string& bytes) {
+        session.tamper = [this](std::string& bytes) {
             v1::ServerMessage message;
             if (!message.ParseFromString(bytes)) return;
             if (message.has_welcome()) predictor.begin(message.welcome());
@@ -50,7 +50,7 @@ struct Driver {
                 driven_bytes += message.snapshot().driven().ByteSizeLong();
         };
         run(60);
-        for (const auto& [id, entity] : link.conversation.view().entities())
+        for (const auto& [id, entity] : session.conversation.view().entities())
             if (entity.name() == name) own = id;
         v1::Input possess;
         possess.mutable_possess()->set_entity(own);
@@ -81,8 +81,8 @@ struct Driver {
                 std::ranges::find(frame->entities, own, &EntityPose::id)->pose.position;
         predictor.on_results(link.conversation.take_results());
         predictor.on_frame(link.conversation.view());
-        const auto poses = link.draw();
-        const double position = link.conversation.input_clock().position(now_us());
+        const auto poses = session.draw();
+        const double position = session.conversation.input_clock().position(now_us());
         Picture picture{.position = position};
         for (const client::SmoothPose& pose : poses)
             if (pose.entity == own) picture.interpolated = at(pose);
@@ -122,9 +122,9 @@ struct Driver {
         return most;
     }
     Vec3 place_of(const char* name) const {
-        for (const auto& [id, entity] : link.conversation.view().entities())
+        for (const auto& [id, entity] : session.conversation.view().entities())
             if (entity.name() == name) {
-                const auto pose = link.conversation.view().pose_of(id);
+                const auto pose = session.conversation.view().pose_of(id);
                 return {pose->position[0], pose->position[1], pose->position[2]};
             }
         return {};

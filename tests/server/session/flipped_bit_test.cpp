@@ -4,13 +4,13 @@
 // decoded is not what the server has, counts it once, asks for a keyframe and is right again.
 #include <gtest/gtest.h>
 
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
 
 namespace jostle::server {
 namespace {
 
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
 double furthest_off_mm(const client::WorldView& view, const Frame& frame) {
@@ -34,7 +34,7 @@ struct Flipped {
 Flipped flip_a_bit(client::ClientOptions options, std::size_t bit) {
     QuietServer server;
     const auto world = server.host(test::small_scene());
-    PlayedLink player(server, std::move(options));
+    SessionHarness player(server, std::move(options));
     Flipped seen;
     bool due = false;
     player.tamper = [&](std::string& bytes) {
@@ -87,7 +87,7 @@ TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
 TEST(FlippedBit, nothing_is_counted_where_nothing_was_flipped) {
     QuietServer server;
     const auto world = server.host(test::small_scene());
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 90);
     EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
     EXPECT_LT(furthest_off_mm(player.conversation.view(), *world->frame()), 2);

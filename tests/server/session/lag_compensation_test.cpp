@@ -9,14 +9,14 @@
 #include "jostle/scenes/scene.h"
 #include "jostle/v1/query.pb.h"
 #include "server/services/query_control.h"
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 #include "tests/support/error_of.h"
 
 namespace jostle::server {
 namespace {
 
 using physics::Vec3;
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
 constexpr EntityId wall = 1, target = 2;
@@ -70,7 +70,7 @@ Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rew
     config.tick.lag_compensation_ms_max = rewind_ms;
     QuietServer server(config);
     const auto world = server.host(range_scene());
-    PlayedLink shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},
+    SessionHarness shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},
                        each_way);
     Round round;
     test::play(server, *world, {&shooter}, 8 * 60, [&](int tick) {
@@ -120,7 +120,7 @@ TEST(LagCompensation, who_is_further_away_than_frames_are_kept_is_told_so) {
 TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
     QuietServer server;
     const auto world = server.host(range_scene(0));
-    PlayedLink shooter(server, {.name = "shooter"});
+    SessionHarness shooter(server, {.name = "shooter"});
     test::play(server, *world, {&shooter}, 30);
     const std::uint32_t before = world->frame()->tick;
     v1::Input ball;
@@ -144,7 +144,7 @@ TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
 TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now) {
     QuietServer server;
     const auto world = server.host(range_scene());
-    PlayedLink shooter(server, {.name = "shooter"}, {.delay_ms = 75});
+    SessionHarness shooter(server, {.name = "shooter"}, {.delay_ms = 75});
     v1::Input grab;
     test::play(server, *world, {&shooter}, 120, [&](int tick) {
         const std::optional<double> view_time = x_of(shooter.draw(), target);

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
 
 namespace jostle::server {
 namespace {
 
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
 Config with_link(const std::string& session, std::vector<std::string> worlds = {}) {
@@ -36,7 +36,7 @@ Ages ages_of(const Config& config) {
     scene.bodies[3].body.angular_velocity = {1, 2, 3};
     scene.bodies[3].body.sleep_allowed = false;
     const auto world = server.host(scene);
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 600);
     std::vector<float> ages = player.conversation.take_ages_ms();
     EXPECT_GT(ages.size(), 100u);
@@ -86,7 +86,7 @@ TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
 TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
     QuietServer server(with_link("delay=500"));
     const auto world = server.host(test::small_scene());
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 120);
     player.conversation.leave();
     player.exchange();

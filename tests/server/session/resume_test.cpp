@@ -8,14 +8,14 @@
 #include <array>
 #include <set>
 
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
 v1::Input falling_ball(double x, double y = 20) {
@@ -36,14 +36,14 @@ class ResumeTest : public testing::Test {
 protected:
     void SetUp() override { world = server.host(test::small_scene()); }
     // The connection breaks; what was on the way is lost.
-    void cut(PlayedLink& player) {
+    void cut(SessionHarness& player) {
         player.session->on_peer_closed(server.now);
         player.conversation.ended(Error{ErrorCode::unavailable, "the line broke"});
         player.lose_what_is_on_the_way();
     }
-    void run(PlayedLink& player, int ticks) { test::play(server, *world, {&player}, ticks); }
+    void run(SessionHarness& player, int ticks) { test::play(server, *world, {&player}, ticks); }
     void run_alone(int ticks) { test::play(server, *world, {}, ticks); }
-    std::set<std::uint32_t> entities_known(const PlayedLink& player) const {
+    std::set<std::uint32_t> entities_known(const SessionHarness& player) const {
         std::set<std::uint32_t> ids;
         for (const auto& [id, entity] : player.conversation.view().entities()) ids.insert(id);
         return ids;
@@ -59,7 +59,7 @@ protected:
 };
 
 TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bodies) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     for (int i = 0; i < 3; i++) player.conversation.send(falling_ball(i));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
@@ -83,7 +83,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
 
 // Another host goes on with a world in which two played; one of them is there no more.
 TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there_stays) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 20);
     const ClientId here = player.conversation.stats().client_id, gone = here + 1;
@@ -101,7 +101,7 @@ TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there
 }
 
 TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
@@ -122,7 +122,7 @@ TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
 }
 
 TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once) {
-    PlayedLink polite(server, {.name = "polite"}), old(server, {.name = "old", .resume = false});
+    SessionHarness polite(server, {.name = "polite"}), old(server, {.name = "old", .resume = false});
     test::play(server, *world, {&polite, &old}, 30);
     polite.conversation.leave();
     test::play(server, *world, {&polite, &old}, 3);
@@ -133,7 +133,7 @@ TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once
 }
 
 TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     run(player, 30);
     server.context.draining = true;
     cut(player);
@@ -144,7 +144,7 @@ TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
 // The link is cut at every phase of a batch: before it came, before its answer came, after both.
 TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks) {
     for (const double delay_ms : {0.0, 40.0, 120.0}) {
-        PlayedLink player(server, {.name = "player"}, {.delay_ms = delay_ms});
+        SessionHarness player(server, {.name = "player"}, {.delay_ms = delay_ms});
         run(player, 40);
         std::set<std::uint32_t> answered;
         std::uint32_t sent = 0;
@@ -179,7 +179,7 @@ TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks)
 }
 
 TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     int absolute = 0, snapshots = 0, roster_entities = 0;
     player.tamper = [&](std::string& bytes) {
         v1::ServerMessage message;
@@ -204,7 +204,7 @@ TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
 }
 
 TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) {
-    PlayedLink watcher(server, {.name = "watcher"}), maker(server, {.name = "maker"});
+    SessionHarness watcher(server, {.name = "watcher"}), maker(server, {.name = "maker"});
     test::play(server, *world, {&watcher, &maker}, 20);
     maker.conversation.send(falling_ball(0));
     test::play(server, *world, {&watcher, &maker}, 5);
@@ -223,7 +223,7 @@ TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) 
 }
 
 TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_place_over) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
@@ -252,12 +252,12 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
 }
 
 TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
     cut(player);
     for (const std::string& token : {std::string(), std::string(16, '\0'), std::string(256, 'x')}) {
-        PlayedLink thief(server, {.name = "thief"});
+        SessionHarness thief(server, {.name = "thief"});
         v1::ClientMessage hello;
         hello.mutable_hello()->set_protocol(1);
         hello.mutable_hello()->mutable_resume()->set_token(token);
@@ -284,7 +284,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
             ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false},
                            world->id(), "127.0.0.1")
             .value();
-    PlayedLink watcher(server, {.ticket = ticket, .name = "watcher", .spectator = true});
+    SessionHarness watcher(server, {.ticket = ticket, .name = "watcher", .spectator = true});
     run(watcher, 30);
     ASSERT_TRUE(watcher.conversation.stats().connected) << watcher.conversation.stats().last_error;
     cut(watcher);
@@ -310,7 +310,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
 }
 
 TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     run(player, 20);
     v1::Input grab, drag;
     grab.mutable_grab()->set_entity(3);
@@ -327,14 +327,14 @@ TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
 }
 
 TEST_F(ResumeTest, places_that_are_kept_give_way_to_those_who_are_there) {
-    std::vector<std::unique_ptr<PlayedLink>> lost;
+    std::vector<std::unique_ptr<SessionHarness>> lost;
     for (int i = 0; i < 20; i++) {  // as many as the server takes
-        lost.push_back(std::make_unique<PlayedLink>(server, client::ClientOptions{.name = "lost"}));
+        lost.push_back(std::make_unique<SessionHarness>(server, client::ClientOptions{.name = "lost"}));
         run(*lost.back(), 5);
         cut(*lost.back());
     }
     EXPECT_EQ(server.context.resumes.lost(), 20u);
-    PlayedLink player(server, {.name = "player"});
+    SessionHarness player(server, {.name = "player"});
     run(player, 5);
     EXPECT_TRUE(player.conversation.stats().connected);
     EXPECT_EQ(server.context.resumes.lost(), 19u);

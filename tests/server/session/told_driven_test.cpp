@@ -11,19 +11,19 @@
 #include "jostle/client/predictor.h"
 #include "jostle/scenes/catalog.h"
 #include "server/world/module_channels.h"
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 
 namespace jostle::server {
 namespace {
 
 using physics::Vec3;
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
 struct Driver {
     QuietServer server;
     std::shared_ptr<WorldHost> world;
-    PlayedLink session;
+    SessionHarness session;
     client::Predictor predictor;
     EntityId own = 0;
     std::map<std::uint32_t, Vec3> truth;  // by tick

@@ -5,16 +5,16 @@
 
 #include "jostle/scenes/catalog.h"
 #include "server/world/module_channels.h"
-#include "tests/server/session/played_link.h"
+#include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
 
 namespace jostle::server {
 namespace {
 
-using test::PlayedLink;
+using test::SessionHarness;
 using test::QuietServer;
 
-physics::Vec3 told_velocity(const PlayedLink& player, EntityId id) {
+physics::Vec3 told_velocity(const SessionHarness& player, EntityId id) {
     const auto told = player.conversation.view().channel(motion_kind, id);
     if (told.size() != 6) return {99, 99, 99};
     return physics::Vec3{told[0] / motion_units, told[1] / motion_units, told[2] / motion_units};
@@ -24,8 +24,8 @@ physics::Vec3 told_velocity(const PlayedLink& player, EntityId id) {
 TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
     QuietServer server;
     const auto world = server.host(test::small_scene());
-    PlayedLink player(server, {.channels = {motion_kind}});
-    PlayedLink other(server, {.channels = {"*"}}), silent(server, {});
+    SessionHarness player(server, {.channels = {motion_kind}});
+    SessionHarness other(server, {.channels = {"*"}}), silent(server, {});
     test::play(server, *world, {&player, &other, &silent}, 20);
     int compared = 0, off = 0;
     FramePtr before = world->frame();
@@ -51,7 +51,7 @@ TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
 TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
     QuietServer server({.world = {.bodies_max = 2000}});
     const auto world = server.host(*scenes::find_scene("katamari"));
-    PlayedLink player(server, {.channels = {motion_kind}}), silent(server, {});
+    SessionHarness player(server, {.channels = {motion_kind}}), silent(server, {});
     std::size_t bodies = 0;
     test::play(server, *world, {&player, &silent}, 60);
     const auto before =
@@ -73,7 +73,7 @@ TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
 TEST(ToldMotion, ends_with_the_last_who_asked) {
     QuietServer server;
     const auto world = server.host(test::small_scene());
-    std::optional<PlayedLink> player(std::in_place, server,
+    std::optional<SessionHarness> player(std::in_place, server,
                                      client::ClientOptions{.channels = {motion_kind}});
     test::play(server, *world, {&*player}, 5);
     EXPECT_FALSE(world->frame()->channels->empty());
@@ -85,7 +85,7 @@ TEST(ToldMotion, ends_with_the_last_who_asked) {
 TEST(ToldMotion, is_not_for_who_sees_a_part_of_the_world) {
     QuietServer server;
     const auto world = server.host(test::small_scene());
-    PlayedLink player(server, {.channels = {motion_kind}, .max_kbps = 500});
+    SessionHarness player(server, {.channels = {motion_kind}, .max_kbps = 500});
     test::play(server, *world, {&player}, 20);
     EXPECT_GT(player.conversation.stats().snapshots, 5u);
     EXPECT_TRUE(world->frame()->channels->empty());

@@ -40,8 +40,8 @@ struct QuietServer {
     server::Clock::time_point now = server::Clock::now();
 };
 
-struct PlayedLink {
-    PlayedLink(QuietServer& at, client::ClientOptions options,
+struct SessionHarness {
+    SessionHarness(QuietServer& at, client::ClientOptions options,
                const client::LinkSettings& each_way = {})
         : server(at),
           conversation(std::move(options)),
@@ -93,18 +93,18 @@ struct PlayedLink {
 
 // Ticks the world and lets the clients talk, four times a tick.
 template <class Each>
-void play(QuietServer& server, server::WorldHost& world, std::vector<PlayedLink*> clients,
+void play(QuietServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
           int ticks, Each&& each) {
     for (int tick = 0; tick < ticks; tick++) {
         world.tick(server.now);
         for (int quarter = 0; quarter < 4; quarter++) {
-            for (PlayedLink* client : clients) client->exchange();
+            for (SessionHarness* client : clients) client->exchange();
             if (quarter == 3) each(tick);
             server.now += std::chrono::nanoseconds(16'666'667 / 4);
         }
     }
 }
-inline void play(QuietServer& server, server::WorldHost& world, std::vector<PlayedLink*> clients,
+inline void play(QuietServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
                  int ticks) {
     play(server, world, std::move(clients), ticks, [](int) {});
 }

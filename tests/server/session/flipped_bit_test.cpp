@@ -11,7 +11,7 @@ namespace jostle::server {
 namespace {
 
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 double furthest_off_mm(const client::WorldView& view, const Frame& frame) {
     double off = view.frame().entities.size() == frame.entities.size() ? 0 : 1e9;
@@ -32,7 +32,7 @@ struct Flipped {
 
 // Flips one bit of the poses of one snapshot.
 Flipped flip_a_bit(client::ClientOptions options, std::size_t bit) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, std::move(options));
     Flipped seen;
@@ -85,7 +85,7 @@ TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
 }
 
 TEST(FlippedBit, nothing_is_counted_where_nothing_was_flipped) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 90);

@@ -17,7 +17,7 @@ namespace {
 
 using physics::Vec3;
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 constexpr EntityId wall = 1, target = 2;
 
@@ -68,7 +68,7 @@ struct Round {
 Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rewind_ms = 400) {
     Config config;
     config.tick.lag_compensation_ms_max = rewind_ms;
-    QuietServer server(config);
+    TestServer server(config);
     const auto world = server.host(range_scene());
     SessionHarness shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},
                        each_way);
@@ -118,7 +118,7 @@ TEST(LagCompensation, who_is_further_away_than_frames_are_kept_is_told_so) {
 }
 
 TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(range_scene(0));
     SessionHarness shooter(server, {.name = "shooter"});
     test::play(server, *world, {&shooter}, 30);
@@ -142,7 +142,7 @@ TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
 }
 
 TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(range_scene());
     SessionHarness shooter(server, {.name = "shooter"}, {.delay_ms = 75});
     v1::Input grab;
@@ -163,7 +163,7 @@ TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now
 }
 
 TEST(LagCompensation, a_question_over_rpc_is_answered_for_the_moment_that_was_seen) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(range_scene());
     for (int i = 0; i < 60; i++) {
         server.now += std::chrono::microseconds(16'667);

@@ -14,7 +14,7 @@ namespace jostle::server {
 namespace {
 
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 Config with_link(const std::string& session, std::vector<std::string> worlds = {}) {
     Config config;
@@ -30,7 +30,7 @@ struct Ages {
 
 // Of ten seconds of a world that moves.
 Ages ages_of(const Config& config) {
-    QuietServer server(config);
+    TestServer server(config);
     scenes::SceneDescription scene = test::small_scene();
     scene.world.gravity = {};
     scene.bodies[3].body.angular_velocity = {1, 2, 3};
@@ -84,7 +84,7 @@ TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
 }
 
 TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
-    QuietServer server(with_link("delay=500"));
+    TestServer server(with_link("delay=500"));
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 120);

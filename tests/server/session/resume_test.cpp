@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 v1::Input falling_ball(double x, double y = 20) {
     v1::Input input;
@@ -54,7 +54,7 @@ protected:
         return ids;
     }
 
-    QuietServer server;
+    TestServer server;
     std::shared_ptr<WorldHost> world;
 };
 

@@ -19,8 +19,8 @@
 namespace jostle::test {
 
 // Worlds that tick when they are told to, and what their clients need.
-struct QuietServer {
-    explicit QuietServer(server::Config with = {}) : config(std::move(with)) {
+struct TestServer {
+    explicit TestServer(server::Config with = {}) : config(std::move(with)) {
         config.auth.anonymous_role = "player";
         config.auth.audit_log = "/dev/null";
     }
@@ -41,7 +41,7 @@ struct QuietServer {
 };
 
 struct SessionHarness {
-    SessionHarness(QuietServer& at, client::ClientOptions options,
+    SessionHarness(TestServer& at, client::ClientOptions options,
                const client::LinkSettings& each_way = {})
         : server(at),
           conversation(std::move(options)),
@@ -83,7 +83,7 @@ struct SessionHarness {
                                             conversation.view().spec());
     }
 
-    QuietServer& server;
+    TestServer& server;
     client::Conversation conversation;
     client::LinkSettings settings;
     client::HeldMessages outgoing, incoming;
@@ -93,7 +93,7 @@ struct SessionHarness {
 
 // Ticks the world and lets the clients talk, four times a tick.
 template <class Each>
-void play(QuietServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
+void play(TestServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
           int ticks, Each&& each) {
     for (int tick = 0; tick < ticks; tick++) {
         world.tick(server.now);
@@ -104,7 +104,7 @@ void play(QuietServer& server, server::WorldHost& world, std::vector<SessionHarn
         }
     }
 }
-inline void play(QuietServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
+inline void play(TestServer& server, server::WorldHost& world, std::vector<SessionHarness*> clients,
                  int ticks) {
     play(server, world, std::move(clients), ticks, [](int) {});
 }

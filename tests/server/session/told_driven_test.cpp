@@ -18,10 +18,10 @@ namespace {
 
 using physics::Vec3;
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 struct Driver {
-    QuietServer server;
+    TestServer server;
     std::shared_ptr<WorldHost> world;
     SessionHarness session;
     client::Predictor predictor;

@@ -12,7 +12,7 @@ namespace jostle::server {
 namespace {
 
 using test::SessionHarness;
-using test::QuietServer;
+using test::TestServer;
 
 physics::Vec3 told_velocity(const SessionHarness& player, EntityId id) {
     const auto told = player.conversation.view().channel(motion_kind, id);
@@ -22,7 +22,7 @@ physics::Vec3 told_velocity(const SessionHarness& player, EntityId id) {
 
 // Every body that is awake, in each of thirty frames: how far it went is how fast it was.
 TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}});
     SessionHarness other(server, {.channels = {"*"}}), silent(server, {});
@@ -49,7 +49,7 @@ TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
 
 // 901 cubes that a big one draws along, for five seconds.
 TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
-    QuietServer server({.world = {.bodies_max = 2000}});
+    TestServer server({.world = {.bodies_max = 2000}});
     const auto world = server.host(*scenes::find_scene("katamari"));
     SessionHarness player(server, {.channels = {motion_kind}}), silent(server, {});
     std::size_t bodies = 0;
@@ -71,7 +71,7 @@ TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
 }
 
 TEST(ToldMotion, ends_with_the_last_who_asked) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(test::small_scene());
     std::optional<SessionHarness> player(std::in_place, server,
                                      client::ClientOptions{.channels = {motion_kind}});
@@ -83,7 +83,7 @@ TEST(ToldMotion, ends_with_the_last_who_asked) {
 }
 
 TEST(ToldMotion, is_not_for_who_sees_a_part_of_the_world) {
-    QuietServer server;
+    TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}, .max_kbps = 500});
     test::play(server, *world, {&player}, 20);

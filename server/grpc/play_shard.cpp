@@ -43,7 +43,7 @@ std::size_t PlayShard::streams_max() const {
 // Of those without a hello no address takes all the room.
 bool PlayShard::too_many_wait_from(const std::string& network) const {
     const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
-        return !stream->session().said_hello() && stream->network() == network;
+        return !stream->session().hello_received() && stream->network() == network;
     });
     return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
 }

@@ -60,7 +60,7 @@ std::uint64_t motion_bit(const std::vector<physics::ChannelKind>& kinds) {
 }  // namespace
 
 ClientSession::ClientSession(PlayContext& context, Peer peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), looked_(now) {}
+    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), timeouts_checked_(now) {}
 
 ClientSession::~ClientSession() {
     leave_world();
@@ -69,18 +69,18 @@ ClientSession::~ClientSession() {
 // --- what the client sends ---
 
 void ClientSession::receive(std::string_view bytes, Clock::time_point now) {
-    if (delay_)
-        delay_->hear(bytes, now);
+    if (network_simulator_)
+        network_simulator_->hear(bytes, now);
     else
-        take_in(bytes, now);
+        handle_bytes(bytes, now);
 }
 
-void ClientSession::take_in_delayed(Clock::time_point now, bool at_once) {
-    if (!delay_) return;
-    while (const auto bytes = delay_->take_heard(now, at_once)) take_in(*bytes, now);
+void ClientSession::handle_delayed_bytes(Clock::time_point now, bool at_once) {
+    if (!network_simulator_) return;
+    while (const auto bytes = network_simulator_->take_heard(now, at_once)) handle_bytes(*bytes, now);
 }
 
-void ClientSession::take_in(std::string_view bytes, Clock::time_point now) {
+void ClientSession::handle_bytes(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
     last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
@@ -131,7 +131,7 @@ void ClientSession::on_message(const Hello& hello, Clock::time_point now) {
     }
     if (hello.resume && resume(hello, now)) return;
     const Result<std::shared_ptr<WorldHost>> world =
-        hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
+        hello.ticket.empty() ? authorize(hello) : authorize_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
     by_ticket_ = !hello.ticket.empty();
     enter(*world, hello, now);
@@ -145,7 +145,7 @@ Result<std::shared_ptr<WorldHost>> ClientSession::find_world(const std::string& 
 }
 
 // By the token of the stream or of the hello, or as one who shows none.
-Result<std::shared_ptr<WorldHost>> ClientSession::let_in(const Hello& hello) {
+Result<std::shared_ptr<WorldHost>> ClientSession::authorize(const Hello& hello) {
     const Result<Identity> who =
         hello.token.empty()
             ? peer_.who
@@ -155,12 +155,12 @@ Result<std::shared_ptr<WorldHost>> ClientSession::let_in(const Hello& hello) {
     if (!world.ok()) return world;
     const AccessRequest ask{peer_.call, world_target(**world), peer_.address};
     if (Status s = context_.authorizer.admit(*who, ask); !s.ok()) return s.error();
-    if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
-    watch_.known_as(who->subject);
+    if (Status s = check_play_access(hello, *who, **world); !s.ok()) return s.error();
+    metrics_.known_as(who->subject);
     return world;
 }
 
-Result<std::shared_ptr<WorldHost>> ClientSession::let_in_by_ticket(const Hello& hello) {
+Result<std::shared_ptr<WorldHost>> ClientSession::authorize_by_ticket(const Hello& hello) {
     std::string named;
     if (!hello.world.empty()) {
         const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
@@ -172,26 +172,26 @@ Result<std::shared_ptr<WorldHost>> ClientSession::let_in_by_ticket(const Hello& 
     if (!entry.ok()) return entry.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
     if (!world.ok()) return world;
-    if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
-    watch_.known_as(entry->who.subject);
+    if (Status s = check_play_access(hello, entry->who, **world); !s.ok()) return s.error();
+    metrics_.known_as(entry->who.subject);
     return world;
 }
 
-Status ClientSession::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+Status ClientSession::check_play_access(const Hello& hello, const Identity& who, const WorldHost& world) const {
     if (hello.spectator) return {};
     return context_.authorizer.admit(who, {play_inputs, world_target(world), peer_.address});
 }
 
 void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now, LostClient* lost) {
-    const Result<ClientId> client = lost ? lost->client : take_place(*world);
+    const Result<ClientId> client = lost ? lost->client : acquire_client_id(*world);
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     spectator_ = hello.spectator;
     feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.interest_cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
-        seat_ = open_seat(*world);
+        seat_ = open_resume_session(*world);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
@@ -242,10 +242,10 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));
     if (gone && !gone->empty())
-        waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
+        outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
     snapshot_due_ = true;  // the first one goes out at once
-    delay_ = link_delay_for(context_.config.development, world->name(), client_);
-    watch_.entered({.id = client_,
+    network_simulator_ = link_delay_for(context_.config.development, world->name(), client_);
+    metrics_.entered({.id = client_,
                     .name = hello.name,
                     .world_id = world->id(),
                     .world_name = world->name(),
@@ -278,11 +278,11 @@ void ClientSession::push_input(std::uint32_t sequence, const Result<Action>& inp
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    if (Status status = try_push(sequence, input, tick, now); !status.ok())
+    if (Status status = try_push_input(sequence, input, tick, now); !status.ok())
         results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-Status ClientSession::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
@@ -324,13 +324,13 @@ void ClientSession::on_message(const Leave&, Clock::time_point now) {
 }
 
 void ClientSession::on_peer_closed(Clock::time_point now) {
-    take_in_delayed(now, true);
-    drop_waiting();
+    handle_delayed_bytes(now, true);
+    drop_outgoing();
     if (!end_) finish({}, now, true);
 }
 
 void ClientSession::on_fault(Clock::time_point now) {
-    drop_waiting();
+    drop_outgoing();
     results_.clear();
     finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
 }
@@ -342,7 +342,7 @@ void ClientSession::refuse(Error error, Clock::time_point now, bool lost) {
     log_warn("{} was refused: {}",
              client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
-    watch_.refused(error.code);
+    metrics_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now, lost);
 }
@@ -361,12 +361,12 @@ void ClientSession::finish(Status status, Clock::time_point now, bool lost) {
 
 void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
-    watch_.left();
+    metrics_.left();
     if (wants_events_) feed_->host().remove_event_listener();
     if (wants_motion_) feed_->host().remove_motion_listener();
     if (wants_driven_) feed_->host().remove_controlled_entity_listener();
     if (lost) {
-        keep_place(*lost);
+        suspend(*lost);
     } else {
         if (seat_) context_.resumes.close(*seat_);
         // In this order: whoever goes on with the world elsewhere looks who is there
@@ -381,7 +381,7 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
 }
 
 void ClientSession::forgive_process_stall(Clock::time_point now) {
-    const Clock::duration pause = now - std::exchange(looked_, now);
+    const Clock::duration pause = now - std::exchange(timeouts_checked_, now);
     if (pause <= process_stall_min) return;
     begun_ += pause;
     last_received_ = std::min(last_received_ + pause, now);
@@ -408,7 +408,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
         }
         return;
     }
-    if (const auto why = watch_.kicked())
+    if (const auto why = metrics_.kicked())
         return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (seat_ && seat_->is_wanted)
         return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
@@ -436,7 +436,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
     if (replies_waiting_ > replies_max || results_.size() > results_max) {
-        drop_waiting();
+        drop_outgoing();
         refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
 }

@@ -66,18 +66,18 @@ public:
     // take_message() has nothing more.
     const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
-    bool said_hello() const { return feed_ != nullptr; }
+    bool hello_received() const { return feed_ != nullptr; }
 
 private:
-    void take_in(std::string_view bytes, Clock::time_point now);
-    void take_in_delayed(Clock::time_point now, bool at_once = false);
+    void handle_bytes(std::string_view bytes, Clock::time_point now);
+    void handle_delayed_bytes(Clock::time_point now, bool at_once = false);
     // client_session_datagrams.cpp
     void receive_datagram(std::string_view bytes, Clock::time_point at, Clock::time_point now);
     void offer_datagrams(const Hello& hello, Welcome& welcome);
-    bool by_datagrams(const Frame& frame, Clock::time_point now);
+    bool send_by_datagram(const Frame& frame, Clock::time_point now);
     void send_datagram(Clock::time_point now);
     ClientUpdate datagram_client_update();
-    std::optional<OutMessage> take_news(Clock::time_point now);
+    std::optional<OutMessage> take_reply(Clock::time_point now);
 
     void on_message(const Hello& hello, Clock::time_point now);
     void on_message(const InputBatch& batch, Clock::time_point now);
@@ -91,33 +91,33 @@ private:
     Status may_resume(const Hello& hello, const LostClient& lost);
     std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
-    Result<ClientId> take_place(const WorldHost& world);
+    Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
     std::uint32_t confirmed() const {
         return feed_->host().is_persisted() ? kept_sequence_ : last_sequence_;
     }
-    std::shared_ptr<ResumeSeat> open_seat(const WorldHost& world);
-    void keep_place(Clock::time_point now);
+    std::shared_ptr<ResumeSeat> open_resume_session(const WorldHost& world);
+    void suspend(Clock::time_point now);
     // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
     // nothing of what came by the stream.
-    bool goes_on_later() const { return seat_ && !sight_ && !lane_; }
+    bool can_resume_stream() const { return seat_ && !sight_ && !lane_; }
 
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
-    Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
-    Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
-    Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
+    Result<std::shared_ptr<WorldHost>> authorize(const Hello& hello);
+    Result<std::shared_ptr<WorldHost>> authorize_by_ticket(const Hello& hello);
+    Status check_play_access(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now,
                LostClient* lost = nullptr);
     void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                     Clock::time_point now);
-    Status try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+    Status try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                     Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void forgive_process_stall(Clock::time_point now);
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
-    void drop_waiting();
+    void drop_outgoing();
     // `lost`: it may come back.
     void finish(Status status, Clock::time_point now, bool lost = false);
     void leave_world(std::optional<Clock::time_point> lost = {});
@@ -125,32 +125,32 @@ private:
 
     std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
-    OutMessage take_part(const FramePtr& frame, Clock::time_point now);
+    OutMessage take_cell_snapshot(const FramePtr& frame, Clock::time_point now);
     OutMessage snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                            std::vector<SharedBytes> cells);
-    bool tell_members(const wire::QuantizedFrame& cell);
-    void tell_removed(const std::shared_ptr<const EntityList>& entities);
+    bool send_cell_members(const wire::QuantizedFrame& cell);
+    void send_removed(const std::shared_ptr<const EntityList>& entities);
     void push(const EntityUpdateMessages& messages);
-    bool has_news(const Frame& frame, Clock::time_point now);
+    bool has_changes(const Frame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
     ClientUpdate client_update();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
     std::string take_events(const Frame& frame);
-    std::string take_driven(const Frame& frame);
-    void tell_entities(const std::shared_ptr<const EntityList>& entities);
+    std::string take_controlled_entity(const Frame& frame);
+    void send_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
-    LinkWatch watch_{context_};
+    LinkWatch metrics_{context_};
     // Few have these, and links are many.
-    std::unique_ptr<LinkDelay> delay_;  // null: the real link is enough
+    std::unique_ptr<LinkDelay> network_simulator_;  // null: the real link is enough
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
-    Clock::time_point looked_;  // when timeouts were checked last
+    Clock::time_point timeouts_checked_;  // when timeouts were checked last
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    Fifo<OutMessage> waiting_;         // to send, not yet taken
+    Fifo<OutMessage> outgoing_;         // to send, not yet taken
     std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
     std::unique_ptr<Hello> waiting_hello_;  // of one whose old link is to give way first

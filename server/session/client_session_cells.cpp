@@ -19,13 +19,13 @@ constexpr std::size_t entity_updates_per_message_max = 64, entity_bytes = 48;
 
 // The part of the frame that the client sees and can be told of now. A cell comes after the rosters
 // of all that is in it, and so not before the next snapshot.
-OutMessage ClientSession::take_part(const FramePtr& frame, Clock::time_point now) {
-    if (frame->entity_list != entity_list_) tell_removed(frame->entity_list);
+OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_point now) {
+    if (frame->entity_list != entity_list_) send_removed(frame->entity_list);
     std::vector<SharedBytes> cells;
     const CellFeed::Cells there = feed_->cells_of(frame);
     more_to_tell_ = false;
     for (const auto& part : sight_->wanted(feed_->cells(), *there, frame->tick, now)) {
-        if (part.new_members && !tell_members(*part.state.content)) {
+        if (part.new_members && !send_cell_members(*part.state.content)) {
             more_to_tell_ = true;
             continue;
         }
@@ -47,7 +47,7 @@ OutMessage ClientSession::take_part(const FramePtr& frame, Clock::time_point now
 }
 
 // Of what is in the cell and not known yet, as much as there is budget for. True: all was known.
-bool ClientSession::tell_members(const wire::QuantizedFrame& cell) {
+bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     EntityList fresh;
     bool all = true;
     for (const wire::EntityState& entity : cell.entities) {
@@ -71,13 +71,13 @@ bool ClientSession::tell_members(const wire::QuantizedFrame& cell) {
 }
 
 // Who is gone, of those that this client knows.
-void ClientSession::tell_removed(const std::shared_ptr<const EntityList>& entities) {
+void ClientSession::send_removed(const std::shared_ptr<const EntityList>& entities) {
     if (entity_list_) {
         std::vector<EntityId> gone;
         for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
             if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
         if (!gone.empty())
-            waiting_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
+            outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
         for (const EntityId id : gone) known_entities_[id] = false;
     }
     entity_list_ = entities;

@@ -62,7 +62,7 @@ void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point a
            now);
 }
 
-bool ClientSession::by_datagrams(const Frame& frame, Clock::time_point now) {
+bool ClientSession::send_by_datagram(const Frame& frame, Clock::time_point now) {
     return lane_ && !end_ && lane_->carries(frame.tick, now);
 }
 
@@ -72,14 +72,14 @@ void ClientSession::send_datagram(Clock::time_point now) {
         const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
         flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
     }
-    if (!by_datagrams(*frame, now)) return;
+    if (!send_by_datagram(*frame, now)) return;
     if (frame->tick != seen_tick_) {
         write_waits_ = false;
         on_frame(*frame, now);
     }
     if (!snapshot_due_ || frame->tick <= lane_->frames().last_sent()) return;
     // Who knows an entity not yet leaves it out: the snapshot need not wait for the stream.
-    if (frame->entity_list != entity_list_) tell_entities(frame->entity_list);
+    if (frame->entity_list != entity_list_) send_entities(frame->entity_list);
     const SharedBytes shared = feed_->snapshots().encoding(
         frame, lane_->frames().bases_for(frame->tick), channel_kinds_, codec_);
     if (!lane_->fits(shared->size() + client_update_bytes_max, now)) return;
@@ -88,8 +88,8 @@ void ClientSession::send_datagram(Clock::time_point now) {
     snapshot_due_ = false;
     last_snapshot_ = now;
     flow_->on_sent(frame->tick, now);
-    watch_.sent(message, now);
-    watch_.sent_snapshot(message.size());
+    metrics_.sent(message, now);
+    metrics_.sent_snapshot(message.size());
 }
 
 // Numbers of which each makes those before it superfluous, so that any may get lost.
@@ -103,17 +103,17 @@ ClientUpdate ClientSession::datagram_client_update() {
 
 // What must come exactly once, while snapshots go by datagrams: results, events and statistics, in
 // a Snapshot that tells nothing of the world.
-std::optional<OutMessage> ClientSession::take_news(Clock::time_point now) {
+std::optional<OutMessage> ClientSession::take_reply(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
     if (frame->entity_list != entity_list_) {
-        tell_entities(frame->entity_list);
-        if (!waiting_.empty()) return next_message(now);
+        send_entities(frame->entity_list);
+        if (!outgoing_.empty()) return next_message(now);
     }
-    const std::string more = take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
+    const std::string more = take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
     OutMessage message{encode_snapshot_head(client_update(), more, 0), nullptr};
     if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
-    watch_.answered(results_);
+    metrics_.answered(results_);
     results_.clear();
     return message;
 }

@@ -68,7 +68,7 @@ void end_lost_clients(PlayContext& context, Clock::time_point now) {
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
-Result<ClientId> ClientSession::take_place(const WorldHost& world) {
+Result<ClientId> ClientSession::acquire_client_id(const WorldHost& world) {
     const std::string network = network_of(peer_.address);
     Result<ClientId> client = context_.sessions.enter(world.id(), network);
     if (client.ok()) return client;
@@ -80,10 +80,10 @@ Result<ClientId> ClientSession::take_place(const WorldHost& world) {
     return context_.sessions.enter(world.id(), network);
 }
 
-std::shared_ptr<ResumeSeat> ClientSession::open_seat(const WorldHost& world) {
+std::shared_ptr<ResumeSeat> ClientSession::open_resume_session(const WorldHost& world) {
     const ResumeToken who{.client = client_,
                           .world = world.id(),
-                          .subject = watch_.subject(),
+                          .subject = metrics_.subject(),
                           .by_ticket = by_ticket_,
                           .spectator = spectator_,
                           .expires = std::chrono::floor<std::chrono::seconds>(
@@ -91,20 +91,20 @@ std::shared_ptr<ResumeSeat> ClientSession::open_seat(const WorldHost& world) {
     return context_.resumes.open(client_, world.is_persisted() ? &who : nullptr);
 }
 
-void ClientSession::keep_place(Clock::time_point now) {
+void ClientSession::suspend(Clock::time_point now) {
     collect_results();
     feed_->host().disconnect(client_);
     LostClient lost{.client = client_,
                     .feed = feed_,
                     .network = network_of(peer_.address),
-                    .subject = watch_.subject(),
+                    .subject = metrics_.subject(),
                     .by_ticket = by_ticket_,
                     .spectator = spectator_,
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
                     .kept_sequence = kept_sequence_,
-                    .whole = goes_on_later(),
+                    .whole = can_resume_stream(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_),
                     .told_geometry = std::move(told_geometry_),
@@ -119,12 +119,12 @@ Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
         if (lost.spectator && !hello.spectator)
             return Error{ErrorCode::permission_denied,
                          "you came in as a spectator; a player needs a ticket of his own"};
-        watch_.known_as(lost.subject);
+        metrics_.known_as(lost.subject);
         return {};
     }
-    const Result<std::shared_ptr<WorldHost>> world = let_in(hello);
+    const Result<std::shared_ptr<WorldHost>> world = authorize(hello);
     if (!world.ok()) return world.error();
-    if (watch_.subject() != lost.subject)
+    if (metrics_.subject() != lost.subject)
         return Error{ErrorCode::permission_denied, "that place is somebody else's"};
     if (world->get() != &lost.feed->host())
         return Error{ErrorCode::not_found, "that place is in another world"};

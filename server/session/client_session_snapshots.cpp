@@ -29,40 +29,40 @@ std::int32_t within_margins(std::int64_t margin_us) {
 }  // namespace
 
 void ClientSession::send(std::string message) {
-    waiting_.push_back({std::move(message), nullptr});
+    outgoing_.push_back({std::move(message), nullptr});
     replies_waiting_++;
 }
 
-void ClientSession::drop_waiting() {
-    waiting_.clear();
+void ClientSession::drop_outgoing() {
+    outgoing_.clear();
     replies_waiting_ = 0;
 }
 
 std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
-    take_in_delayed(now);
+    handle_delayed_bytes(now);
     std::optional<OutMessage> message = next_message(now);
-    if (delay_) {
-        for (; message; message = next_message(now)) delay_->say(*std::move(message), now);
-        message = delay_->take_said(now, end_.has_value());
+    if (network_simulator_) {
+        for (; message; message = next_message(now)) network_simulator_->say(*std::move(message), now);
+        message = network_simulator_->take_said(now, end_.has_value());
     }
-    if (message) watch_.sent(*message, now);
+    if (message) metrics_.sent(*message, now);
     return message;
 }
 
 std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
-    if (waiting_.empty() && feed_ && !end_) {
+    if (outgoing_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
             on_frame(*frame, now);
         }
         write_waits_ = false;
-        if (by_datagrams(*feed_->host().frame(), now)) return take_news(now);
+        if (send_by_datagram(*feed_->host().frame(), now)) return take_reply(now);
         return take_snapshot(now);
     }
-    if (waiting_.empty()) return std::nullopt;
-    OutMessage message = std::move(waiting_.front());
-    waiting_.pop_front();
+    if (outgoing_.empty()) return std::nullopt;
+    OutMessage message = std::move(outgoing_.front());
+    outgoing_.pop_front();
     if (!message.shared) replies_waiting_--;
     if (flow_) flow_->on_other_sent();
     return message;
@@ -71,7 +71,7 @@ std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
 void ClientSession::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
     if (!writing_since_) writing_since_ = now;
-    take_in_delayed(now);
+    handle_delayed_bytes(now);
     check_timeouts(now);
     if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.client_timeout_seconds))
         refuse(Error{ErrorCode::resource_exhausted,
@@ -90,15 +90,15 @@ void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
     }
     seen_tick_ = frame.tick;
     collect_results();
-    snapshot_due_ = snapshot_due_ || (has_news(frame, now) && flow_->may_send(frame.tick, now));
-    watch_.saw_frame(*flow_, skipped_waiting_);
+    snapshot_due_ = snapshot_due_ || (has_changes(frame, now) && flow_->may_send(frame.tick, now));
+    metrics_.saw_frame(*flow_, skipped_waiting_);
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
-bool ClientSession::has_news(const Frame& frame, Clock::time_point now) {
+bool ClientSession::has_changes(const Frame& frame, Clock::time_point now) {
     // What went by a datagram is told again until the client says that it has it.
     const std::uint32_t told =
-        by_datagrams(frame, now) ? lane_->frames().newest() : baselines_.last();
+        send_by_datagram(frame, now) ? lane_->frames().newest() : baselines_.last();
     return frame.changed_at > told || more_to_tell_ || !results_.empty() ||
            (wants_events_ && event_cursor_ < frame.events->count) ||
            now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
@@ -169,7 +169,7 @@ std::string ClientSession::take_events(const Frame& frame) {
 
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
-std::string ClientSession::take_driven(const Frame& frame) {
+std::string ClientSession::take_controlled_entity(const Frame& frame) {
     if (!wants_driven_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
@@ -183,20 +183,20 @@ std::string ClientSession::take_driven(const Frame& frame) {
 }
 
 // Shapes before the bodies that have them, each once in a stream.
-void ClientSession::tell_entities(const std::shared_ptr<const EntityList>& entities) {
+void ClientSession::send_entities(const std::shared_ptr<const EntityList>& entities) {
     const auto messages = feed_->entity_list_change(entity_list_, entities);
     push(*messages);
     entity_list_ = entities;
-    if (goes_on_later()) sent_.on_list(entities, baselines_.last());
+    if (can_resume_stream()) sent_.on_list(entities, baselines_.last());
 }
 
 void ClientSession::push(const EntityUpdateMessages& messages) {
     for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
-        if (goes_on_later()) sent_.on_geometry(geometry->id, baselines_.last());
-        for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
+        if (can_resume_stream()) sent_.on_geometry(geometry->id, baselines_.last());
+        for (const SharedBytes& part : geometry->messages) outgoing_.push_back({{}, part});
     }
-    for (const SharedBytes& roster : messages.entity_updates) waiting_.push_back({{}, roster});
+    for (const SharedBytes& roster : messages.entity_updates) outgoing_.push_back({{}, roster});
 }
 
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
@@ -205,10 +205,10 @@ std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= newest_sent()) return std::nullopt;
-    if (sight_) return take_part(frame, now);
+    if (sight_) return take_cell_snapshot(frame, now);
     if (frame->entity_list != entity_list_) {
-        tell_entities(frame->entity_list);
-        if (!waiting_.empty()) return next_message(now);
+        send_entities(frame->entity_list);
+        if (!outgoing_.empty()) return next_message(now);
     }
     return snapshot_of(frame, now, {}, {});
 }
@@ -227,10 +227,10 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
     SharedBytes shared =
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
                                     sight_ ? std::nullopt : std::optional(codec_));
-    more += take_stats(frame, now) + take_events(*frame) + take_driven(*frame);
+    more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     OutMessage message{encode_snapshot_head(client_update(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
-    watch_.answered(results_);
+    metrics_.answered(results_);
     if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
     results_.clear();
     snapshot_due_ = false;
@@ -239,7 +239,7 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
     baselines_.on_sent(frame->tick);
     if (lane_) lane_->on_sent_by_stream(frame->tick);
     flow_->on_sent(frame->tick, now);
-    watch_.sent_snapshot(message.size());
+    metrics_.sent_snapshot(message.size());
     return message;
 }
 

@@ -39,7 +39,7 @@ protected:
     void cut(SessionHarness& player) {
         player.session->on_peer_closed(server.now);
         player.conversation.ended(Error{ErrorCode::unavailable, "the line broke"});
-        player.lose_what_is_on_the_way();
+        player.drop_in_flight();
     }
     void run(SessionHarness& player, int ticks) { test::play(server, *world, {&player}, ticks); }
     void run_alone(int ticks) { test::play(server, *world, {}, ticks); }

@@ -50,7 +50,7 @@ struct SessionHarness {
           incoming(each_way) {
         connect();
     }
-    void lose_what_is_on_the_way() {
+    void drop_in_flight() {
         outgoing = client::HeldMessages(settings);
         incoming = client::HeldMessages(settings);
     }

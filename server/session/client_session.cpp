@@ -191,7 +191,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.interest_cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
-        seat_ = open_resume_session(*world);
+        resume_session_ = open_resume_session(*world);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
@@ -199,8 +199,8 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     admission_.emplace(limits_, hello.spectator, now);
     flow_.emplace(context_.config.stream, world->hz(), divider);
     if (hello.interest || hello.max_kbps != 0) {
-        sight_ = std::make_unique<InterestView>(hello.max_kbps * 125.0);
-        if (hello.interest) sight_->look_at(*hello.interest);
+        interest_ = std::make_unique<InterestView>(hello.max_kbps * 125.0);
+        if (hello.interest) interest_->look_at(*hello.interest);
     }
     if (hello.events) {
         wants_events_ = true;
@@ -211,7 +211,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     wants_driven_ = (channel_kinds_ & motion) != 0;
     if (wants_driven_) world->add_controlled_entity_listener();
     // That is of all bodies, and such a client is told of some.
-    if (sight_) channel_kinds_ &= ~motion;
+    if (interest_) channel_kinds_ &= ~motion;
     wants_motion_ = (channel_kinds_ & motion) != 0;
     if (wants_motion_) world->add_motion_listener();
     codec_ = codec_for(hello, context_.config.stream);
@@ -233,12 +233,12 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
                     .substeps = world->substeps(),
                     .channels = world->channel_kinds(),
                     .codec = codec_,
-                    .cells = sight_ != nullptr,
-                    .resume_token = seat_ ? seat_->token : std::string(),
+                    .cells = interest_ != nullptr,
+                    .resume_token = resume_session_ ? resume_session_->token : std::string(),
                     .resumed = lost != nullptr,
                     .state_preserved = gone.has_value(),
                     .last_sequence = confirmed(),
-                    .resume_timeout_seconds = seat_ ? context_.config.client.resume_timeout_seconds : 0};
+                    .resume_timeout_seconds = resume_session_ ? context_.config.client.resume_timeout_seconds : 0};
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));
     if (gone && !gone->empty())
@@ -298,13 +298,13 @@ Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action
 
 void ClientSession::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.ack_delay_ms), now);
-    sent_.on_ack(ack.frame);
-    if (lane_) lane_->on_ack(ack.frame, ack.before, now);
+    sent_log_.on_ack(ack.frame);
+    if (datagrams_) datagrams_->on_ack(ack.frame, ack.before, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
-    if (lane_) lane_->frames().reset();
-    if (sight_) sight_->reset();
+    if (datagrams_) datagrams_->frames().reset();
+    if (interest_) interest_->reset();
 }
 
 void ClientSession::on_message(const Ping& ping, Clock::time_point now) {
@@ -312,11 +312,11 @@ void ClientSession::on_message(const Ping& ping, Clock::time_point now) {
 }
 
 void ClientSession::on_message(const Interest& interest, Clock::time_point now) {
-    if (!sight_)
+    if (!interest_)
         return refuse(Error{ErrorCode::failed_precondition,
                             "an interest in a stream without one; name the first in the hello"},
                       now);
-    sight_->look_at(interest);
+    interest_->look_at(interest);
 }
 
 void ClientSession::on_message(const Leave&, Clock::time_point now) {
@@ -353,7 +353,7 @@ void ClientSession::finish(Status status, Clock::time_point now, bool lost) {
     end_time_ = now;
     // Who is there when the server goes down has not left a world that is kept.
     const bool world_goes_on = feed_ && feed_->host().is_persisted();
-    lost = seat_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
+    lost = resume_session_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
     if (client_ != 0)
         log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
     leave_world(lost ? std::optional(now) : std::nullopt);
@@ -368,7 +368,7 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (lost) {
         suspend(*lost);
     } else {
-        if (seat_) context_.resumes.close(*seat_);
+        if (resume_session_) context_.resumes.close(*resume_session_);
         // In this order: whoever goes on with the world elsewhere looks who is there
         // (put_in_place).
         context_.sessions.leave(client_);
@@ -377,7 +377,7 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
             .leave(client_, context_.config.client.retain_bodies_after_leave);
     }
     client_ = 0;
-    lane_.reset();
+    datagrams_.reset();
 }
 
 void ClientSession::forgive_process_stall(Clock::time_point now) {
@@ -410,7 +410,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
     }
     if (const auto why = metrics_.kicked())
         return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
-    if (seat_ && seat_->is_wanted)
+    if (resume_session_ && resume_session_->is_wanted)
         return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
     if (now - last_received_ > from_seconds(limits.client_timeout_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,

@@ -49,7 +49,7 @@ public:
     // What came by datagrams since, and the snapshot that is to go so. Call it before the stream is
     // written, whether the stream can be written or not.
     void take_datagrams(Clock::time_point now);
-    bool has_datagrams() const { return lane_ && lane_->has_messages(); }
+    bool has_datagrams() const { return datagrams_ && datagrams_->has_messages(); }
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now, bool lost = false);
     // A message could not be read or made by a fault of ours: nothing is sent any more.
@@ -100,7 +100,7 @@ private:
     void suspend(Clock::time_point now);
     // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
     // nothing of what came by the stream.
-    bool can_resume_stream() const { return seat_ && !sight_ && !lane_; }
+    bool can_resume_stream() const { return resume_session_ && !interest_ && !datagrams_; }
 
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
     Result<std::shared_ptr<WorldHost>> authorize(const Hello& hello);
@@ -159,8 +159,8 @@ private:
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
-    std::shared_ptr<ResumeSeat> seat_;  // null: its place is not kept
-    SentLog sent_;                      // of one with a seat
+    std::shared_ptr<ResumeSeat> resume_session_;  // null: its place is not kept
+    SentLog sent_log_;                      // of one with a seat
     bool by_ticket_ = false, spectator_ = false;
     std::optional<Admission> admission_;
     std::optional<FlowControl> flow_;
@@ -171,20 +171,20 @@ private:
     std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
     int dropped_ = 0;                   // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
-    ClientUpdate told_;  // the numbers that were told last
+    ClientUpdate sent_update_;  // the numbers that were told last
 
     BaselineTracker baselines_;
-    std::unique_ptr<DatagramLane> lane_;  // null: all goes by the stream
-    std::uint32_t told_received_ = 0;     // Private.input_received
+    std::unique_ptr<DatagramLane> datagrams_;  // null: all goes by the stream
+    std::uint32_t sent_received_ = 0;     // Private.input_received
     // Of results since the last datagram; 0: there was none.
-    std::uint32_t untold_sequence_ = 0;
-    std::int32_t untold_margin_us_ = 0;
+    std::uint32_t unsent_sequence_ = 0;
+    std::int32_t unsent_margin_us_ = 0;
     wire::Codec codec_ = wire::Codec::bits;
-    std::unique_ptr<InterestView> sight_;  // null: it is told of all of the world
+    std::unique_ptr<InterestView> interest_;  // null: it is told of all of the world
     std::vector<bool> known_entities_;     // by id: what it was told of, when it has a sight
-    bool more_to_tell_ = false;
+    bool more_to_send_ = false;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
-    std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
+    std::set<std::uint64_t> sent_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
     bool wants_events_ = false, wants_motion_ = false, wants_driven_ = false;
     struct ToldDriven {

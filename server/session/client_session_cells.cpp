@@ -23,26 +23,26 @@ OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_
     if (frame->entity_list != entity_list_) send_removed(frame->entity_list);
     std::vector<SharedBytes> cells;
     const CellFeed::Cells there = feed_->cells_of(frame);
-    more_to_tell_ = false;
-    for (const auto& part : sight_->wanted(feed_->cells(), *there, frame->tick, now)) {
+    more_to_send_ = false;
+    for (const auto& part : interest_->wanted(feed_->cells(), *there, frame->tick, now)) {
         if (part.new_members && !send_cell_members(*part.state.content)) {
-            more_to_tell_ = true;
+            more_to_send_ = true;
             continue;
         }
         SharedBytes bytes = feed_->cells().encoding(part.state, part.baselines, codec_);
-        if (!sight_->affords(bytes->size(), part.fresh)) {
-            more_to_tell_ = true;
+        if (!interest_->affords(bytes->size(), part.fresh)) {
+            more_to_send_ = true;
             if (part.fresh) continue;
             break;
         }
-        sight_->spend(bytes->size(), part.fresh);
-        sight_->on_sent(part, frame->tick);
+        interest_->spend(bytes->size(), part.fresh);
+        interest_->on_sent(part, frame->tick);
         cells.push_back(std::move(bytes));
     }
-    const std::vector<CellId> left = sight_->take_left();
+    const std::vector<CellId> left = interest_->take_left();
     std::string fields = left.empty() ? std::string() : encode_cells_left_field(left);
     OutMessage message = snapshot_of(frame, now, std::move(fields), std::move(cells));
-    sight_->spend(message.head.size() + message.shared->size(), false);
+    interest_->spend(message.head.size() + message.shared->size(), false);
     return message;
 }
 
@@ -53,7 +53,7 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     for (const wire::EntityState& entity : cell.entities) {
         if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
         all = false;
-        if (fresh.size() == entity_updates_per_message_max || !sight_->affords(fresh.size() * entity_bytes, true))
+        if (fresh.size() == entity_updates_per_message_max || !interest_->affords(fresh.size() * entity_bytes, true))
             break;
         const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
                                                  [](const auto& known) { return known->id; });
@@ -62,7 +62,7 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     if (fresh.empty()) return all;
     const EntityUpdateMessages messages = feed_->entity_update_for(fresh);
     push(messages);
-    for (const SharedBytes& roster : messages.entity_updates) sight_->spend(roster->size(), true);
+    for (const SharedBytes& roster : messages.entity_updates) interest_->spend(roster->size(), true);
     for (const auto& entity : fresh) {
         if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
         known_entities_[entity->id] = true;

@@ -26,19 +26,19 @@ constexpr auto lost_after_min = 250ms;
 // Cells have bases of their own, which nobody acknowledges: who sees a part of a world keeps to the
 // stream.
 void ClientSession::offer_datagrams(const Hello& hello, Welcome& welcome) {
-    if (!hello.datagrams || !context_.datagrams || !peer_.wake || sight_) return;
+    if (!hello.datagrams || !context_.datagrams || !peer_.wake || interest_) return;
     auto path = context_.datagrams->open([wake = peer_.wake](std::string_view message) {
         if (looks_like_inputs(message)) wake();  // all else waits for the next frame
     });
     if (!path.ok()) return log_warn("client {}: {}", client_, path.error().message);
-    lane_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
+    datagrams_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
     welcome.datagrams = {.port = context_.datagrams->advertised_port(),
                          .credentials = (*path)->credentials()};
 }
 
 void ClientSession::take_datagrams(Clock::time_point now) {
-    if (!lane_ || end_) return;
-    for (const DatagramConnection::ReceivedMessage& mail : lane_->take_messages()) {
+    if (!datagrams_ || end_) return;
+    for (const DatagramConnection::ReceivedMessage& mail : datagrams_->take_messages()) {
         receive_datagram(mail.message, mail.at, now);
         if (end_) return;
     }
@@ -63,12 +63,12 @@ void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point a
 }
 
 bool ClientSession::send_by_datagram(const Frame& frame, Clock::time_point now) {
-    return lane_ && !end_ && lane_->carries(frame.tick, now);
+    return datagrams_ && !end_ && datagrams_->carries(frame.tick, now);
 }
 
 void ClientSession::send_datagram(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
-    if (lane_->sent_last()) {
+    if (datagrams_->sent_last()) {
         const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
         flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
     }
@@ -77,14 +77,14 @@ void ClientSession::send_datagram(Clock::time_point now) {
         write_waits_ = false;
         on_frame(*frame, now);
     }
-    if (!snapshot_due_ || frame->tick <= lane_->frames().last_sent()) return;
+    if (!snapshot_due_ || frame->tick <= datagrams_->frames().last_sent()) return;
     // Who knows an entity not yet leaves it out: the snapshot need not wait for the stream.
     if (frame->entity_list != entity_list_) send_entities(frame->entity_list);
     const SharedBytes shared = feed_->snapshots().encoding(
-        frame, lane_->frames().bases_for(frame->tick), channel_kinds_, codec_);
-    if (!lane_->fits(shared->size() + client_update_bytes_max, now)) return;
+        frame, datagrams_->frames().bases_for(frame->tick), channel_kinds_, codec_);
+    if (!datagrams_->fits(shared->size() + client_update_bytes_max, now)) return;
     const OutMessage message{encode_snapshot_head(datagram_client_update(), {}, shared->size()), shared};
-    lane_->send(message, frame->tick, now);
+    datagrams_->send(message, frame->tick, now);
     snapshot_due_ = false;
     last_snapshot_ = now;
     flow_->on_sent(frame->tick, now);
@@ -94,9 +94,9 @@ void ClientSession::send_datagram(Clock::time_point now) {
 
 // Numbers of which each makes those before it superfluous, so that any may get lost.
 ClientUpdate ClientSession::datagram_client_update() {
-    ClientUpdate own{.input_sequence = std::exchange(untold_sequence_, 0),
+    ClientUpdate own{.input_sequence = std::exchange(unsent_sequence_, 0),
                 .echo_client_time_us = std::exchange(client_time_us_, 0)};
-    own.input_margin_us = std::exchange(untold_margin_us_, 0);
+    own.input_margin_us = std::exchange(unsent_margin_us_, 0);
     own.input_received = confirmed();
     return own;
 }
@@ -112,7 +112,7 @@ std::optional<OutMessage> ClientSession::take_reply(Clock::time_point now) {
     const std::string more = take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
     OutMessage message{encode_snapshot_head(client_update(), more, 0), nullptr};
-    if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
+    if (resume_session_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
     metrics_.answered(results_);
     results_.clear();
     return message;

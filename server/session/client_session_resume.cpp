@@ -50,7 +50,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
                             .kept_sequence = last_sequence,
                             .baselines = {},
                             .sent = {},
-                            .told_geometry = {}},
+                            .sent_geometry = {}},
                            until);
 }
 
@@ -106,10 +106,10 @@ void ClientSession::suspend(Clock::time_point now) {
                     .kept_sequence = kept_sequence_,
                     .whole = can_resume_stream(),
                     .baselines = std::move(baselines_),
-                    .sent = std::move(sent_),
-                    .told_geometry = std::move(told_geometry_),
+                    .sent = std::move(sent_log_),
+                    .sent_geometry = std::move(sent_geometry_),
                     .channel_kinds = channel_kinds_};
-    context_.resumes.leave_at(*seat_, std::move(lost),
+    context_.resumes.leave_at(*resume_session_, std::move(lost),
                               now + from_seconds(context_.config.client.resume_timeout_seconds));
 }
 
@@ -161,7 +161,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
         refuse(may.error(), now);
         return true;
     }
-    seat_ = std::move(claim.seat);
+    resume_session_ = std::move(claim.seat);
     by_ticket_ = lost.by_ticket;
     const auto world = context_.worlds.find(lost.feed->host().id());
     enter(world, hello, now, &lost);
@@ -177,15 +177,15 @@ std::optional<std::vector<EntityId>> ClientSession::take_over(LostClient& lost, 
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),
                     std::make_move_iterator(lost.results.end()));
-    if (sight_ || !lost.whole || !known.list || channel_kinds_ != lost.channel_kinds ||
+    if (interest_ || !lost.whole || !known.list || channel_kinds_ != lost.channel_kinds ||
         !lost.baselines.go_back_to(frame))
         return std::nullopt;
     baselines_ = std::move(lost.baselines);
-    sent_ = std::move(lost.sent);
-    sent_.go_back_to(frame);
+    sent_log_ = std::move(lost.sent);
+    sent_log_.go_back_to(frame);
     entity_list_ = std::move(known.list);
-    told_geometry_ = std::move(lost.told_geometry);
-    for (const std::uint64_t id : known.geometry) told_geometry_.erase(id);
+    sent_geometry_ = std::move(lost.sent_geometry);
+    for (const std::uint64_t id : known.geometry) sent_geometry_.erase(id);
     if (wants_events_) event_cursor_ = known.events;
     return std::move(known.gone);
 }

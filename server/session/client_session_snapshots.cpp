@@ -98,8 +98,8 @@ void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
 bool ClientSession::has_changes(const Frame& frame, Clock::time_point now) {
     // What went by a datagram is told again until the client says that it has it.
     const std::uint32_t told =
-        send_by_datagram(frame, now) ? lane_->frames().newest() : baselines_.last();
-    return frame.changed_at > told || more_to_tell_ || !results_.empty() ||
+        send_by_datagram(frame, now) ? datagrams_->frames().newest() : baselines_.last();
+    return frame.changed_at > told || more_to_send_ || !results_.empty() ||
            (wants_events_ && event_cursor_ < frame.events->count) ||
            now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
@@ -107,10 +107,10 @@ bool ClientSession::has_changes(const Frame& frame, Clock::time_point now) {
 void ClientSession::collect_results() {
     std::vector<InputResult> fresh = result_queue_->take();
     for (const InputResult& result : fresh) {
-        untold_sequence_ = std::max(untold_sequence_, result.sequence);
+        unsent_sequence_ = std::max(unsent_sequence_, result.sequence);
         if (result.status.ok() || result.status.error().code != ErrorCode::unavailable)
             kept_sequence_ = std::max(kept_sequence_, result.sequence);
-        untold_margin_us_ = within_margins(result.margin_us.value_or(untold_margin_us_));
+        unsent_margin_us_ = within_margins(result.margin_us.value_or(unsent_margin_us_));
     }
     results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
                     std::make_move_iterator(fresh.end()));
@@ -118,7 +118,7 @@ void ClientSession::collect_results() {
 
 // What only this client is told with a snapshot; each number when it is another than last time.
 ClientUpdate ClientSession::client_update() {
-    std::uint32_t answered = told_.input_sequence;
+    std::uint32_t answered = sent_update_.input_sequence;
     std::int64_t margin_us = 0;
     for (const InputResult& result : results_) {
         answered = std::max(answered, result.sequence);
@@ -127,10 +127,10 @@ ClientUpdate ClientSession::client_update() {
     const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
     ClientUpdate own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
     own.input_margin_us = within_margins(margin_us);
-    if (lane_ && confirmed() != told_received_) own.input_received = told_received_ = confirmed();
-    if (answered != told_.input_sequence) own.input_sequence = told_.input_sequence = answered;
-    if (skipped != told_.snapshots_skipped)
-        own.snapshots_skipped = told_.snapshots_skipped = skipped;
+    if (datagrams_ && confirmed() != sent_received_) own.input_received = sent_received_ = confirmed();
+    if (answered != sent_update_.input_sequence) own.input_sequence = sent_update_.input_sequence = answered;
+    if (skipped != sent_update_.snapshots_skipped)
+        own.snapshots_skipped = sent_update_.snapshots_skipped = skipped;
     return own;
 }
 
@@ -187,13 +187,13 @@ void ClientSession::send_entities(const std::shared_ptr<const EntityList>& entit
     const auto messages = feed_->entity_list_change(entity_list_, entities);
     push(*messages);
     entity_list_ = entities;
-    if (can_resume_stream()) sent_.on_list(entities, baselines_.last());
+    if (can_resume_stream()) sent_log_.on_list(entities, baselines_.last());
 }
 
 void ClientSession::push(const EntityUpdateMessages& messages) {
     for (const auto& geometry : messages.geometry) {
-        if (!told_geometry_.insert(geometry->id).second) continue;
-        if (can_resume_stream()) sent_.on_geometry(geometry->id, baselines_.last());
+        if (!sent_geometry_.insert(geometry->id).second) continue;
+        if (can_resume_stream()) sent_log_.on_geometry(geometry->id, baselines_.last());
         for (const SharedBytes& part : geometry->messages) outgoing_.push_back({{}, part});
     }
     for (const SharedBytes& roster : messages.entity_updates) outgoing_.push_back({{}, roster});
@@ -205,7 +205,7 @@ std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= newest_sent()) return std::nullopt;
-    if (sight_) return take_cell_snapshot(frame, now);
+    if (interest_) return take_cell_snapshot(frame, now);
     if (frame->entity_list != entity_list_) {
         send_entities(frame->entity_list);
         if (!outgoing_.empty()) return next_message(now);
@@ -215,29 +215,29 @@ std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
 
 // By the stream or by datagrams.
 std::uint32_t ClientSession::newest_sent() const {
-    return lane_ ? std::max(baselines_.last(), lane_->frames().last_sent()) : baselines_.last();
+    return datagrams_ ? std::max(baselines_.last(), datagrams_->frames().last_sent()) : baselines_.last();
 }
 
 OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                                    std::vector<SharedBytes> cells) {
-    if (lane_)
-        if (auto baselines = lane_->take_stream_bases()) baselines_ = *std::move(baselines);
+    if (datagrams_)
+        if (auto baselines = datagrams_->take_stream_bases()) baselines_ = *std::move(baselines);
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
-                                    sight_ ? std::nullopt : std::optional(codec_));
+                                    interest_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     OutMessage message{encode_snapshot_head(client_update(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
     metrics_.answered(results_);
-    if (seat_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
+    if (resume_session_) sent_log_.on_snapshot(frame->tick, results_, event_cursor_);
     results_.clear();
     snapshot_due_ = false;
     last_snapshot_ = now;
     seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
-    if (lane_) lane_->on_sent_by_stream(frame->tick);
+    if (datagrams_) datagrams_->on_sent_by_stream(frame->tick);
     flow_->on_sent(frame->tick, now);
     metrics_.sent_snapshot(message.size());
     return message;

@@ -45,7 +45,7 @@ struct LostClient {
     bool whole = false;
     BaselineTracker baselines;
     SentLog sent;
-    std::set<std::uint64_t> told_geometry;
+    std::set<std::uint64_t> sent_geometry;
     std::uint64_t channel_kinds = 0;
 
     // Its world was begun again: what it was told is of no use any longer.

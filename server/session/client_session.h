@@ -187,12 +187,12 @@ private:
     std::set<std::uint64_t> sent_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
     bool wants_events_ = false, wants_motion_ = false, wants_driven_ = false;
-    struct ToldDriven {
+    struct SentControlledEntity {
         EntityId entity = 0;
         std::uint32_t tick = 0;
         std::vector<std::uint32_t> words;
     };
-    std::unique_ptr<ToldDriven> told_driven_;  // null: nothing yet
+    std::unique_ptr<SentControlledEntity> told_driven_;  // null: nothing yet
     std::uint32_t event_cursor_ = 0;           // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;          // since the last that were sent
     std::uint32_t seen_tick_ = 0;              // newest frame that was decided on

@@ -176,7 +176,7 @@ std::string ClientSession::take_controlled_entity(const Frame& frame) {
     const bool whole = !told_driven_ || told_driven_->entity != mine->entity;
     const double every = std::max(1.0, std::round(feed_->host().hz() / driven_per_second));
     if (!whole && frame.tick < told_driven_->tick + static_cast<std::uint32_t>(every)) return {};
-    if (!told_driven_) told_driven_ = std::make_unique<ToldDriven>();
+    if (!told_driven_) told_driven_ = std::make_unique<SentControlledEntity>();
     std::string field = encode_driven_field(*mine, frame.tick, told_driven_->words, whole);
     *told_driven_ = {mine->entity, frame.tick, mine->words};
     return field;

@@ -208,8 +208,8 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     }
     channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
     const std::uint64_t motion = motion_bit(world->channel_kinds());
-    wants_driven_ = (channel_kinds_ & motion) != 0;
-    if (wants_driven_) world->add_controlled_entity_listener();
+    wants_controlled_entity_ = (channel_kinds_ & motion) != 0;
+    if (wants_controlled_entity_) world->add_controlled_entity_listener();
     // That is of all bodies, and such a client is told of some.
     if (interest_) channel_kinds_ &= ~motion;
     wants_motion_ = (channel_kinds_ & motion) != 0;
@@ -279,7 +279,7 @@ void ClientSession::push_input(std::uint32_t sequence, const Result<Action>& inp
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
     if (Status status = try_push_input(sequence, input, tick, now); !status.ok())
-        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
+        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = last_frame_tick_});
 }
 
 Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
@@ -364,7 +364,7 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     metrics_.left();
     if (wants_events_) feed_->host().remove_event_listener();
     if (wants_motion_) feed_->host().remove_motion_listener();
-    if (wants_driven_) feed_->host().remove_controlled_entity_listener();
+    if (wants_controlled_entity_) feed_->host().remove_controlled_entity_listener();
     if (lost) {
         suspend(*lost);
     } else {
@@ -435,7 +435,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
-    if (replies_waiting_ > replies_max || results_.size() > results_max) {
+    if (replies_pending_ > replies_max || results_.size() > results_max) {
         drop_outgoing();
         refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }

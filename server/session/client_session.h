@@ -94,7 +94,7 @@ private:
     Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
     std::uint32_t confirmed() const {
-        return feed_->host().is_persisted() ? kept_sequence_ : last_sequence_;
+        return feed_->host().is_persisted() ? persisted_sequence_ : last_sequence_;
     }
     std::shared_ptr<ResumeSeat> open_resume_session(const WorldHost& world);
     void suspend(Clock::time_point now);
@@ -151,7 +151,7 @@ private:
     std::optional<Status> end_;
     Clock::time_point end_time_{};
     Fifo<OutMessage> outgoing_;         // to send, not yet taken
-    std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
+    std::size_t replies_pending_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
     std::unique_ptr<Hello> waiting_hello_;  // of one whose old link is to give way first
 
@@ -167,7 +167,7 @@ private:
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // received
-    std::uint32_t kept_sequence_ = 0;   // answered, and so kept where anything is
+    std::uint32_t persisted_sequence_ = 0;   // answered, and so kept where anything is
     std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
     int dropped_ = 0;                   // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
@@ -186,20 +186,20 @@ private:
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> sent_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each
-    bool wants_events_ = false, wants_motion_ = false, wants_driven_ = false;
+    bool wants_events_ = false, wants_motion_ = false, wants_controlled_entity_ = false;
     struct SentControlledEntity {
         EntityId entity = 0;
         std::uint32_t tick = 0;
         std::vector<std::uint32_t> words;
     };
-    std::unique_ptr<SentControlledEntity> told_driven_;  // null: nothing yet
+    std::unique_ptr<SentControlledEntity> sent_controlled_entity_;  // null: nothing yet
     std::uint32_t event_cursor_ = 0;           // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;          // since the last that were sent
-    std::uint32_t seen_tick_ = 0;              // newest frame that was decided on
+    std::uint32_t last_frame_tick_ = 0;              // newest frame that was decided on
     bool snapshot_due_ = false;
-    bool write_waits_ = false;
+    bool write_blocked_ = false;
     std::optional<Clock::time_point> writing_since_;  // what the client does not take
-    std::uint32_t skipped_waiting_ = 0;
+    std::uint32_t skipped_pending_ = 0;
 };
 
 }  // namespace jostle::server

@@ -73,8 +73,8 @@ void ClientSession::send_datagram(Clock::time_point now) {
         flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
     }
     if (!send_by_datagram(*frame, now)) return;
-    if (frame->tick != seen_tick_) {
-        write_waits_ = false;
+    if (frame->tick != last_frame_tick_) {
+        write_blocked_ = false;
         on_frame(*frame, now);
     }
     if (!snapshot_due_ || frame->tick <= datagrams_->frames().last_sent()) return;

@@ -16,7 +16,7 @@ namespace {
 // A link looks twenty times a second whether it is to give way.
 constexpr auto give_way_max = std::chrono::seconds(2);
 // A world that goes on elsewhere is there again within this, or its clients ask again.
-constexpr auto world_back_max = std::chrono::seconds(10);
+constexpr auto world_replacement_max = std::chrono::seconds(10);
 
 // A token that outlives the process is good for a day: a place is never kept so long.
 constexpr auto token_life = std::chrono::hours(24);
@@ -47,7 +47,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
                             .result_queue = std::make_shared<ResultQueue>(),
                             .results = {},
                             .last_sequence = last_sequence,
-                            .kept_sequence = last_sequence,
+                            .persisted_sequence = last_sequence,
                             .baselines = {},
                             .sent = {},
                             .sent_geometry = {}},
@@ -103,7 +103,7 @@ void ClientSession::suspend(Clock::time_point now) {
                     .result_queue = result_queue_,
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
-                    .kept_sequence = kept_sequence_,
+                    .persisted_sequence = persisted_sequence_,
                     .whole = can_resume_stream(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_log_),
@@ -144,7 +144,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
         lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
-    const auto timeout = lost.feed->host().was_replaced() ? world_back_max : give_way_max;
+    const auto timeout = lost.feed->host().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
         context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
@@ -172,7 +172,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
 std::optional<std::vector<EntityId>> ClientSession::take_over(LostClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
-    kept_sequence_ = lost.kept_sequence;
+    persisted_sequence_ = lost.persisted_sequence;
     SentLog::Known known = lost.sent.known_at(frame, now);
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),

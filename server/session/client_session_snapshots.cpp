@@ -19,7 +19,7 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
-constexpr double driven_per_second = 16;
+constexpr double controlled_entity_updates_per_second = 16;
 constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 
 std::int32_t within_margins(std::int64_t margin_us) {
@@ -30,12 +30,12 @@ std::int32_t within_margins(std::int64_t margin_us) {
 
 void ClientSession::send(std::string message) {
     outgoing_.push_back({std::move(message), nullptr});
-    replies_waiting_++;
+    replies_pending_++;
 }
 
 void ClientSession::drop_outgoing() {
     outgoing_.clear();
-    replies_waiting_ = 0;
+    replies_pending_ = 0;
 }
 
 std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
@@ -53,23 +53,23 @@ std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
     if (outgoing_.empty() && feed_ && !end_) {
-        if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
+        if (const FramePtr frame = feed_->host().frame(); frame->tick != last_frame_tick_) {
             on_frame(*frame, now);
         }
-        write_waits_ = false;
+        write_blocked_ = false;
         if (send_by_datagram(*feed_->host().frame(), now)) return take_reply(now);
         return take_snapshot(now);
     }
     if (outgoing_.empty()) return std::nullopt;
     OutMessage message = std::move(outgoing_.front());
     outgoing_.pop_front();
-    if (!message.shared) replies_waiting_--;
+    if (!message.shared) replies_pending_--;
     if (flow_) flow_->on_other_sent();
     return message;
 }
 
 void ClientSession::wait_for_write(Clock::time_point now) {
-    write_waits_ = true;
+    write_blocked_ = true;
     if (!writing_since_) writing_since_ = now;
     handle_delayed_bytes(now);
     check_timeouts(now);
@@ -85,13 +85,13 @@ void ClientSession::wait_for_write(Clock::time_point now) {
 // skipped because of it.
 void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
-    if (write_waits_ && seen_tick_ != 0) {
-        skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
+    if (write_blocked_ && last_frame_tick_ != 0) {
+        skipped_pending_ += (frame.tick - 1) / every - last_frame_tick_ / every;
     }
-    seen_tick_ = frame.tick;
+    last_frame_tick_ = frame.tick;
     collect_results();
     snapshot_due_ = snapshot_due_ || (has_changes(frame, now) && flow_->may_send(frame.tick, now));
-    metrics_.saw_frame(*flow_, skipped_waiting_);
+    metrics_.saw_frame(*flow_, skipped_pending_);
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
@@ -109,7 +109,7 @@ void ClientSession::collect_results() {
     for (const InputResult& result : fresh) {
         unsent_sequence_ = std::max(unsent_sequence_, result.sequence);
         if (result.status.ok() || result.status.error().code != ErrorCode::unavailable)
-            kept_sequence_ = std::max(kept_sequence_, result.sequence);
+            persisted_sequence_ = std::max(persisted_sequence_, result.sequence);
         unsent_margin_us_ = within_margins(result.margin_us.value_or(unsent_margin_us_));
     }
     results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
@@ -124,7 +124,7 @@ ClientUpdate ClientSession::client_update() {
         answered = std::max(answered, result.sequence);
         margin_us = result.margin_us.value_or(margin_us);
     }
-    const std::uint32_t skipped = flow_->skipped() + skipped_waiting_;
+    const std::uint32_t skipped = flow_->skipped() + skipped_pending_;
     ClientUpdate own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
     own.input_margin_us = within_margins(margin_us);
     if (datagrams_ && confirmed() != sent_received_) own.input_received = sent_received_ = confirmed();
@@ -170,15 +170,15 @@ std::string ClientSession::take_events(const Frame& frame) {
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
 std::string ClientSession::take_controlled_entity(const Frame& frame) {
-    if (!wants_driven_ || !frame.controlled_entities) return {};
+    if (!wants_controlled_entity_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
-    const bool whole = !told_driven_ || told_driven_->entity != mine->entity;
-    const double every = std::max(1.0, std::round(feed_->host().hz() / driven_per_second));
-    if (!whole && frame.tick < told_driven_->tick + static_cast<std::uint32_t>(every)) return {};
-    if (!told_driven_) told_driven_ = std::make_unique<SentControlledEntity>();
-    std::string field = encode_driven_field(*mine, frame.tick, told_driven_->words, whole);
-    *told_driven_ = {mine->entity, frame.tick, mine->words};
+    const bool whole = !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
+    const double every = std::max(1.0, std::round(feed_->host().hz() / controlled_entity_updates_per_second));
+    if (!whole && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every)) return {};
+    if (!sent_controlled_entity_) sent_controlled_entity_ = std::make_unique<SentControlledEntity>();
+    std::string field = encode_driven_field(*mine, frame.tick, sent_controlled_entity_->words, whole);
+    *sent_controlled_entity_ = {mine->entity, frame.tick, mine->words};
     return field;
 }
 
@@ -235,7 +235,7 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
     results_.clear();
     snapshot_due_ = false;
     last_snapshot_ = now;
-    seen_tick_ = std::max(seen_tick_, frame->tick);
+    last_frame_tick_ = std::max(last_frame_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
     if (datagrams_) datagrams_->on_sent_by_stream(frame->tick);
     flow_->on_sent(frame->tick, now);

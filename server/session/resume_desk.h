@@ -40,7 +40,7 @@ struct LostClient {
     std::shared_ptr<ResultQueue> result_queue;
     std::vector<InputResult> results;  // not told yet
     std::uint32_t last_sequence = 0;   // of the inputs that came
-    std::uint32_t kept_sequence = 0;   // ... and were answered
+    std::uint32_t persisted_sequence = 0;   // ... and were answered
     // Of a stream that tells of all of the world; else it begins anew.
     bool whole = false;
     BaselineTracker baselines;

@@ -25,7 +25,7 @@
 #include "server/replication/baseline_tracker.h"
 #include "server/replication/interest_view.h"
 #include "server/session/datagram_lane.h"
-#include "server/session/link_delay.h"
+#include "server/session/session_network_simulator.h"
 #include "server/session/link_watch.h"
 #include "server/session/peer.h"
 #include "server/session/play_context.h"
@@ -143,7 +143,7 @@ private:
     PlayContext& context_;
     LinkWatch metrics_{context_};
     // Few have these, and links are many.
-    std::unique_ptr<LinkDelay> network_simulator_;  // null: the real link is enough
+    std::unique_ptr<SessionNetworkSimulator> network_simulator_;  // null: the real link is enough
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;

@@ -19,10 +19,10 @@
 
 namespace jostle::server {
 
-class LinkDelay {
+class SessionNetworkSimulator {
 public:
     // `number`: of the client, so that each has stalls of its own; the same in each run.
-    LinkDelay(LinkSettings settings, std::uint32_t number);
+    SessionNetworkSimulator(LinkSettings settings, std::uint32_t number);
 
     void hear(std::string_view bytes, Clock::time_point now);
     // The next one that has arrived. `at_once`: or is still on its way, for the line is cut.
@@ -51,7 +51,7 @@ private:
 };
 
 // Null: clients of that world have the real link. The settings were checked.
-std::unique_ptr<LinkDelay> link_delay_for(const DevelopmentSettings& settings,
+std::unique_ptr<SessionNetworkSimulator> link_delay_for(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number);
 
 }  // namespace jostle::server

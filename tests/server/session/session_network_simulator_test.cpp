@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A server that makes its links worse on purpose: what its clients see of it.
-#include "server/session/link_delay.h"
+#include "server/session/session_network_simulator.h"
 
 #include <gtest/gtest.h>
 
@@ -47,26 +47,26 @@ Ages ages_of(const Config& config) {
             .snapshots = player.conversation.stats().snapshots};
 }
 
-TEST(LinkDelay, a_client_of_a_server_with_100_ms_sees_ages_of_100_ms_more) {
+TEST(SessionNetworkSimulator, a_client_of_a_server_with_100_ms_sees_ages_of_100_ms_more) {
     const Ages plain = ages_of(Config()), delayed = ages_of(with_link("delay=100"));
     EXPECT_NEAR(delayed.median_ms - plain.median_ms, 100, 6);
     EXPECT_NEAR(delayed.round_trip_ms - plain.round_trip_ms, 200, 10) << "both ways";
     EXPECT_GT(delayed.snapshots, plain.snapshots * 9 / 10) << "the rate is the same";
 }
 
-TEST(LinkDelay, a_stall_holds_back_all_and_loses_nothing) {
+TEST(SessionNetworkSimulator, a_stall_holds_back_all_and_loses_nothing) {
     const Ages stalled = ages_of(with_link("stalls=400,stall_every=2000,seed=2"));
     EXPECT_GT(stalled.greatest_ms, 300);
     EXPECT_LT(stalled.median_ms, 20);
 }
 
-TEST(LinkDelay, jitter_makes_snapshots_later_and_never_overtake) {
+TEST(SessionNetworkSimulator, jitter_makes_snapshots_later_and_never_overtake) {
     const Ages jittery = ages_of(with_link("jitter=40,tail=10"));
     EXPECT_GT(jittery.median_ms, 15);
     EXPECT_LT(jittery.median_ms, 60);
 }
 
-TEST(LinkDelay, is_for_the_worlds_that_are_named) {
+TEST(SessionNetworkSimulator, is_for_the_worlds_that_are_named) {
     const std::string session = "delay=5";
     EXPECT_TRUE(link_delay_for({link, {}}, "yard", 1));
     EXPECT_TRUE(link_delay_for({link, {"lab", "yard"}}, "yard", 1));
@@ -74,7 +74,7 @@ TEST(LinkDelay, is_for_the_worlds_that_are_named) {
     EXPECT_FALSE(link_delay_for({"", {}}, "yard", 1)) << "off by itself";
 }
 
-TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
+TEST(SessionNetworkSimulator, settings_that_cannot_be_read_are_refused_at_the_start) {
     Config config;
     config.development.network_conditions = "delay=soon";
     const Status refused = check(config);
@@ -83,7 +83,7 @@ TEST(LinkDelay, settings_that_cannot_be_read_are_refused_at_the_start) {
               "development.network_conditions: link setting 'delay=soon': after = comes a number from 0");
 }
 
-TEST(LinkDelay, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
+TEST(SessionNetworkSimulator, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
     TestServer server(with_link("delay=500"));
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});

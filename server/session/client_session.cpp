@@ -70,14 +70,14 @@ ClientSession::~ClientSession() {
 
 void ClientSession::receive(std::string_view bytes, Clock::time_point now) {
     if (network_simulator_)
-        network_simulator_->hear(bytes, now);
+        network_simulator_->push_incoming(bytes, now);
     else
         handle_bytes(bytes, now);
 }
 
 void ClientSession::handle_delayed_bytes(Clock::time_point now, bool at_once) {
     if (!network_simulator_) return;
-    while (const auto bytes = network_simulator_->take_heard(now, at_once)) handle_bytes(*bytes, now);
+    while (const auto bytes = network_simulator_->take_incoming(now, at_once)) handle_bytes(*bytes, now);
 }
 
 void ClientSession::handle_bytes(std::string_view bytes, Clock::time_point now) {
@@ -244,7 +244,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     if (gone && !gone->empty())
         outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
     snapshot_due_ = true;  // the first one goes out at once
-    network_simulator_ = link_delay_for(context_.config.development, world->name(), client_);
+    network_simulator_ = make_network_simulator(context_.config.development, world->name(), client_);
     metrics_.entered({.id = client_,
                     .name = hello.name,
                     .world_id = world->id(),

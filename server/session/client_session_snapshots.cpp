@@ -42,8 +42,8 @@ std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
     handle_delayed_bytes(now);
     std::optional<OutMessage> message = next_message(now);
     if (network_simulator_) {
-        for (; message; message = next_message(now)) network_simulator_->say(*std::move(message), now);
-        message = network_simulator_->take_said(now, end_.has_value());
+        for (; message; message = next_message(now)) network_simulator_->push_outgoing(*std::move(message), now);
+        message = network_simulator_->take_outgoing(now, end_.has_value());
     }
     if (message) metrics_.sent(*message, now);
     return message;

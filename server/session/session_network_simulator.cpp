@@ -17,7 +17,7 @@ LinkConditioner seeded(LinkSettings settings, std::uint32_t number) {
 
 // Another link back.
 SessionNetworkSimulator::SessionNetworkSimulator(LinkSettings settings, std::uint32_t number)
-    : heard_{seeded(settings, 2 * number)}, said_{seeded(settings, 2 * number + 1)} {}
+    : incoming_{seeded(settings, 2 * number)}, outgoing_{seeded(settings, 2 * number + 1)} {}
 
 template <class Message>
 void SessionNetworkSimulator::put(Way<Message>& way, Message message, Clock::time_point now) {
@@ -35,23 +35,23 @@ std::optional<Message> SessionNetworkSimulator::take(Way<Message>& way, Clock::t
     return message;
 }
 
-void SessionNetworkSimulator::hear(std::string_view bytes, Clock::time_point now) {
-    put(heard_, std::string(bytes), now);
+void SessionNetworkSimulator::push_incoming(std::string_view bytes, Clock::time_point now) {
+    put(incoming_, std::string(bytes), now);
 }
 
-std::optional<std::string> SessionNetworkSimulator::take_heard(Clock::time_point now, bool at_once) {
-    return take(heard_, now, at_once);
+std::optional<std::string> SessionNetworkSimulator::take_incoming(Clock::time_point now, bool at_once) {
+    return take(incoming_, now, at_once);
 }
 
-void SessionNetworkSimulator::say(OutMessage message, Clock::time_point now) {
-    put(said_, std::move(message), now);
+void SessionNetworkSimulator::push_outgoing(OutMessage message, Clock::time_point now) {
+    put(outgoing_, std::move(message), now);
 }
 
-std::optional<OutMessage> SessionNetworkSimulator::take_said(Clock::time_point now, bool at_once) {
-    return take(said_, now, at_once);
+std::optional<OutMessage> SessionNetworkSimulator::take_outgoing(Clock::time_point now, bool at_once) {
+    return take(outgoing_, now, at_once);
 }
 
-std::unique_ptr<SessionNetworkSimulator> link_delay_for(const DevelopmentSettings& settings,
+std::unique_ptr<SessionNetworkSimulator> make_network_simulator(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number) {
     const Result<LinkSettings> link = read_link_settings(settings.network_conditions);
     if (!link.ok() || !link->bad()) return nullptr;

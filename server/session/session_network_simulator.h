@@ -24,11 +24,11 @@ public:
     // `number`: of the client, so that each has stalls of its own; the same in each run.
     SessionNetworkSimulator(LinkSettings settings, std::uint32_t number);
 
-    void hear(std::string_view bytes, Clock::time_point now);
+    void push_incoming(std::string_view bytes, Clock::time_point now);
     // The next one that has arrived. `at_once`: or is still on its way, for the line is cut.
-    std::optional<std::string> take_heard(Clock::time_point now, bool at_once = false);
-    void say(OutMessage message, Clock::time_point now);
-    std::optional<OutMessage> take_said(Clock::time_point now, bool at_once = false);
+    std::optional<std::string> take_incoming(Clock::time_point now, bool at_once = false);
+    void push_outgoing(OutMessage message, Clock::time_point now);
+    std::optional<OutMessage> take_outgoing(Clock::time_point now, bool at_once = false);
 
 private:
     template <class Message>
@@ -46,12 +46,12 @@ private:
     template <class Message>
     static std::optional<Message> take(Way<Message>& way, Clock::time_point now, bool at_once);
 
-    Way<std::string> heard_;
-    Way<OutMessage> said_;
+    Way<std::string> incoming_;
+    Way<OutMessage> outgoing_;
 };
 
 // Null: clients of that world have the real link. The settings were checked.
-std::unique_ptr<SessionNetworkSimulator> link_delay_for(const DevelopmentSettings& settings,
+std::unique_ptr<SessionNetworkSimulator> make_network_simulator(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number);
 
 }  // namespace jostle::server

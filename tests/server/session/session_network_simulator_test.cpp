@@ -68,10 +68,10 @@ TEST(SessionNetworkSimulator, jitter_makes_snapshots_later_and_never_overtake) {
 
 TEST(SessionNetworkSimulator, is_for_the_worlds_that_are_named) {
     const std::string session = "delay=5";
-    EXPECT_TRUE(link_delay_for({link, {}}, "yard", 1));
-    EXPECT_TRUE(link_delay_for({link, {"lab", "yard"}}, "yard", 1));
-    EXPECT_FALSE(link_delay_for({link, {"lab"}}, "yard", 1));
-    EXPECT_FALSE(link_delay_for({"", {}}, "yard", 1)) << "off by itself";
+    EXPECT_TRUE(make_network_simulator({link, {}}, "yard", 1));
+    EXPECT_TRUE(make_network_simulator({link, {"lab", "yard"}}, "yard", 1));
+    EXPECT_FALSE(make_network_simulator({link, {"lab"}}, "yard", 1));
+    EXPECT_FALSE(make_network_simulator({"", {}}, "yard", 1)) << "off by itself";
 }
 
 TEST(SessionNetworkSimulator, settings_that_cannot_be_read_are_refused_at_the_start) {

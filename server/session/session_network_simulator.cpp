@@ -20,13 +20,13 @@ SessionNetworkSimulator::SessionNetworkSimulator(LinkSettings settings, std::uin
     : incoming_{seeded(settings, 2 * number)}, outgoing_{seeded(settings, 2 * number + 1)} {}
 
 template <class Message>
-void SessionNetworkSimulator::put(Way<Message>& way, Message message, Clock::time_point now) {
+void SessionNetworkSimulator::put(Direction<Message>& way, Message message, Clock::time_point now) {
     const std::int64_t due_us = way.link.arrival_us(static_cast<std::int64_t>(to_us(now)));
     way.held.push_back({std::move(message), due_us});
 }
 
 template <class Message>
-std::optional<Message> SessionNetworkSimulator::take(Way<Message>& way, Clock::time_point now, bool at_once) {
+std::optional<Message> SessionNetworkSimulator::take(Direction<Message>& way, Clock::time_point now, bool at_once) {
     if (way.held.empty()) return std::nullopt;
     if (!at_once && way.held.front().due_us > static_cast<std::int64_t>(to_us(now)))
         return std::nullopt;

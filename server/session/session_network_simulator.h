@@ -32,7 +32,7 @@ public:
 
 private:
     template <class Message>
-    struct Way {
+    struct Direction {
         struct Held {
             Message message;
             std::int64_t due_us;
@@ -42,12 +42,12 @@ private:
     };
 
     template <class Message>
-    static void put(Way<Message>& way, Message message, Clock::time_point now);
+    static void put(Direction<Message>& way, Message message, Clock::time_point now);
     template <class Message>
-    static std::optional<Message> take(Way<Message>& way, Clock::time_point now, bool at_once);
+    static std::optional<Message> take(Direction<Message>& way, Clock::time_point now, bool at_once);
 
-    Way<std::string> incoming_;
-    Way<OutMessage> outgoing_;
+    Direction<std::string> incoming_;
+    Direction<OutMessage> outgoing_;
 };
 
 // Null: clients of that world have the real link. The settings were checked.

@@ -20,18 +20,18 @@ SessionNetworkSimulator::SessionNetworkSimulator(LinkSettings settings, std::uin
     : incoming_{seeded(settings, 2 * number)}, outgoing_{seeded(settings, 2 * number + 1)} {}
 
 template <class Message>
-void SessionNetworkSimulator::put(Direction<Message>& way, Message message, Clock::time_point now) {
-    const std::int64_t due_us = way.link.arrival_us(static_cast<std::int64_t>(to_us(now)));
-    way.held.push_back({std::move(message), due_us});
+void SessionNetworkSimulator::put(Direction<Message>& direction, Message message, Clock::time_point now) {
+    const std::int64_t due_us = direction.link.arrival_us(static_cast<std::int64_t>(to_us(now)));
+    direction.held.push_back({std::move(message), due_us});
 }
 
 template <class Message>
-std::optional<Message> SessionNetworkSimulator::take(Direction<Message>& way, Clock::time_point now, bool at_once) {
-    if (way.held.empty()) return std::nullopt;
-    if (!at_once && way.held.front().due_us > static_cast<std::int64_t>(to_us(now)))
+std::optional<Message> SessionNetworkSimulator::take(Direction<Message>& direction, Clock::time_point now, bool at_once) {
+    if (direction.held.empty()) return std::nullopt;
+    if (!at_once && direction.held.front().due_us > static_cast<std::int64_t>(to_us(now)))
         return std::nullopt;
-    Message message = std::move(way.held.front().message);
-    way.held.pop_front();
+    Message message = std::move(direction.held.front().message);
+    direction.held.pop_front();
     return message;
 }
 

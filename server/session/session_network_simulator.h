@@ -42,9 +42,9 @@ private:
     };
 
     template <class Message>
-    static void put(Direction<Message>& way, Message message, Clock::time_point now);
+    static void put(Direction<Message>& direction, Message message, Clock::time_point now);
     template <class Message>
-    static std::optional<Message> take(Direction<Message>& way, Clock::time_point now, bool at_once);
+    static std::optional<Message> take(Direction<Message>& direction, Clock::time_point now, bool at_once);
 
     Direction<std::string> incoming_;
     Direction<OutMessage> outgoing_;

@@ -33,12 +33,12 @@ public:
 private:
     template <class Message>
     struct Direction {
-        struct Held {
+        struct DelayedMessage {
             Message message;
             std::int64_t due_us;
         };
         LinkConditioner link;
-        std::deque<Held> held = {};
+        std::deque<DelayedMessage> held = {};
     };
 
     template <class Message>

@@ -22,16 +22,16 @@ SessionNetworkSimulator::SessionNetworkSimulator(LinkSettings settings, std::uin
 template <class Message>
 void SessionNetworkSimulator::put(Direction<Message>& direction, Message message, Clock::time_point now) {
     const std::int64_t due_us = direction.link.arrival_us(static_cast<std::int64_t>(to_us(now)));
-    direction.held.push_back({std::move(message), due_us});
+    direction.delayed.push_back({std::move(message), due_us});
 }
 
 template <class Message>
 std::optional<Message> SessionNetworkSimulator::take(Direction<Message>& direction, Clock::time_point now, bool at_once) {
-    if (direction.held.empty()) return std::nullopt;
-    if (!at_once && direction.held.front().due_us > static_cast<std::int64_t>(to_us(now)))
+    if (direction.delayed.empty()) return std::nullopt;
+    if (!at_once && direction.delayed.front().due_us > static_cast<std::int64_t>(to_us(now)))
         return std::nullopt;
-    Message message = std::move(direction.held.front().message);
-    direction.held.pop_front();
+    Message message = std::move(direction.delayed.front().message);
+    direction.delayed.pop_front();
     return message;
 }
 

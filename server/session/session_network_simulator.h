@@ -38,7 +38,7 @@ private:
             std::int64_t due_us;
         };
         LinkConditioner link;
-        std::deque<DelayedMessage> held = {};
+        std::deque<DelayedMessage> delayed = {};
     };
 
     template <class Message>

@@ -141,7 +141,7 @@ private:
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
-    LinkWatch metrics_{context_};
+    SessionMetrics metrics_{context_};
     // Few have these, and links are many.
     std::unique_ptr<SessionNetworkSimulator> network_simulator_;  // null: the real link is enough
     const Peer peer_;

@@ -28,7 +28,7 @@ void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t
 
 }  // namespace
 
-void LinkWatch::entered(ClientIdentity who, WorldHost& world) {
+void SessionMetrics::entered(ClientIdentity who, WorldHost& world) {
     client_ = who.id;
     who.subject = subject_;
     record_ = context_.records.add(std::move(who));
@@ -36,7 +36,7 @@ void LinkWatch::entered(ClientIdentity who, WorldHost& world) {
     if (world_) world_->clients().Increment();
 }
 
-void LinkWatch::left() {
+void SessionMetrics::left() {
     if (client_ == 0) return;
     context_.records.remove(std::exchange(client_, 0));
     record_ = nullptr;
@@ -44,27 +44,27 @@ void LinkWatch::left() {
     world_ = nullptr;
 }
 
-void LinkWatch::refused(ErrorCode reason) {
+void SessionMetrics::refused(ErrorCode reason) {
     if (context_.metrics) context_.metrics->refusals[reason].Increment();
 }
 
-void LinkWatch::answered(std::span<const InputResult> results) {
+void SessionMetrics::answered(std::span<const InputResult> results) {
     if (!context_.metrics) return;
     for (const InputResult& result : results)
         context_.metrics->inputs[outcome_of(result.status)].Increment();
 }
 
-void LinkWatch::sent(const OutMessage& message, Clock::time_point now) {
+void SessionMetrics::sent(const OutMessage& message, Clock::time_point now) {
     if (record_) record_->count_sent(message.size(), now);
 }
 
-void LinkWatch::sent_snapshot(std::size_t bytes) {
+void SessionMetrics::sent_snapshot(std::size_t bytes) {
     if (!context_.metrics) return;
     context_.metrics->snapshots_sent.Increment();
     context_.metrics->snapshot_bytes.Increment(static_cast<double>(bytes));
 }
 
-void LinkWatch::saw_frame(const FlowControl& flow, std::uint32_t pending) {
+void SessionMetrics::saw_frame(const FlowControl& flow, std::uint32_t pending) {
     if (record_) record_->set_flow(flow.skipped() + pending, flow.round_trip_s());
     if (!context_.metrics) return;
     const auto& skipped = context_.metrics->snapshots_skipped;
@@ -73,7 +73,7 @@ void LinkWatch::saw_frame(const FlowControl& flow, std::uint32_t pending) {
     count_more(skipped[SkipReason::rate], flow.slowed(), counted_.rate);
 }
 
-std::optional<std::string> LinkWatch::kicked() const {
+std::optional<std::string> SessionMetrics::kicked() const {
     return record_ ? record_->kicked() : std::nullopt;
 }
 

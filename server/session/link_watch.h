@@ -20,9 +20,9 @@
 
 namespace jostle::server {
 
-class LinkWatch {
+class SessionMetrics {
 public:
-    explicit LinkWatch(PlayContext& context) : context_(context) {}
+    explicit SessionMetrics(PlayContext& context) : context_(context) {}
 
     // Who was let in: the subject of its token; empty: nobody in particular.
     void known_as(const std::string& subject) { subject_ = subject; }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class LinkWatchTest : public testing::Test {
+class SessionMetricsTest : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_TRUE(worlds.create("arena", *scenes::find_scene("stack")).ok());
@@ -70,7 +70,7 @@ protected:
     int snapshots = 0;
 };
 
-TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
+TEST_F(SessionMetricsTest, snapshots_clients_and_inputs_are_counted) {
     {
         ClientSession session(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
@@ -100,7 +100,7 @@ TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
     EXPECT_TRUE(context.records.look(Clock::now()).empty());
 }
 
-TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
+TEST_F(SessionMetricsTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
     ClientSession session(context, peer(), Clock::now());
     hello(link);
     listen(link, 400ms, false);
@@ -116,7 +116,7 @@ TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as
     EXPECT_GT(metrics.snapshots_skipped[SkipReason::pending].Value(), 3);
 }
 
-TEST_F(LinkWatchTest, refusals_are_counted_by_their_reason) {
+TEST_F(SessionMetricsTest, refusals_are_counted_by_their_reason) {
     ClientSession session(context, peer(), Clock::now());
     session.receive("garbage", Clock::now());
     EXPECT_TRUE(link.end());

@@ -26,7 +26,7 @@
 #include "server/replication/interest_view.h"
 #include "server/session/datagram_lane.h"
 #include "server/session/session_network_simulator.h"
-#include "server/session/link_watch.h"
+#include "server/session/session_metrics.h"
 #include "server/session/peer.h"
 #include "server/session/play_context.h"
 #include "server/util/clock.h"

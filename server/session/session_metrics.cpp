@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/link_watch.h"
+#include "server/session/session_metrics.h"
 
 #include <utility>
 

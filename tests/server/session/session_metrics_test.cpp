@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What conversations add to the metrics, told by a client that plays.
-#include "server/session/link_watch.h"
+#include "server/session/session_metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -156,7 +156,7 @@ Result<std::shared_ptr<WorldHost>> ClientSession::authorize(const Hello& hello) 
     const AccessRequest ask{peer_.call, world_target(**world), peer_.address};
     if (Status s = context_.authorizer.admit(*who, ask); !s.ok()) return s.error();
     if (Status s = check_play_access(hello, *who, **world); !s.ok()) return s.error();
-    metrics_.known_as(who->subject);
+    metrics_.set_subject(who->subject);
     return world;
 }
 
@@ -173,7 +173,7 @@ Result<std::shared_ptr<WorldHost>> ClientSession::authorize_by_ticket(const Hell
     Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
     if (!world.ok()) return world;
     if (Status s = check_play_access(hello, entry->who, **world); !s.ok()) return s.error();
-    metrics_.known_as(entry->who.subject);
+    metrics_.set_subject(entry->who.subject);
     return world;
 }
 

@@ -119,7 +119,7 @@ Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
         if (lost.spectator && !hello.spectator)
             return Error{ErrorCode::permission_denied,
                          "you came in as a spectator; a player needs a ticket of his own"};
-        metrics_.known_as(lost.subject);
+        metrics_.set_subject(lost.subject);
         return {};
     }
     const Result<std::shared_ptr<WorldHost>> world = authorize(hello);

@@ -91,7 +91,7 @@ void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
     last_frame_tick_ = frame.tick;
     collect_results();
     snapshot_due_ = snapshot_due_ || (has_changes(frame, now) && flow_->may_send(frame.tick, now));
-    metrics_.saw_frame(*flow_, skipped_pending_);
+    metrics_.on_frame(*flow_, skipped_pending_);
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.

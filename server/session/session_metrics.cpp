@@ -64,7 +64,7 @@ void SessionMetrics::sent_snapshot(std::size_t bytes) {
     context_.metrics->snapshot_bytes.Increment(static_cast<double>(bytes));
 }
 
-void SessionMetrics::saw_frame(const FlowControl& flow, std::uint32_t pending) {
+void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
     if (record_) record_->set_flow(flow.skipped() + pending, flow.round_trip_s());
     if (!context_.metrics) return;
     const auto& skipped = context_.metrics->snapshots_skipped;

@@ -25,7 +25,7 @@ public:
     explicit SessionMetrics(PlayContext& context) : context_(context) {}
 
     // Who was let in: the subject of its token; empty: nobody in particular.
-    void known_as(const std::string& subject) { subject_ = subject; }
+    void set_subject(const std::string& subject) { subject_ = subject; }
     const std::string& subject() const { return subject_; }
     // The client is in a world; `world` is held by the link until left().
     void entered(ClientIdentity who, WorldHost& world);
@@ -36,7 +36,7 @@ public:
     void sent(const OutMessage& message, Clock::time_point now);
     void sent_snapshot(std::size_t bytes);
     // After each frame. `pending`: frames that came and went while a write was waited for.
-    void saw_frame(const FlowControl& flow, std::uint32_t pending);
+    void on_frame(const FlowControl& flow, std::uint32_t pending);
 
     // Why an operator wants the client gone; nothing: nobody does.
     std::optional<std::string> kicked() const;

@@ -24,7 +24,7 @@
 #include "server/messages/server_message.h"
 #include "server/replication/baseline_tracker.h"
 #include "server/replication/interest_view.h"
-#include "server/session/datagram_lane.h"
+#include "server/session/datagram_session.h"
 #include "server/session/session_network_simulator.h"
 #include "server/session/session_metrics.h"
 #include "server/session/peer.h"
@@ -174,7 +174,7 @@ private:
     ClientUpdate sent_update_;  // the numbers that were told last
 
     BaselineTracker baselines_;
-    std::unique_ptr<DatagramLane> datagrams_;  // null: all goes by the stream
+    std::unique_ptr<DatagramSession> datagrams_;  // null: all goes by the stream
     std::uint32_t sent_received_ = 0;     // Private.input_received
     // Of results since the last datagram; 0: there was none.
     std::uint32_t unsent_sequence_ = 0;

@@ -31,7 +31,7 @@ void ClientSession::offer_datagrams(const Hello& hello, Welcome& welcome) {
         if (looks_like_inputs(message)) wake();  // all else waits for the next frame
     });
     if (!path.ok()) return log_warn("client {}: {}", client_, path.error().message);
-    datagrams_ = std::make_unique<DatagramLane>(*context_.datagrams, *path);
+    datagrams_ = std::make_unique<DatagramSession>(*context_.datagrams, *path);
     welcome.datagrams = {.port = context_.datagrams->advertised_port(),
                          .credentials = (*path)->credentials()};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/datagram_lane.h"
+#include "server/session/datagram_session.h"
 
 #include <array>
 #include <string_view>
@@ -17,7 +17,7 @@ constexpr auto large_pause = 1s;
 
 }  // namespace
 
-bool DatagramLane::carries(std::uint32_t tick, Clock::time_point now) {
+bool DatagramSession::carries(std::uint32_t tick, Clock::time_point now) {
     if (unacked_since_ && now - *unacked_since_ > unacked_max) {
         unacked_since_.reset();
         connection_->restart_path_validation();
@@ -25,19 +25,19 @@ bool DatagramLane::carries(std::uint32_t tick, Clock::time_point now) {
     return now >= by_stream_until_ && connection_->is_open(now) && frames_.bases_for(tick).baseline != 0;
 }
 
-void DatagramLane::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
+void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
     if (!frames_.on_ack(frame, before)) return;
     unacked_since_.reset();
     if (frame < last_sent_) unacked_since_ = now;
 }
 
-bool DatagramLane::fits(std::size_t bytes, Clock::time_point now) {
+bool DatagramSession::fits(std::size_t bytes, Clock::time_point now) {
     if (bytes <= fragments_max * datagram::part_bytes) return true;
     by_stream_until_ = now + large_pause;
     return false;
 }
 
-void DatagramLane::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
+void DatagramSession::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
     const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
     const std::array pieces{std::string_view(snapshot.head), shared};
     connection_->send(pieces, now);
@@ -47,11 +47,11 @@ void DatagramLane::send(const OutMessage& snapshot, std::uint32_t frame, Clock::
     after_datagram_ = true;
 }
 
-void DatagramLane::on_sent_by_stream(std::uint32_t frame) {
+void DatagramSession::on_sent_by_stream(std::uint32_t frame) {
     frames_.on_sent(frame, false);
 }
 
-std::optional<BaselineTracker> DatagramLane::take_stream_bases() {
+std::optional<BaselineTracker> DatagramSession::take_stream_bases() {
     if (!std::exchange(after_datagram_, false)) return std::nullopt;
     return frames_.known();
 }

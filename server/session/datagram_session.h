@@ -20,16 +20,16 @@
 
 namespace jostle::server {
 
-class DatagramLane {
+class DatagramSession {
 public:
     // Of a snapshot; with 2 % loss a fifth of those would not arrive whole.
     static constexpr std::size_t fragments_max = 12;
 
-    DatagramLane(DatagramServer& port, std::shared_ptr<DatagramConnection> path)
+    DatagramSession(DatagramServer& port, std::shared_ptr<DatagramConnection> path)
         : port_(port), connection_(std::move(path)) {}
-    ~DatagramLane() { port_.close(*connection_); }
-    DatagramLane(const DatagramLane&) = delete;
-    DatagramLane& operator=(const DatagramLane&) = delete;
+    ~DatagramSession() { port_.close(*connection_); }
+    DatagramSession(const DatagramSession&) = delete;
+    DatagramSession& operator=(const DatagramSession&) = delete;
 
     bool has_messages() const { return connection_->has_messages(); }
     std::vector<DatagramConnection::ReceivedMessage> take_messages() { return connection_->take_messages(); }

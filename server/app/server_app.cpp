@@ -156,7 +156,7 @@ void go_on(WorldArchive& archive, PlayContext& context) {
     for (PersistedWorld& kept : archive.take_worlds()) {
         const auto world = context.worlds.adopt(std::move(kept.start));
         for (const PreviousClient& absent : kept.previous_clients)
-            expect_client(context, world, absent.client, absent.last_sequence, until);
+            expect_resume(context, world, absent.client, absent.last_sequence, until);
     }
 }
 
@@ -284,7 +284,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                         .datagrams = datagrams ? &*datagrams : nullptr};
     worlds.on_replaced(
         [&](const std::shared_ptr<WorldHost>& world, const std::vector<ClientId>& clients) {
-            settle_clients(context, *world, clients);
+            reconcile_clients(context, *world, clients);
         });
     TickWatchdog watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
     if (archive) {
@@ -372,7 +372,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
     {
-        const auto now_and_then = [&] { end_lost_clients(context, Clock::now()); };
+        const auto now_and_then = [&] { remove_expired_clients(context, Clock::now()); };
         const MaintenanceThread maintenance_thread(authorizer, certificates.get(), now_and_then, [&] {
             const Clock::time_point now = Clock::now();
             return watch.all_worlds_tick(now) && !grpc.failure_reason(now);

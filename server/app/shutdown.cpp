@@ -35,7 +35,7 @@ void Shutdown::await_signal() {
 
 void Shutdown::await_operator() {
     if (begun_) return;
-    if (context_->drain_asked) return begin();
+    if (context_->drain_requested) return begin();
     operator_timer_.expires_after(poll_period);
     operator_timer_.async_wait([this](const boost::system::error_code&) { await_operator(); });
 }

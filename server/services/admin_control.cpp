@@ -181,7 +181,7 @@ Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldRespon
 Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
     response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
     response.set_connected_seconds(context_.config.drain_timeout_seconds);
-    if (!context_.drain_asked.exchange(true)) log_info("an operator asks the server to go down");
+    if (!context_.drain_requested.exchange(true)) log_info("an operator asks the server to go down");
     return {};
 }
 

@@ -36,7 +36,7 @@ void let_go(PlayContext& context, const LostClient& lost) {
 
 }  // namespace
 
-void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until) {
     context.sessions.enter_again(client, world->id(), {});
     world->disconnect(client);
@@ -54,7 +54,7 @@ void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world
                            until);
 }
 
-void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
+void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
     for (const ClientId client : clients) {
         if (context.sessions.has(client))
             world.disconnect(client);
@@ -63,7 +63,7 @@ void settle_clients(PlayContext& context, WorldHost& world, std::span<const Clie
     }
 }
 
-void end_lost_clients(PlayContext& context, Clock::time_point now) {
+void remove_expired_clients(PlayContext& context, Clock::time_point now) {
     for (const LostClient& lost : context.resumes.take_expired(now)) let_go(context, lost);
 }
 

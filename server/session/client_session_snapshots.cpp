@@ -221,7 +221,7 @@ std::uint32_t ClientSession::newest_sent() const {
 OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
                                    std::vector<SharedBytes> cells) {
     if (datagrams_)
-        if (auto baselines = datagrams_->take_stream_bases()) baselines_ = *std::move(baselines);
+        if (auto baselines = datagrams_->take_stream_baselines()) baselines_ = *std::move(baselines);
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =

@@ -51,7 +51,7 @@ void DatagramSession::on_sent_by_stream(std::uint32_t frame) {
     frames_.on_sent(frame, false);
 }
 
-std::optional<BaselineTracker> DatagramSession::take_stream_bases() {
+std::optional<BaselineTracker> DatagramSession::take_stream_baselines() {
     if (!std::exchange(after_datagram_, false)) return std::nullopt;
     return frames_.known();
 }

@@ -47,7 +47,7 @@ public:
     bool sent_last() const { return after_datagram_; }
     void on_sent_by_stream(std::uint32_t frame);
     // The bases of a stream that has not been used since the last datagram; nothing: it has been.
-    std::optional<BaselineTracker> take_stream_bases();
+    std::optional<BaselineTracker> take_stream_baselines();
 
 private:
     DatagramServer& port_;

@@ -30,21 +30,21 @@ struct PlayContext {
     WorldFeeds feeds{};
     ClientRecords records{};
     ResumeDesk resumes{};
-    std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal
+    std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
     std::atomic<bool> draining{false};     // no new clients; those who play are told
     std::atomic<bool> closing{false};      // the drain is over: every conversation ends
 };
 
 // One that played when the process of before ended may come back until then; until it does it is
 // as one whose connection broke.
-void expect_client(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
+void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until);
 
 // Those who played when a world was kept that goes on as another host: who is there still lets go
 // of what it held, and who is not has left.
-void settle_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients);
+void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients);
 
 // Clients whose connection broke too long ago have left. Now and then; any thread.
-void end_lost_clients(PlayContext& context, Clock::time_point now);
+void remove_expired_clients(PlayContext& context, Clock::time_point now);
 
 }  // namespace jostle::server

@@ -58,7 +58,7 @@ public:
         now_ += std::chrono::seconds(1) +
                 std::chrono::ceil<std::chrono::seconds>(
                     std::chrono::duration<double>(server_.context.config.client.resume_timeout_seconds));
-        server::end_lost_clients(server_.context, now_);
+        server::remove_expired_clients(server_.context, now_);
         expect(server_.sessions.clients() == 0, "who has gone is not counted");
     }
 

@@ -94,7 +94,7 @@ void Simulation::tick() {
     now_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / hz));
     faults();
     server_->world->tick(now_);
-    server::end_lost_clients(server_->context, now_);
+    server::remove_expired_clients(server_->context, now_);
     frames_.push_back(server_->world->frame());
     if (frames_.size() > frames_kept) frames_.pop_front();
     serve_lines();

@@ -177,7 +177,7 @@ TEST_F(AdminControlTest, drain_says_who_is_told_and_asks_once) {
     ASSERT_TRUE(control.drain({}, response).ok());
     EXPECT_EQ(response.clients(), 1u);
     EXPECT_EQ(response.timeout_seconds(), 5);
-    EXPECT_TRUE(context.drain_asked);
+    EXPECT_TRUE(context.drain_requested);
     EXPECT_TRUE(control.drain({}, response).ok());
 }
 

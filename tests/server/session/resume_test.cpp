@@ -68,7 +68,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
     EXPECT_EQ(server.context.resumes.lost(), 1u);
     EXPECT_EQ(server.context.records.look(server.now).size(), 0u) << "he is not connected";
     run_alone(120);
-    end_lost_clients(server.context, server.now);
+    remove_expired_clients(server.context, server.now);
     EXPECT_EQ(bodies_of(*world, id), 3) << "lost, and not left";
     player.connect();
     run(player, 30);
@@ -94,7 +94,7 @@ TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there
     run(player, 2);
     ASSERT_EQ(bodies_of(*world, here), 1);
     ASSERT_EQ(bodies_of(*world, gone), 1);
-    settle_clients(server.context, *world, std::array{here, gone});
+    reconcile_clients(server.context, *world, std::array{here, gone});
     run(player, 2);
     EXPECT_EQ(bodies_of(*world, here), 1);
     EXPECT_EQ(bodies_of(*world, gone), 0);
@@ -106,10 +106,10 @@ TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
     cut(player);
-    end_lost_clients(server.context, server.now + 29s);
+    remove_expired_clients(server.context, server.now + 29s);
     run_alone(2);
     EXPECT_EQ(bodies_of(*world, id), 1);
-    end_lost_clients(server.context, server.now + 31s);
+    remove_expired_clients(server.context, server.now + 31s);
     run_alone(2);
     EXPECT_EQ(bodies_of(*world, id), 0);
     EXPECT_EQ(server.sessions.clients(), 0);

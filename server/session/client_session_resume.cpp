@@ -133,9 +133,9 @@ Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
 
 // False: it comes in as one that is new.
 bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
-    ResumeDesk::Claim claim = context_.resumes.claim(hello.resume->token);
-    if (claim.answer == ResumeDesk::Answer::unknown) return false;
-    if (claim.answer == ResumeDesk::Answer::not_yet) {
+    ResumeRegistry::Claim claim = context_.resumes.claim(hello.resume->token);
+    if (claim.answer == ResumeRegistry::Answer::unknown) return false;
+    if (claim.answer == ResumeRegistry::Answer::not_yet) {
         if (now - begun_ > give_way_max) return false;
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;

@@ -12,7 +12,7 @@
 #include "server/limits/client_records.h"
 #include "server/limits/session_directory.h"
 #include "server/metrics/rpc_metrics.h"
-#include "server/session/resume_desk.h"
+#include "server/session/resume_registry.h"
 #include "server/session/world_feed.h"
 #include "server/udp/datagram_server.h"
 #include "server/world/world_directory.h"
@@ -29,7 +29,7 @@ struct PlayContext {
     DatagramServer* datagrams = nullptr;  // null: all goes by streams
     WorldFeeds feeds{};
     ClientRecords records{};
-    ResumeDesk resumes{};
+    ResumeRegistry resumes{};
     std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
     std::atomic<bool> draining{false};     // no new clients; those who play are told
     std::atomic<bool> closing{false};      // the drain is over: every conversation ends

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/resume_desk.h"
+#include "server/session/resume_registry.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-using Answer = ResumeDesk::Answer;
+using Answer = ResumeRegistry::Answer;
 
 const Clock::time_point start{1000s};
 
@@ -20,21 +20,21 @@ LostClient lost(ClientId client, std::string network = "192.0.2.7") {
     return out;
 }
 
-TEST(ResumeDesk, tokens_are_sixteen_bytes_and_no_two_are_alike) {
-    ResumeDesk desk;
+TEST(ResumeRegistry, tokens_are_sixteen_bytes_and_no_two_are_alike) {
+    ResumeRegistry desk;
     std::set<std::string> tokens;
     for (ClientId client = 1; client <= 1000; client++) tokens.insert(desk.open(client)->token);
     EXPECT_EQ(tokens.size(), 1000u);
     for (const std::string& token : tokens) EXPECT_EQ(token.size(), 16u);
 }
 
-TEST(ResumeDesk, who_shows_his_token_gets_back_what_he_left_once) {
-    ResumeDesk desk;
+TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
+    ResumeRegistry desk;
     const auto seat = desk.open(7);
     desk.leave_at(*seat, lost(7), start + 30s);
     EXPECT_EQ(desk.claim("no token").answer, Answer::unknown);
     EXPECT_EQ(desk.claim({}).answer, Answer::unknown);
-    const ResumeDesk::Claim claim = desk.claim(seat->token);
+    const ResumeRegistry::Claim claim = desk.claim(seat->token);
     ASSERT_EQ(claim.answer, Answer::here);
     EXPECT_EQ(claim.client->client, 7u);
     EXPECT_EQ(claim.seat, seat);
@@ -45,8 +45,8 @@ TEST(ResumeDesk, who_shows_his_token_gets_back_what_he_left_once) {
     EXPECT_EQ(desk.claim(seat->token).answer, Answer::unknown);
 }
 
-TEST(ResumeDesk, an_old_link_is_told_to_give_way) {
-    ResumeDesk desk;
+TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
+    ResumeRegistry desk;
     const auto seat = desk.open(7);
     EXPECT_FALSE(seat->is_wanted);
     EXPECT_EQ(desk.claim(seat->token).answer, Answer::not_yet);
@@ -56,8 +56,8 @@ TEST(ResumeDesk, an_old_link_is_told_to_give_way) {
     EXPECT_FALSE(seat->is_wanted) << "the new one keeps it";
 }
 
-TEST(ResumeDesk, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {
-    ResumeDesk desk;
+TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {
+    ResumeRegistry desk;
     const auto a = desk.open(1), b = desk.open(2), c = desk.open(3);
     desk.leave_at(*a, lost(1, "192.0.2.1"), start + 10s);
     desk.leave_at(*b, lost(2, "192.0.2.2"), start + 20s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/resume_desk.h"
+#include "server/session/resume_registry.h"
 
 #include <unistd.h>
 
@@ -20,12 +20,12 @@ bool are_equal(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-void ResumeDesk::use_secret(std::string secret) {
+void ResumeRegistry::use_secret(std::string secret) {
     const std::lock_guard lock(mutex_);
     secret_ = std::move(secret);
 }
 
-void ResumeDesk::expect(LostClient client, Clock::time_point until) {
+void ResumeRegistry::expect(LostClient client, Clock::time_point until) {
     auto seat = std::make_shared<ResumeSeat>();
     seat->client = client.client;
     const std::lock_guard lock(mutex_);
@@ -33,7 +33,7 @@ void ResumeDesk::expect(LostClient client, Clock::time_point until) {
         .seat = seat, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
 }
 
-std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken* who) {
+std::shared_ptr<ResumeSeat> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
     auto seat = std::make_shared<ResumeSeat>();
     seat->client = client;
     const std::lock_guard lock(mutex_);
@@ -49,12 +49,12 @@ std::shared_ptr<ResumeSeat> ResumeDesk::open(ClientId client, const ResumeToken*
     return seat;
 }
 
-void ResumeDesk::close(const ResumeSeat& seat) {
+void ResumeRegistry::close(const ResumeSeat& seat) {
     const std::lock_guard lock(mutex_);
     places_.erase(seat.client);
 }
 
-void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until) {
+void ResumeRegistry::leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
     const auto at = places_.find(seat.client);
     if (at == places_.end()) return;
@@ -63,7 +63,7 @@ void ResumeDesk::leave_at(const ResumeSeat& seat, LostClient client, Clock::time
 }
 
 // From here on its seat is as any other.
-ResumeDesk::Place* ResumeDesk::find_expected(std::string_view token, WallTime now) {
+ResumeRegistry::Place* ResumeRegistry::find_expected(std::string_view token, WallTime now) {
     if (secret_.empty()) return nullptr;
     std::optional<ResumeToken> who = open_token(token, secret_, now);
     if (!who) return nullptr;
@@ -81,7 +81,7 @@ ResumeDesk::Place* ResumeDesk::find_expected(std::string_view token, WallTime no
 }
 
 // All are compared, so that how long it takes tells nothing of which was close.
-ResumeDesk::Claim ResumeDesk::claim(std::string_view token, WallTime now) {
+ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now) {
     const std::lock_guard lock(mutex_);
     if (token.empty()) return {};
     Place* found = nullptr;
@@ -98,7 +98,7 @@ ResumeDesk::Claim ResumeDesk::claim(std::string_view token, WallTime now) {
             .until = found->until};
 }
 
-std::vector<LostClient> ResumeDesk::take_expired(Clock::time_point now) {
+std::vector<LostClient> ResumeRegistry::take_expired(Clock::time_point now) {
     std::vector<LostClient> expired;
     const std::lock_guard lock(mutex_);
     for (auto at = places_.begin(); at != places_.end();) {
@@ -113,7 +113,7 @@ std::vector<LostClient> ResumeDesk::take_expired(Clock::time_point now) {
     return expired;
 }
 
-std::optional<LostClient> ResumeDesk::take_oldest(const std::string& network) {
+std::optional<LostClient> ResumeRegistry::take_oldest(const std::string& network) {
     const std::lock_guard lock(mutex_);
     auto oldest = places_.end();
     for (auto at = places_.begin(); at != places_.end(); ++at) {
@@ -127,7 +127,7 @@ std::optional<LostClient> ResumeDesk::take_oldest(const std::string& network) {
     return client;
 }
 
-std::size_t ResumeDesk::lost() const {
+std::size_t ResumeRegistry::lost() const {
     const std::lock_guard lock(mutex_);
     std::size_t count = 0;
     for (const auto& [client, place] : places_) count += place.client ? 1 : 0;

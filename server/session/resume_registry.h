@@ -63,7 +63,7 @@ struct ResumeSeat {
     std::atomic<bool> is_wanted{false};  // the client came back: the link gives way
 };
 
-class ResumeDesk {
+class ResumeRegistry {
 public:
     static constexpr std::size_t token_bytes = 16;
 

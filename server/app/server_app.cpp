@@ -288,7 +288,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         });
     TickWatchdog watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
     if (archive) {
-        context.resumes.use_secret(archive->secret());
+        context.resume_registry.use_secret(archive->secret());
         go_on(*archive, context);
     }
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());

@@ -368,7 +368,7 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (lost) {
         suspend(*lost);
     } else {
-        if (resume_session_) context_.resumes.close(*resume_session_);
+        if (resume_session_) context_.resume_registry.close(*resume_session_);
         // In this order: whoever goes on with the world elsewhere looks who is there
         // (put_in_place).
         context_.sessions.leave(client_);

@@ -40,7 +40,7 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
                    std::uint32_t last_sequence, Clock::time_point until) {
     context.sessions.enter_again(client, world->id(), {});
     world->disconnect(client);
-    context.resumes.expect({.client = client,
+    context.resume_registry.expect({.client = client,
                             .feed = context.feeds.feed_of(world, context.config.stream.interest_cell_m),
                             .network = {},
                             .subject = {},
@@ -64,7 +64,7 @@ void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const C
 }
 
 void remove_expired_clients(PlayContext& context, Clock::time_point now) {
-    for (const LostClient& lost : context.resumes.take_expired(now)) let_go(context, lost);
+    for (const LostClient& lost : context.resume_registry.take_expired(now)) let_go(context, lost);
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
@@ -72,9 +72,9 @@ Result<ClientId> ClientSession::acquire_client_id(const WorldHost& world) {
     const std::string network = network_of(peer_.address);
     Result<ClientId> client = context_.sessions.enter(world.id(), network);
     if (client.ok()) return client;
-    std::optional<LostClient> lost = context_.resumes.take_oldest(network);
+    std::optional<LostClient> lost = context_.resume_registry.take_oldest(network);
     if (!lost && context_.sessions.clients() >= context_.config.world.clients_max)
-        lost = context_.resumes.take_oldest({});
+        lost = context_.resume_registry.take_oldest({});
     if (!lost) return client;
     let_go(context_, *lost);
     return context_.sessions.enter(world.id(), network);
@@ -88,7 +88,7 @@ std::shared_ptr<ResumeSeat> ClientSession::open_resume_session(const WorldHost& 
                           .spectator = spectator_,
                           .expires = std::chrono::floor<std::chrono::seconds>(
                               std::chrono::system_clock::now() + token_life)};
-    return context_.resumes.open(client_, world.is_persisted() ? &who : nullptr);
+    return context_.resume_registry.open(client_, world.is_persisted() ? &who : nullptr);
 }
 
 void ClientSession::suspend(Clock::time_point now) {
@@ -109,7 +109,7 @@ void ClientSession::suspend(Clock::time_point now) {
                     .sent = std::move(sent_log_),
                     .sent_geometry = std::move(sent_geometry_),
                     .channel_kinds = channel_kinds_};
-    context_.resumes.leave_at(*resume_session_, std::move(lost),
+    context_.resume_registry.leave_at(*resume_session_, std::move(lost),
                               now + from_seconds(context_.config.client.resume_timeout_seconds));
 }
 
@@ -133,7 +133,7 @@ Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
 
 // False: it comes in as one that is new.
 bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
-    ResumeRegistry::Claim claim = context_.resumes.claim(hello.resume->token);
+    ResumeRegistry::Claim claim = context_.resume_registry.claim(hello.resume->token);
     if (claim.answer == ResumeRegistry::Answer::unknown) return false;
     if (claim.answer == ResumeRegistry::Answer::not_yet) {
         if (now - begun_ > give_way_max) return false;
@@ -146,18 +146,18 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     const bool world_is_there = !lost.feed->host().stopped();
     const auto timeout = lost.feed->host().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
-        context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
+        context_.resume_registry.leave_at(*claim.seat, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
     const Status may = world_is_there ? may_resume(hello, lost) : Status();
     if (!world_is_there || (!may.ok() && may.error().code == ErrorCode::not_found)) {
-        context_.resumes.close(*claim.seat);
+        context_.resume_registry.close(*claim.seat);
         let_go(context_, lost);
         return false;
     }
     if (!may.ok()) {
-        context_.resumes.leave_at(*claim.seat, std::move(lost), claim.until);
+        context_.resume_registry.leave_at(*claim.seat, std::move(lost), claim.until);
         refuse(may.error(), now);
         return true;
     }

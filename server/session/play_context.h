@@ -29,7 +29,7 @@ struct PlayContext {
     DatagramServer* datagrams = nullptr;  // null: all goes by streams
     WorldFeeds feeds{};
     ClientRecords records{};
-    ResumeRegistry resumes{};
+    ResumeRegistry resume_registry{};
     std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
     std::atomic<bool> draining{false};     // no new clients; those who play are told
     std::atomic<bool> closing{false};      // the drain is over: every conversation ends

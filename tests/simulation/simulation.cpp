@@ -206,7 +206,7 @@ void Simulation::act_hostile() {
 // ---- what must be so when nobody is there ----
 
 bool Simulation::everybody_left() const {
-    return server_->context.resumes.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
+    return server_->context.resume_registry.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
            std::ranges::all_of(seats_, [](const Seat& seat) { return !seat.client; });
 }
 

@@ -116,7 +116,7 @@ TEST_F(ResumeOverSocketsTest, a_client_that_is_destroyed_has_left) {
     ASSERT_TRUE(wait_until([&] { return player->stats().connected; }));
     player.reset();
     EXPECT_TRUE(wait_until([&] { return sessions.clients() == 0; }));
-    EXPECT_EQ(context.resumes.lost(), 0u);
+    EXPECT_EQ(context.resume_registry.lost(), 0u);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(SessionNetworkSimulator, a_farewell_is_heard_though_the_line_is_cut_behind_
     player.exchange();
     player.session->on_peer_closed(server.now);
     EXPECT_EQ(server.sessions.clients(), 0);
-    EXPECT_EQ(server.context.resumes.lost(), 0u);
+    EXPECT_EQ(server.context.resume_registry.lost(), 0u);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ private:
     std::uint32_t confirmed() const {
         return feed_->host().is_persisted() ? persisted_sequence_ : last_sequence_;
     }
-    std::shared_ptr<ResumeSeat> open_resume_session(const WorldHost& world);
+    std::shared_ptr<ResumeSession> open_resume_session(const WorldHost& world);
     void suspend(Clock::time_point now);
     // Whether what it is told of the world counts after a break: acks of datagrams and of cells say
     // nothing of what came by the stream.
@@ -159,7 +159,7 @@ private:
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
-    std::shared_ptr<ResumeSeat> resume_session_;  // null: its place is not kept
+    std::shared_ptr<ResumeSession> resume_session_;  // null: its place is not kept
     SentLog sent_log_;                      // of one with a seat
     bool by_ticket_ = false, spectator_ = false;
     std::optional<Admission> admission_;

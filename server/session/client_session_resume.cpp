@@ -80,7 +80,7 @@ Result<ClientId> ClientSession::acquire_client_id(const WorldHost& world) {
     return context_.sessions.enter(world.id(), network);
 }
 
-std::shared_ptr<ResumeSeat> ClientSession::open_resume_session(const WorldHost& world) {
+std::shared_ptr<ResumeSession> ClientSession::open_resume_session(const WorldHost& world) {
     const ResumeToken who{.client = client_,
                           .world = world.id(),
                           .subject = metrics_.subject(),

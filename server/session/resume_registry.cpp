@@ -26,15 +26,15 @@ void ResumeRegistry::use_secret(std::string secret) {
 }
 
 void ResumeRegistry::expect(LostClient client, Clock::time_point until) {
-    auto seat = std::make_shared<ResumeSeat>();
+    auto seat = std::make_shared<ResumeSession>();
     seat->client = client.client;
     const std::lock_guard lock(mutex_);
     places_[seat->client] = {
         .seat = seat, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
 }
 
-std::shared_ptr<ResumeSeat> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
-    auto seat = std::make_shared<ResumeSeat>();
+std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
+    auto seat = std::make_shared<ResumeSession>();
     seat->client = client;
     const std::lock_guard lock(mutex_);
     std::optional<std::string> sealed;
@@ -49,12 +49,12 @@ std::shared_ptr<ResumeSeat> ResumeRegistry::open(ClientId client, const ResumeTo
     return seat;
 }
 
-void ResumeRegistry::close(const ResumeSeat& seat) {
+void ResumeRegistry::close(const ResumeSession& seat) {
     const std::lock_guard lock(mutex_);
     places_.erase(seat.client);
 }
 
-void ResumeRegistry::leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until) {
+void ResumeRegistry::leave_at(const ResumeSession& seat, LostClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
     const auto at = places_.find(seat.client);
     if (at == places_.end()) return;

@@ -57,7 +57,7 @@ struct LostClient {
 };
 
 // One client's; held by its link.
-struct ResumeSeat {
+struct ResumeSession {
     std::string token;
     ClientId client = 0;
     std::atomic<bool> is_wanted{false};  // the client came back: the link gives way
@@ -73,15 +73,15 @@ public:
     void expect(LostClient client, Clock::time_point until);
     // Null: the operating system gave no random bytes. `who`: for a token that outlives the process
     // if it fits into one.
-    std::shared_ptr<ResumeSeat> open(ClientId client, const ResumeToken* who = nullptr);
+    std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
-    void close(const ResumeSeat& seat);
-    void leave_at(const ResumeSeat& seat, LostClient client, Clock::time_point until);
+    void close(const ResumeSession& seat);
+    void leave_at(const ResumeSession& seat, LostClient client, Clock::time_point until);
 
     enum class Answer { unknown, not_yet, here };
     struct Claim {
         Answer answer = Answer::unknown;
-        std::shared_ptr<ResumeSeat> seat;  // here
+        std::shared_ptr<ResumeSession> seat;  // here
         std::optional<LostClient> client;  // here
         Clock::time_point until{};         // here: when it would have left
     };
@@ -96,7 +96,7 @@ public:
 
 private:
     struct Place {
-        std::shared_ptr<ResumeSeat> seat;
+        std::shared_ptr<ResumeSession> seat;
         std::unique_ptr<LostClient> client;  // null: its link is there
         Clock::time_point until{};
     };

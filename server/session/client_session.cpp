@@ -410,7 +410,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
     }
     if (const auto why = metrics_.kicked())
         return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
-    if (resume_session_ && resume_session_->is_wanted)
+    if (resume_session_ && resume_session_->is_superseded)
         return finish(Error{ErrorCode::aborted, "you came back by another connection"}, now, true);
     if (now - last_received_ > from_seconds(limits.client_timeout_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,

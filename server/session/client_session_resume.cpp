@@ -146,22 +146,22 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     const bool world_is_there = !lost.feed->host().stopped();
     const auto timeout = lost.feed->host().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
-        context_.resume_registry.leave_at(*claim.seat, std::move(lost), claim.until);
+        context_.resume_registry.leave_at(*claim.resume_session, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
     const Status may = world_is_there ? may_resume(hello, lost) : Status();
     if (!world_is_there || (!may.ok() && may.error().code == ErrorCode::not_found)) {
-        context_.resume_registry.close(*claim.seat);
+        context_.resume_registry.close(*claim.resume_session);
         let_go(context_, lost);
         return false;
     }
     if (!may.ok()) {
-        context_.resume_registry.leave_at(*claim.seat, std::move(lost), claim.until);
+        context_.resume_registry.leave_at(*claim.resume_session, std::move(lost), claim.until);
         refuse(may.error(), now);
         return true;
     }
-    resume_session_ = std::move(claim.seat);
+    resume_session_ = std::move(claim.resume_session);
     by_ticket_ = lost.by_ticket;
     const auto world = context_.worlds.find(lost.feed->host().id());
     enter(world, hello, now, &lost);

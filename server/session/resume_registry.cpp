@@ -26,37 +26,37 @@ void ResumeRegistry::use_secret(std::string secret) {
 }
 
 void ResumeRegistry::expect(LostClient client, Clock::time_point until) {
-    auto seat = std::make_shared<ResumeSession>();
-    seat->client = client.client;
+    auto resume_session = std::make_shared<ResumeSession>();
+    resume_session->client = client.client;
     const std::lock_guard lock(mutex_);
-    places_[seat->client] = {
-        .seat = seat, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
+    places_[resume_session->client] = {
+        .resume_session = resume_session, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
 }
 
 std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
-    auto seat = std::make_shared<ResumeSession>();
-    seat->client = client;
+    auto resume_session = std::make_shared<ResumeSession>();
+    resume_session->client = client;
     const std::lock_guard lock(mutex_);
     std::optional<std::string> sealed;
     if (who && !secret_.empty()) sealed = seal_token(*who, secret_);
     if (sealed) {
-        seat->token = *std::move(sealed);
+        resume_session->token = *std::move(sealed);
     } else {
-        seat->token.resize(token_bytes);
-        if (::getentropy(seat->token.data(), seat->token.size()) != 0) return nullptr;
+        resume_session->token.resize(token_bytes);
+        if (::getentropy(resume_session->token.data(), resume_session->token.size()) != 0) return nullptr;
     }
-    places_[client] = {.seat = seat, .client = nullptr};
-    return seat;
+    places_[client] = {.resume_session = resume_session, .client = nullptr};
+    return resume_session;
 }
 
-void ResumeRegistry::close(const ResumeSession& seat) {
+void ResumeRegistry::close(const ResumeSession& resume_session) {
     const std::lock_guard lock(mutex_);
-    places_.erase(seat.client);
+    places_.erase(resume_session.client);
 }
 
-void ResumeRegistry::leave_at(const ResumeSession& seat, LostClient client, Clock::time_point until) {
+void ResumeRegistry::leave_at(const ResumeSession& resume_session, LostClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
-    const auto at = places_.find(seat.client);
+    const auto at = places_.find(resume_session.client);
     if (at == places_.end()) return;
     at->second.client = std::make_unique<LostClient>(std::move(client));
     at->second.until = until;
@@ -70,10 +70,10 @@ ResumeRegistry::Place* ResumeRegistry::find_expected(std::string_view token, Wal
     const auto at = places_.find(who->client);
     if (at == places_.end()) return nullptr;
     Place& place = at->second;
-    if (!place.seat->token.empty() || !place.client) return nullptr;
+    if (!place.resume_session->token.empty() || !place.client) return nullptr;
     LostClient& lost = *place.client;
     if (lost.feed->host().id() != who->world) return nullptr;
-    place.seat->token = token;
+    place.resume_session->token = token;
     lost.subject = std::move(who->subject);
     lost.by_ticket = who->by_ticket;
     lost.spectator = who->spectator;
@@ -86,14 +86,14 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
     if (token.empty()) return {};
     Place* found = nullptr;
     for (auto& [client, place] : places_)
-        if (are_equal(place.seat->token, token)) found = &place;
+        if (are_equal(place.resume_session->token, token)) found = &place;
     if (!found) found = find_expected(token, now);
     if (!found) return {};
-    found->seat->is_wanted = !found->client;
-    if (!found->client) return {.answer = Answer::not_yet, .seat = nullptr, .client = {}};
+    found->resume_session->is_superseded = !found->client;
+    if (!found->client) return {.answer = Answer::not_yet, .resume_session = nullptr, .client = {}};
     const std::unique_ptr<LostClient> client = std::exchange(found->client, nullptr);
     return {.answer = Answer::here,
-            .seat = found->seat,
+            .resume_session = found->resume_session,
             .client = std::move(*client),
             .until = found->until};
 }

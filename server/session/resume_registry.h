@@ -60,7 +60,7 @@ struct LostClient {
 struct ResumeSession {
     std::string token;
     ClientId client = 0;
-    std::atomic<bool> is_wanted{false};  // the client came back: the link gives way
+    std::atomic<bool> is_superseded{false};  // the client came back: the link gives way
 };
 
 class ResumeRegistry {
@@ -75,13 +75,13 @@ public:
     // if it fits into one.
     std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
-    void close(const ResumeSession& seat);
-    void leave_at(const ResumeSession& seat, LostClient client, Clock::time_point until);
+    void close(const ResumeSession& resume_session);
+    void leave_at(const ResumeSession& resume_session, LostClient client, Clock::time_point until);
 
     enum class Answer { unknown, not_yet, here };
     struct Claim {
         Answer answer = Answer::unknown;
-        std::shared_ptr<ResumeSession> seat;  // here
+        std::shared_ptr<ResumeSession> resume_session;  // here
         std::optional<LostClient> client;  // here
         Clock::time_point until{};         // here: when it would have left
     };
@@ -96,7 +96,7 @@ public:
 
 private:
     struct Place {
-        std::shared_ptr<ResumeSession> seat;
+        std::shared_ptr<ResumeSession> resume_session;
         std::unique_ptr<LostClient> client;  // null: its link is there
         Clock::time_point until{};
     };

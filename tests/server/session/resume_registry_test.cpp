@@ -30,30 +30,30 @@ TEST(ResumeRegistry, tokens_are_sixteen_bytes_and_no_two_are_alike) {
 
 TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     ResumeRegistry desk;
-    const auto seat = desk.open(7);
-    desk.leave_at(*seat, lost(7), start + 30s);
+    const auto resume_session = desk.open(7);
+    desk.leave_at(*resume_session, lost(7), start + 30s);
     EXPECT_EQ(desk.claim("no token").answer, Answer::unknown);
     EXPECT_EQ(desk.claim({}).answer, Answer::unknown);
-    const ResumeRegistry::Claim claim = desk.claim(seat->token);
+    const ResumeRegistry::Claim claim = desk.claim(resume_session->token);
     ASSERT_EQ(claim.answer, Answer::here);
     EXPECT_EQ(claim.client->client, 7u);
-    EXPECT_EQ(claim.seat, seat);
+    EXPECT_EQ(claim.resume_session, resume_session);
     EXPECT_EQ(claim.until, start + 30s);
-    EXPECT_EQ(desk.claim(seat->token).answer, Answer::not_yet) << "he has his place now";
+    EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::not_yet) << "he has his place now";
     EXPECT_TRUE(desk.take_expired(start + 60s).empty()) << "and does not lose it";
-    desk.close(*seat);
-    EXPECT_EQ(desk.claim(seat->token).answer, Answer::unknown);
+    desk.close(*resume_session);
+    EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::unknown);
 }
 
 TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
     ResumeRegistry desk;
-    const auto seat = desk.open(7);
-    EXPECT_FALSE(seat->is_wanted);
-    EXPECT_EQ(desk.claim(seat->token).answer, Answer::not_yet);
-    EXPECT_TRUE(seat->is_wanted);
-    desk.leave_at(*seat, lost(7), start + 30s);
-    EXPECT_EQ(desk.claim(seat->token).answer, Answer::here);
-    EXPECT_FALSE(seat->is_wanted) << "the new one keeps it";
+    const auto resume_session = desk.open(7);
+    EXPECT_FALSE(resume_session->is_superseded);
+    EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::not_yet);
+    EXPECT_TRUE(resume_session->is_superseded);
+    desk.leave_at(*resume_session, lost(7), start + 30s);
+    EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::here);
+    EXPECT_FALSE(resume_session->is_superseded) << "the new one keeps it";
 }
 
 TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {

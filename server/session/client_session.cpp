@@ -183,7 +183,7 @@ Status ClientSession::check_play_access(const Hello& hello, const Identity& who,
 }
 
 void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
-                       Clock::time_point now, LostClient* lost) {
+                       Clock::time_point now, DisconnectedClient* lost) {
     const Result<ClientId> client = lost ? lost->client : acquire_client_id(*world);
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;

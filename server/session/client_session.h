@@ -88,8 +88,8 @@ private:
 
     // client_session_resume.cpp: how a conversation goes on after its connection broke.
     bool resume(const Hello& hello, Clock::time_point now);
-    Status may_resume(const Hello& hello, const LostClient& lost);
-    std::optional<std::vector<EntityId>> take_over(LostClient& lost, std::uint32_t frame,
+    Status may_resume(const Hello& hello, const DisconnectedClient& lost);
+    std::optional<std::vector<EntityId>> take_over(DisconnectedClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
     Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
@@ -107,7 +107,7 @@ private:
     Result<std::shared_ptr<WorldHost>> authorize_by_ticket(const Hello& hello);
     Status check_play_access(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now,
-               LostClient* lost = nullptr);
+               DisconnectedClient* lost = nullptr);
     void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                     Clock::time_point now);
     Status try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,

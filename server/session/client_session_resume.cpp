@@ -22,12 +22,12 @@ constexpr auto world_replacement_max = std::chrono::seconds(10);
 constexpr auto token_life = std::chrono::hours(24);
 
 // A world that an error ended may run again, as another host.
-std::shared_ptr<WorldHost> host_of(PlayContext& context, const LostClient& lost) {
+std::shared_ptr<WorldHost> host_of(PlayContext& context, const DisconnectedClient& lost) {
     const WorldHost& host = lost.feed->host();
     return context.worlds.find(host.id());
 }
 
-void let_go(PlayContext& context, const LostClient& lost) {
+void let_go(PlayContext& context, const DisconnectedClient& lost) {
     log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
     context.sessions.leave(lost.client);
     if (const auto host = host_of(context, lost))
@@ -64,7 +64,7 @@ void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const C
 }
 
 void remove_expired_clients(PlayContext& context, Clock::time_point now) {
-    for (const LostClient& lost : context.resume_registry.take_expired(now)) let_go(context, lost);
+    for (const DisconnectedClient& lost : context.resume_registry.take_expired(now)) let_go(context, lost);
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
@@ -72,7 +72,7 @@ Result<ClientId> ClientSession::acquire_client_id(const WorldHost& world) {
     const std::string network = network_of(peer_.address);
     Result<ClientId> client = context_.sessions.enter(world.id(), network);
     if (client.ok()) return client;
-    std::optional<LostClient> lost = context_.resume_registry.take_oldest(network);
+    std::optional<DisconnectedClient> lost = context_.resume_registry.take_oldest(network);
     if (!lost && context_.sessions.clients() >= context_.config.world.clients_max)
         lost = context_.resume_registry.take_oldest({});
     if (!lost) return client;
@@ -94,7 +94,7 @@ std::shared_ptr<ResumeSession> ClientSession::open_resume_session(const WorldHos
 void ClientSession::suspend(Clock::time_point now) {
     collect_results();
     feed_->host().disconnect(client_);
-    LostClient lost{.client = client_,
+    DisconnectedClient lost{.client = client_,
                     .feed = feed_,
                     .network = network_of(peer_.address),
                     .subject = metrics_.subject(),
@@ -114,7 +114,7 @@ void ClientSession::suspend(Clock::time_point now) {
 }
 
 // By a ticket one comes in once; the token stands for it, and for no more than it allowed.
-Status ClientSession::may_resume(const Hello& hello, const LostClient& lost) {
+Status ClientSession::may_resume(const Hello& hello, const DisconnectedClient& lost) {
     if (lost.by_ticket) {
         if (lost.spectator && !hello.spectator)
             return Error{ErrorCode::permission_denied,
@@ -140,7 +140,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
-    LostClient& lost = *claim.client;
+    DisconnectedClient& lost = *claim.client;
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
         lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
@@ -169,7 +169,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
 }
 
 // Whom it may know that is no more, if it goes on from that frame; nothing: it begins anew.
-std::optional<std::vector<EntityId>> ClientSession::take_over(LostClient& lost, std::uint32_t frame,
+std::optional<std::vector<EntityId>> ClientSession::take_over(DisconnectedClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
     persisted_sequence_ = lost.persisted_sequence;

@@ -25,12 +25,12 @@ void ResumeRegistry::use_secret(std::string secret) {
     secret_ = std::move(secret);
 }
 
-void ResumeRegistry::expect(LostClient client, Clock::time_point until) {
+void ResumeRegistry::expect(DisconnectedClient client, Clock::time_point until) {
     auto resume_session = std::make_shared<ResumeSession>();
     resume_session->client = client.client;
     const std::lock_guard lock(mutex_);
     places_[resume_session->client] = {
-        .resume_session = resume_session, .client = std::make_unique<LostClient>(std::move(client)), .until = until};
+        .resume_session = resume_session, .client = std::make_unique<DisconnectedClient>(std::move(client)), .until = until};
 }
 
 std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
@@ -54,11 +54,11 @@ void ResumeRegistry::close(const ResumeSession& resume_session) {
     places_.erase(resume_session.client);
 }
 
-void ResumeRegistry::leave_at(const ResumeSession& resume_session, LostClient client, Clock::time_point until) {
+void ResumeRegistry::leave_at(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
     const auto at = places_.find(resume_session.client);
     if (at == places_.end()) return;
-    at->second.client = std::make_unique<LostClient>(std::move(client));
+    at->second.client = std::make_unique<DisconnectedClient>(std::move(client));
     at->second.until = until;
 }
 
@@ -71,7 +71,7 @@ ResumeRegistry::Place* ResumeRegistry::find_expected(std::string_view token, Wal
     if (at == places_.end()) return nullptr;
     Place& place = at->second;
     if (!place.resume_session->token.empty() || !place.client) return nullptr;
-    LostClient& lost = *place.client;
+    DisconnectedClient& lost = *place.client;
     if (lost.feed->host().id() != who->world) return nullptr;
     place.resume_session->token = token;
     lost.subject = std::move(who->subject);
@@ -91,15 +91,15 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
     if (!found) return {};
     found->resume_session->is_superseded = !found->client;
     if (!found->client) return {.answer = Answer::not_yet, .resume_session = nullptr, .client = {}};
-    const std::unique_ptr<LostClient> client = std::exchange(found->client, nullptr);
+    const std::unique_ptr<DisconnectedClient> client = std::exchange(found->client, nullptr);
     return {.answer = Answer::here,
             .resume_session = found->resume_session,
             .client = std::move(*client),
             .until = found->until};
 }
 
-std::vector<LostClient> ResumeRegistry::take_expired(Clock::time_point now) {
-    std::vector<LostClient> expired;
+std::vector<DisconnectedClient> ResumeRegistry::take_expired(Clock::time_point now) {
+    std::vector<DisconnectedClient> expired;
     const std::lock_guard lock(mutex_);
     for (auto at = places_.begin(); at != places_.end();) {
         Place& place = at->second;
@@ -113,7 +113,7 @@ std::vector<LostClient> ResumeRegistry::take_expired(Clock::time_point now) {
     return expired;
 }
 
-std::optional<LostClient> ResumeRegistry::take_oldest(const std::string& network) {
+std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string& network) {
     const std::lock_guard lock(mutex_);
     auto oldest = places_.end();
     for (auto at = places_.begin(); at != places_.end(); ++at) {
@@ -122,7 +122,7 @@ std::optional<LostClient> ResumeRegistry::take_oldest(const std::string& network
         if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
     }
     if (oldest == places_.end()) return std::nullopt;
-    std::optional<LostClient> client = std::move(*oldest->second.client);
+    std::optional<DisconnectedClient> client = std::move(*oldest->second.client);
     places_.erase(oldest);
     return client;
 }

@@ -31,7 +31,7 @@
 namespace jostle::server {
 
 // What of a conversation outlives its connection.
-struct LostClient {
+struct DisconnectedClient {
     ClientId client = 0;
     std::shared_ptr<WorldFeed> feed;
     std::string network, subject;  // whence it came, and whom its token named
@@ -70,34 +70,34 @@ public:
     // Before anybody comes: tokens are sealed with it.
     void use_secret(std::string secret);
     // One who played before this process began, at most until then.
-    void expect(LostClient client, Clock::time_point until);
+    void expect(DisconnectedClient client, Clock::time_point until);
     // Null: the operating system gave no random bytes. `who`: for a token that outlives the process
     // if it fits into one.
     std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
     void close(const ResumeSession& resume_session);
-    void leave_at(const ResumeSession& resume_session, LostClient client, Clock::time_point until);
+    void leave_at(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
 
     enum class Answer { unknown, not_yet, here };
     struct Claim {
         Answer answer = Answer::unknown;
         std::shared_ptr<ResumeSession> resume_session;  // here
-        std::optional<LostClient> client;  // here
+        std::optional<DisconnectedClient> client;  // here
         Clock::time_point until{};         // here: when it would have left
     };
     // not_yet: its old link was told to give way; ask again in a moment.
     Claim claim(std::string_view token, WallTime now = std::chrono::system_clock::now());
 
     // Those whose time is over: they have left.
-    std::vector<LostClient> take_expired(Clock::time_point now);
+    std::vector<DisconnectedClient> take_expired(Clock::time_point now);
     // The one that was lost first, of that network if it is not empty: there is no room for it.
-    std::optional<LostClient> take_oldest(const std::string& network);
+    std::optional<DisconnectedClient> take_oldest(const std::string& network);
     std::size_t lost() const;
 
 private:
     struct Place {
         std::shared_ptr<ResumeSession> resume_session;
-        std::unique_ptr<LostClient> client;  // null: its link is there
+        std::unique_ptr<DisconnectedClient> client;  // null: its link is there
         Clock::time_point until{};
     };
 

@@ -13,8 +13,8 @@ using Answer = ResumeRegistry::Answer;
 
 const Clock::time_point start{1000s};
 
-LostClient lost(ClientId client, std::string network = "192.0.2.7") {
-    LostClient out;
+DisconnectedClient lost(ClientId client, std::string network = "192.0.2.7") {
+    DisconnectedClient out;
     out.client = client;
     out.network = std::move(network);
     return out;

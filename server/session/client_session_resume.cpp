@@ -104,12 +104,12 @@ void ClientSession::suspend(Clock::time_point now) {
                     .results = std::move(results_),
                     .last_sequence = last_sequence_,
                     .persisted_sequence = persisted_sequence_,
-                    .whole = can_resume_stream(),
+                    .stream_resumable = can_resume_stream(),
                     .baselines = std::move(baselines_),
                     .sent = std::move(sent_log_),
                     .sent_geometry = std::move(sent_geometry_),
                     .channel_kinds = channel_kinds_};
-    context_.resume_registry.leave_at(*resume_session_, std::move(lost),
+    context_.resume_registry.suspend(*resume_session_, std::move(lost),
                               now + from_seconds(context_.config.client.resume_timeout_seconds));
 }
 
@@ -142,11 +142,11 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     }
     DisconnectedClient& lost = *claim.client;
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
-        lost.go_on_in(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
+        lost.move_to(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.feed->host().stopped();
     const auto timeout = lost.feed->host().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
-        context_.resume_registry.leave_at(*claim.resume_session, std::move(lost), claim.until);
+        context_.resume_registry.suspend(*claim.resume_session, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
     }
@@ -157,7 +157,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
         return false;
     }
     if (!may.ok()) {
-        context_.resume_registry.leave_at(*claim.resume_session, std::move(lost), claim.until);
+        context_.resume_registry.suspend(*claim.resume_session, std::move(lost), claim.until);
         refuse(may.error(), now);
         return true;
     }
@@ -177,7 +177,7 @@ std::optional<std::vector<EntityId>> ClientSession::take_over(DisconnectedClient
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),
                     std::make_move_iterator(lost.results.end()));
-    if (interest_ || !lost.whole || !known.list || channel_kinds_ != lost.channel_kinds ||
+    if (interest_ || !lost.stream_resumable || !known.list || channel_kinds_ != lost.channel_kinds ||
         !lost.baselines.go_back_to(frame))
         return std::nullopt;
     baselines_ = std::move(lost.baselines);

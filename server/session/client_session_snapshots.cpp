@@ -173,7 +173,7 @@ std::string ClientSession::take_controlled_entity(const Frame& frame) {
     if (!wants_controlled_entity_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
-    const bool whole = !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
+    const bool stream_resumable = !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
     const double every = std::max(1.0, std::round(feed_->host().hz() / controlled_entity_updates_per_second));
     if (!whole && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every)) return {};
     if (!sent_controlled_entity_) sent_controlled_entity_ = std::make_unique<SentControlledEntity>();

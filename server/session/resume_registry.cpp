@@ -54,7 +54,7 @@ void ResumeRegistry::close(const ResumeSession& resume_session) {
     places_.erase(resume_session.client);
 }
 
-void ResumeRegistry::leave_at(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until) {
+void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
     const auto at = places_.find(resume_session.client);
     if (at == places_.end()) return;
@@ -127,7 +127,7 @@ std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string&
     return client;
 }
 
-std::size_t ResumeRegistry::lost() const {
+std::size_t ResumeRegistry::disconnected() const {
     const std::lock_guard lock(mutex_);
     std::size_t count = 0;
     for (const auto& [client, place] : places_) count += place.client ? 1 : 0;

@@ -42,16 +42,16 @@ struct DisconnectedClient {
     std::uint32_t last_sequence = 0;   // of the inputs that came
     std::uint32_t persisted_sequence = 0;   // ... and were answered
     // Of a stream that tells of all of the world; else it begins anew.
-    bool whole = false;
+    bool stream_resumable = false;
     BaselineTracker baselines;
     SentLog sent;
     std::set<std::uint64_t> sent_geometry;
     std::uint64_t channel_kinds = 0;
 
     // Its world was begun again: what it was told is of no use any longer.
-    void go_on_in(std::shared_ptr<WorldFeed> again) {
+    void move_to(std::shared_ptr<WorldFeed> again) {
         feed = std::move(again);
-        whole = false;
+        stream_resumable = false;
         sent = {};
     }
 };
@@ -76,7 +76,7 @@ public:
     std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
     void close(const ResumeSession& resume_session);
-    void leave_at(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
+    void suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
 
     enum class Answer { unknown, not_yet, here };
     struct Claim {
@@ -92,7 +92,7 @@ public:
     std::vector<DisconnectedClient> take_expired(Clock::time_point now);
     // The one that was lost first, of that network if it is not empty: there is no room for it.
     std::optional<DisconnectedClient> take_oldest(const std::string& network);
-    std::size_t lost() const;
+    std::size_t disconnected() const;
 
 private:
     struct Place {

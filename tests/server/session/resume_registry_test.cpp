@@ -31,7 +31,7 @@ TEST(ResumeRegistry, tokens_are_sixteen_bytes_and_no_two_are_alike) {
 TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
-    desk.leave_at(*resume_session, lost(7), start + 30s);
+    desk.suspend(*resume_session, lost(7), start + 30s);
     EXPECT_EQ(desk.claim("no token").answer, Answer::unknown);
     EXPECT_EQ(desk.claim({}).answer, Answer::unknown);
     const ResumeRegistry::Claim claim = desk.claim(resume_session->token);
@@ -51,7 +51,7 @@ TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
     EXPECT_FALSE(resume_session->is_superseded);
     EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::not_yet);
     EXPECT_TRUE(resume_session->is_superseded);
-    desk.leave_at(*resume_session, lost(7), start + 30s);
+    desk.suspend(*resume_session, lost(7), start + 30s);
     EXPECT_EQ(desk.claim(resume_session->token).answer, Answer::here);
     EXPECT_FALSE(resume_session->is_superseded) << "the new one keeps it";
 }
@@ -59,10 +59,10 @@ TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
 TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {
     ResumeRegistry desk;
     const auto a = desk.open(1), b = desk.open(2), c = desk.open(3);
-    desk.leave_at(*a, lost(1, "192.0.2.1"), start + 10s);
-    desk.leave_at(*b, lost(2, "192.0.2.2"), start + 20s);
-    desk.leave_at(*c, lost(3, "192.0.2.2"), start + 30s);
-    EXPECT_EQ(desk.lost(), 3u);
+    desk.suspend(*a, lost(1, "192.0.2.1"), start + 10s);
+    desk.suspend(*b, lost(2, "192.0.2.2"), start + 20s);
+    desk.suspend(*c, lost(3, "192.0.2.2"), start + 30s);
+    EXPECT_EQ(desk.disconnected(), 3u);
     EXPECT_EQ(desk.take_oldest("192.0.2.2")->client, 2u);
     EXPECT_FALSE(desk.take_oldest("192.0.2.9"));
     EXPECT_TRUE(desk.take_expired(start + 9s).empty());
@@ -71,7 +71,7 @@ TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_give
     EXPECT_EQ(expired[0].client, 1u);
     EXPECT_EQ(desk.claim(a->token).answer, Answer::unknown);
     EXPECT_EQ(desk.take_oldest({})->client, 3u);
-    EXPECT_EQ(desk.lost(), 0u);
+    EXPECT_EQ(desk.disconnected(), 0u);
 }
 
 }  // namespace

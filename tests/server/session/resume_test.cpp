@@ -65,7 +65,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
     const ClientId id = player.conversation.stats().client_id;
     EXPECT_EQ(bodies_of(*world, id), 3);
     cut(player);
-    EXPECT_EQ(server.context.resume_registry.lost(), 1u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
     EXPECT_EQ(server.context.records.look(server.now).size(), 0u) << "he is not connected";
     run_alone(120);
     remove_expired_clients(server.context, server.now);
@@ -129,7 +129,7 @@ TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once
     EXPECT_EQ(server.sessions.clients(), 1);
     cut(old);
     EXPECT_EQ(server.sessions.clients(), 0);
-    EXPECT_EQ(server.context.resume_registry.lost(), 0u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
 }
 
 TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
@@ -137,7 +137,7 @@ TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
     run(player, 30);
     server.context.draining = true;
     cut(player);
-    EXPECT_EQ(server.context.resume_registry.lost(), 0u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
     EXPECT_EQ(server.sessions.clients(), 0);
 }
 
@@ -274,7 +274,7 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
         EXPECT_NE(welcome.welcome().client_id(), id);
         session.on_peer_closed(server.now);
     }
-    EXPECT_EQ(server.context.resume_registry.lost(), 1u) << "his place is still kept";
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u) << "his place is still kept";
 }
 
 // By a ticket he comes in once, and again as no more than he was.
@@ -306,7 +306,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
     watcher.session->receive(hello.SerializeAsString(), server.now);
     ASSERT_TRUE(watcher.session->end());
     EXPECT_EQ(watcher.session->end()->error().code, ErrorCode::permission_denied);
-    EXPECT_EQ(server.context.resume_registry.lost(), 1u) << "his place is still kept";
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u) << "his place is still kept";
 }
 
 TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
@@ -333,11 +333,11 @@ TEST_F(ResumeTest, places_that_are_kept_give_way_to_those_who_are_there) {
         run(*lost.back(), 5);
         cut(*lost.back());
     }
-    EXPECT_EQ(server.context.resume_registry.lost(), 20u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 20u);
     SessionHarness player(server, {.name = "player"});
     run(player, 5);
     EXPECT_TRUE(player.conversation.stats().connected);
-    EXPECT_EQ(server.context.resume_registry.lost(), 19u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 19u);
     EXPECT_EQ(server.sessions.clients(), 20);
 }
 

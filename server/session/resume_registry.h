@@ -78,9 +78,9 @@ public:
     void close(const ResumeSession& resume_session);
     void suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
 
-    enum class Answer { unknown, not_yet, here };
+    enum class ClaimStatus { unknown, not_yet, here };
     struct Claim {
-        Answer answer = Answer::unknown;
+        ClaimStatus answer = ClaimStatus::unknown;
         std::shared_ptr<ResumeSession> resume_session;  // here
         std::optional<DisconnectedClient> client;  // here
         Clock::time_point until{};         // here: when it would have left

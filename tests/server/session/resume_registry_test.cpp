@@ -32,27 +32,27 @@ TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
     desk.suspend(*resume_session, lost(7), start + 30s);
-    EXPECT_EQ(desk.claim("no token").answer, ClaimStatus::unknown);
-    EXPECT_EQ(desk.claim({}).answer, ClaimStatus::unknown);
+    EXPECT_EQ(desk.claim("no token").status, ClaimStatus::unknown);
+    EXPECT_EQ(desk.claim({}).status, ClaimStatus::unknown);
     const ResumeRegistry::Claim claim = desk.claim(resume_session->token);
-    ASSERT_EQ(claim.answer, ClaimStatus::here);
+    ASSERT_EQ(claim.status, ClaimStatus::here);
     EXPECT_EQ(claim.client->client, 7u);
     EXPECT_EQ(claim.resume_session, resume_session);
     EXPECT_EQ(claim.until, start + 30s);
-    EXPECT_EQ(desk.claim(resume_session->token).answer, ClaimStatus::not_yet) << "he has his place now";
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::not_yet) << "he has his place now";
     EXPECT_TRUE(desk.take_expired(start + 60s).empty()) << "and does not lose it";
     desk.close(*resume_session);
-    EXPECT_EQ(desk.claim(resume_session->token).answer, ClaimStatus::unknown);
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::unknown);
 }
 
 TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
     EXPECT_FALSE(resume_session->is_superseded);
-    EXPECT_EQ(desk.claim(resume_session->token).answer, ClaimStatus::not_yet);
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::not_yet);
     EXPECT_TRUE(resume_session->is_superseded);
     desk.suspend(*resume_session, lost(7), start + 30s);
-    EXPECT_EQ(desk.claim(resume_session->token).answer, ClaimStatus::here);
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::here);
     EXPECT_FALSE(resume_session->is_superseded) << "the new one keeps it";
 }
 
@@ -69,7 +69,7 @@ TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_give
     const auto expired = desk.take_expired(start + 10s);
     ASSERT_EQ(expired.size(), 1u);
     EXPECT_EQ(expired[0].client, 1u);
-    EXPECT_EQ(desk.claim(a->token).answer, ClaimStatus::unknown);
+    EXPECT_EQ(desk.claim(a->token).status, ClaimStatus::unknown);
     EXPECT_EQ(desk.take_oldest({})->client, 3u);
     EXPECT_EQ(desk.disconnected(), 0u);
 }

@@ -135,7 +135,7 @@ Status ClientSession::may_resume(const Hello& hello, const DisconnectedClient& l
 bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     ResumeRegistry::Claim claim = context_.resume_registry.claim(hello.resume->token);
     if (claim.status == ResumeRegistry::ClaimStatus::unknown) return false;
-    if (claim.status == ResumeRegistry::ClaimStatus::not_yet) {
+    if (claim.status == ResumeRegistry::ClaimStatus::pending) {
         if (now - begun_ > give_way_max) return false;
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;

@@ -90,7 +90,7 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
     if (!found) found = find_expected(token, now);
     if (!found) return {};
     found->resume_session->is_superseded = !found->client;
-    if (!found->client) return {.answer = ClaimStatus::not_yet, .resume_session = nullptr, .client = {}};
+    if (!found->client) return {.answer = ClaimStatus::pending, .resume_session = nullptr, .client = {}};
     const std::unique_ptr<DisconnectedClient> client = std::exchange(found->client, nullptr);
     return {.answer = ClaimStatus::here,
             .resume_session = found->resume_session,

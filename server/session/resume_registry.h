@@ -78,14 +78,14 @@ public:
     void close(const ResumeSession& resume_session);
     void suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
 
-    enum class ClaimStatus { unknown, not_yet, here };
+    enum class ClaimStatus { unknown, pending, here };
     struct Claim {
         ClaimStatus answer = ClaimStatus::unknown;
         std::shared_ptr<ResumeSession> resume_session;  // here
         std::optional<DisconnectedClient> client;  // here
         Clock::time_point until{};         // here: when it would have left
     };
-    // not_yet: its old link was told to give way; ask again in a moment.
+    // pending: its old link was told to give way; ask again in a moment.
     Claim claim(std::string_view token, WallTime now = std::chrono::system_clock::now());
 
     // Those whose time is over: they have left.

@@ -39,7 +39,7 @@ TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     EXPECT_EQ(claim.client->client, 7u);
     EXPECT_EQ(claim.resume_session, resume_session);
     EXPECT_EQ(claim.until, start + 30s);
-    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::not_yet) << "he has his place now";
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::pending) << "he has his place now";
     EXPECT_TRUE(desk.take_expired(start + 60s).empty()) << "and does not lose it";
     desk.close(*resume_session);
     EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::unknown);
@@ -49,7 +49,7 @@ TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
     EXPECT_FALSE(resume_session->is_superseded);
-    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::not_yet);
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::pending);
     EXPECT_TRUE(resume_session->is_superseded);
     desk.suspend(*resume_session, lost(7), start + 30s);
     EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::here);

@@ -63,13 +63,13 @@ void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedCl
 }
 
 // From here on its seat is as any other.
-ResumeRegistry::Place* ResumeRegistry::find_expected(std::string_view token, WallTime now) {
+ResumeRegistry::Entry* ResumeRegistry::find_expected(std::string_view token, WallTime now) {
     if (secret_.empty()) return nullptr;
     std::optional<ResumeToken> who = open_token(token, secret_, now);
     if (!who) return nullptr;
     const auto at = places_.find(who->client);
     if (at == places_.end()) return nullptr;
-    Place& place = at->second;
+    Entry& place = at->second;
     if (!place.resume_session->token.empty() || !place.client) return nullptr;
     DisconnectedClient& lost = *place.client;
     if (lost.feed->host().id() != who->world) return nullptr;
@@ -84,7 +84,7 @@ ResumeRegistry::Place* ResumeRegistry::find_expected(std::string_view token, Wal
 ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now) {
     const std::lock_guard lock(mutex_);
     if (token.empty()) return {};
-    Place* found = nullptr;
+    Entry* found = nullptr;
     for (auto& [client, place] : places_)
         if (are_equal(place.resume_session->token, token)) found = &place;
     if (!found) found = find_expected(token, now);
@@ -102,7 +102,7 @@ std::vector<DisconnectedClient> ResumeRegistry::take_expired(Clock::time_point n
     std::vector<DisconnectedClient> expired;
     const std::lock_guard lock(mutex_);
     for (auto at = places_.begin(); at != places_.end();) {
-        Place& place = at->second;
+        Entry& place = at->second;
         if (!place.client || now < place.until) {
             ++at;
             continue;
@@ -117,7 +117,7 @@ std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string&
     const std::lock_guard lock(mutex_);
     auto oldest = places_.end();
     for (auto at = places_.begin(); at != places_.end(); ++at) {
-        const Place& place = at->second;
+        const Entry& place = at->second;
         if (!place.client || (!network.empty() && place.client->network != network)) continue;
         if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
     }

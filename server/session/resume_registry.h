@@ -95,17 +95,17 @@ public:
     std::size_t disconnected() const;
 
 private:
-    struct Place {
+    struct Entry {
         std::shared_ptr<ResumeSession> resume_session;
         std::unique_ptr<DisconnectedClient> client;  // null: its link is there
         Clock::time_point until{};
     };
 
-    Place* find_expected(std::string_view token, WallTime now);
+    Entry* find_expected(std::string_view token, WallTime now);
 
     mutable std::mutex mutex_;
     std::string secret_;  // empty: none
-    std::map<ClientId, Place> places_;
+    std::map<ClientId, Entry> places_;
 };
 
 }  // namespace jostle::server

@@ -24,7 +24,7 @@ wire::BaselineFrames BaselineTracker::bases_for(std::uint32_t frame) const {
     return baselines;
 }
 
-bool BaselineTracker::go_back_to(std::uint32_t frame) {
+bool BaselineTracker::roll_back_to(std::uint32_t frame) {
     while (!sent_.empty() && sent_.back() > frame) sent_.pop_back();
     if (!sent_.empty() && sent_.back() == frame) return true;
     reset();

@@ -24,7 +24,7 @@ public:
     void on_sent(std::uint32_t frame);
     // The client has that frame and forgot those that were sent after it. False: that one is not
     // known, and the next snapshot is absolute.
-    bool go_back_to(std::uint32_t frame);
+    bool roll_back_to(std::uint32_t frame);
     // The client lost track: the next snapshot is absolute.
     void reset() { sent_.clear(); }
     std::uint32_t last() const { return sent_.empty() ? 0 : sent_.back(); }

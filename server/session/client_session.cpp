@@ -236,7 +236,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
                     .cells = interest_ != nullptr,
                     .resume_token = resume_session_ ? resume_session_->token : std::string(),
                     .resumed = lost != nullptr,
-                    .state_preserved = gone.has_value(),
+                    .state_preserved = removed.has_value(),
                     .last_sequence = confirmed(),
                     .resume_timeout_seconds = resume_session_ ? context_.config.client.resume_timeout_seconds : 0};
     offer_datagrams(hello, welcome);

@@ -73,12 +73,12 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
 // Who is gone, of those that this client knows.
 void ClientSession::send_removed(const std::shared_ptr<const EntityList>& entities) {
     if (entity_list_) {
-        std::vector<EntityId> gone;
+        std::vector<EntityId> removed;
         for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
-            if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
+            if (id < known_entities_.size() && known_entities_[id]) removed.push_back(id);
         if (!gone.empty())
             outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
-        for (const EntityId id : gone) known_entities_[id] = false;
+        for (const EntityId id : removed) known_entities_[id] = false;
     }
     entity_list_ = entities;
 }

@@ -178,16 +178,16 @@ std::optional<std::vector<EntityId>> ClientSession::take_over(DisconnectedClient
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),
                     std::make_move_iterator(lost.results.end()));
     if (interest_ || !lost.stream_resumable || !known.list || channel_kinds_ != lost.channel_kinds ||
-        !lost.baselines.go_back_to(frame))
+        !lost.baselines.roll_back_to(frame))
         return std::nullopt;
     baselines_ = std::move(lost.baselines);
     sent_log_ = std::move(lost.sent);
-    sent_log_.go_back_to(frame);
+    sent_log_.roll_back_to(frame);
     entity_list_ = std::move(known.list);
     sent_geometry_ = std::move(lost.sent_geometry);
     for (const std::uint64_t id : known.geometry) sent_geometry_.erase(id);
     if (wants_events_) event_cursor_ = known.events;
-    return std::move(known.gone);
+    return std::move(known.removed);
 }
 
 }  // namespace jostle::server

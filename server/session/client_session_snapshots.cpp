@@ -150,9 +150,9 @@ std::string ClientSession::take_events(const Frame& frame) {
     if (!wants_events_) return fields;
     const auto& ticks = frame.events->ticks;
     const std::uint32_t gone = frame.events->count - static_cast<std::uint32_t>(ticks.size());
-    if (event_cursor_ < gone) {
+    if (event_cursor_ < removed) {
         events_missed_ += gone - event_cursor_;
-        event_cursor_ = gone;
+        event_cursor_ = removed;
     }
     for (; event_cursor_ < frame.events->count; event_cursor_++) {
         const SharedBytes shared = feed_->events(ticks[event_cursor_ - gone]);

@@ -29,7 +29,7 @@ void ResumeRegistry::expect(DisconnectedClient client, Clock::time_point until) 
     auto resume_session = std::make_shared<ResumeSession>();
     resume_session->client = client.client;
     const std::lock_guard lock(mutex_);
-    places_[resume_session->client] = {
+    entries_[resume_session->client] = {
         .resume_session = resume_session, .client = std::make_unique<DisconnectedClient>(std::move(client)), .until = until};
 }
 
@@ -45,19 +45,19 @@ std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const Resum
         resume_session->token.resize(token_bytes);
         if (::getentropy(resume_session->token.data(), resume_session->token.size()) != 0) return nullptr;
     }
-    places_[client] = {.resume_session = resume_session, .client = nullptr};
+    entries_[client] = {.resume_session = resume_session, .client = nullptr};
     return resume_session;
 }
 
 void ResumeRegistry::close(const ResumeSession& resume_session) {
     const std::lock_guard lock(mutex_);
-    places_.erase(resume_session.client);
+    entries_.erase(resume_session.client);
 }
 
 void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until) {
     const std::lock_guard lock(mutex_);
-    const auto at = places_.find(resume_session.client);
-    if (at == places_.end()) return;
+    const auto at = entries_.find(resume_session.client);
+    if (at == entries_.end()) return;
     at->second.client = std::make_unique<DisconnectedClient>(std::move(client));
     at->second.until = until;
 }
@@ -67,8 +67,8 @@ ResumeRegistry::Entry* ResumeRegistry::find_expected(std::string_view token, Wal
     if (secret_.empty()) return nullptr;
     std::optional<ResumeToken> who = open_token(token, secret_, now);
     if (!who) return nullptr;
-    const auto at = places_.find(who->client);
-    if (at == places_.end()) return nullptr;
+    const auto at = entries_.find(who->client);
+    if (at == entries_.end()) return nullptr;
     Entry& place = at->second;
     if (!place.resume_session->token.empty() || !place.client) return nullptr;
     DisconnectedClient& lost = *place.client;
@@ -85,7 +85,7 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
     const std::lock_guard lock(mutex_);
     if (token.empty()) return {};
     Entry* found = nullptr;
-    for (auto& [client, place] : places_)
+    for (auto& [client, place] : entries_)
         if (are_equal(place.resume_session->token, token)) found = &place;
     if (!found) found = find_expected(token, now);
     if (!found) return {};
@@ -101,36 +101,36 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
 std::vector<DisconnectedClient> ResumeRegistry::take_expired(Clock::time_point now) {
     std::vector<DisconnectedClient> expired;
     const std::lock_guard lock(mutex_);
-    for (auto at = places_.begin(); at != places_.end();) {
+    for (auto at = entries_.begin(); at != entries_.end();) {
         Entry& place = at->second;
         if (!place.client || now < place.until) {
             ++at;
             continue;
         }
         expired.push_back(*std::move(place.client));
-        at = places_.erase(at);
+        at = entries_.erase(at);
     }
     return expired;
 }
 
 std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string& network) {
     const std::lock_guard lock(mutex_);
-    auto oldest = places_.end();
-    for (auto at = places_.begin(); at != places_.end(); ++at) {
+    auto oldest = entries_.end();
+    for (auto at = entries_.begin(); at != entries_.end(); ++at) {
         const Entry& place = at->second;
         if (!place.client || (!network.empty() && place.client->network != network)) continue;
-        if (oldest == places_.end() || place.until < oldest->second.until) oldest = at;
+        if (oldest == entries_.end() || place.until < oldest->second.until) oldest = at;
     }
-    if (oldest == places_.end()) return std::nullopt;
+    if (oldest == entries_.end()) return std::nullopt;
     std::optional<DisconnectedClient> client = std::move(*oldest->second.client);
-    places_.erase(oldest);
+    entries_.erase(oldest);
     return client;
 }
 
 std::size_t ResumeRegistry::disconnected() const {
     const std::lock_guard lock(mutex_);
     std::size_t count = 0;
-    for (const auto& [client, place] : places_) count += place.client ? 1 : 0;
+    for (const auto& [client, place] : entries_) count += place.client ? 1 : 0;
     return count;
 }
 

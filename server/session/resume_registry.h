@@ -105,7 +105,7 @@ private:
 
     mutable std::mutex mutex_;
     std::string secret_;  // empty: none
-    std::map<ClientId, Entry> places_;
+    std::map<ClientId, Entry> entries_;
 };
 
 }  // namespace jostle::server

@@ -43,7 +43,7 @@ void SentLog::on_ack(std::uint32_t frame) {
     while (!shapes_.empty() && shapes_.front().after_frame < frame) shapes_.pop_front();
 }
 
-void SentLog::go_back_to(std::uint32_t frame) {
+void SentLog::roll_back_to(std::uint32_t frame) {
     while (!sent_.empty() && sent_.back().frame > frame) sent_.pop_back();
 }
 
@@ -66,11 +66,11 @@ SentLog::Known SentLog::known_at(std::uint32_t frame, const EntityList& now) con
     for (const Told& told : lists_) {
         if (told.after_frame < frame) continue;
         for (const auto& entity : *told.list)
-            if (!holds(now, entity->id)) known.gone.push_back(entity->id);
+            if (!holds(now, entity->id)) known.removed.push_back(entity->id);
     }
-    std::ranges::sort(known.gone);
-    const auto repeated = std::ranges::unique(known.gone);
-    known.gone.erase(repeated.begin(), repeated.end());
+    std::ranges::sort(known.removed);
+    const auto repeated = std::ranges::unique(known.removed);
+    known.removed.erase(repeated.begin(), repeated.end());
     for (const Shape& shape : shapes_)
         if (shape.after_frame >= frame) known.geometry.push_back(shape.id);
     return known;

@@ -28,12 +28,12 @@ public:
     void on_ack(std::uint32_t frame);
 
     // The client forgot the snapshots that were sent after that one.
-    void go_back_to(std::uint32_t frame);
+    void roll_back_to(std::uint32_t frame);
 
     // Of a client that has that snapshot and may have some of what came after it.
     struct Known {
         std::shared_ptr<const EntityList> list;  // it has this
-        std::vector<EntityId> gone;              // it may have these, which are no more
+        std::vector<EntityId> removed;              // it may have these, which are no more
         std::vector<InputResult> results;        // to be told again, in order
         std::vector<std::uint64_t> geometry;     // likewise
         std::uint32_t events = 0;

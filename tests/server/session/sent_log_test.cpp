@@ -98,7 +98,7 @@ TEST(SentLog, a_stream_that_broke_twice_still_tells_of_both_breaks) {
     log.on_snapshot(10, {}, 0);
     log.on_list(list_of({1, 2}), 10);
     log.on_snapshot(11, {}, 0);
-    log.go_back_to(10);  // the first break; 2 is gone, and that was told and lost again
+    log.roll_back_to(10);  // the first break; 2 is gone, and that was told and lost again
     log.on_list(list_of({1, 3}), 10);
     EXPECT_EQ(log.known_at(10, *list_of({1, 3})).gone, Numbers{2});
     log.on_snapshot(20, {}, 0);

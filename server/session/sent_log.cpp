@@ -58,12 +58,12 @@ SentLog::Known SentLog::known_at(std::uint32_t frame, const EntityList& now) con
             known.results.insert(known.results.end(), sent.results.begin(), sent.results.end());
     }
     if (!was_sent || frame < acked_) return known;
-    for (const Told& told : lists_)
+    for (const SentList& told : lists_)
         if (told.after_frame < frame) known.list = told.list;
     if (!known.list) return known;
     // It has what of later lists came before the connection broke: of those who are no more by
     // now, nobody else would tell.
-    for (const Told& told : lists_) {
+    for (const SentList& told : lists_) {
         if (told.after_frame < frame) continue;
         for (const auto& entity : *told.list)
             if (!holds(now, entity->id)) known.removed.push_back(entity->id);

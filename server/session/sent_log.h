@@ -48,7 +48,7 @@ private:
         std::vector<InputResult> results;
         std::uint32_t events;
     };
-    struct Told {
+    struct SentList {
         std::shared_ptr<const EntityList> list;
         std::uint32_t after_frame;
     };
@@ -59,7 +59,7 @@ private:
 
     std::uint32_t acked_ = 0;
     Fifo<Sent> sent_;     // rising, from the acknowledged one on
-    Fifo<Told> lists_;    // in order; the first one is what the client has for certain
+    Fifo<SentList> lists_;    // in order; the first one is what the client has for certain
     Fifo<Shape> shapes_;  // in order
 };
 

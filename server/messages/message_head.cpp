@@ -12,7 +12,7 @@ namespace jostle::server {
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedOutputStream;
 
-std::string encode_head(int field_number, std::string_view own, std::size_t shared_bytes) {
+std::string encode_header(int field_number, std::string_view own, std::size_t shared_bytes) {
     const std::uint32_t tag =
         WireFormatLite::MakeTag(field_number, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
     std::array<std::uint8_t, 10> bytes{};  // a tag and a length of five bytes at most each

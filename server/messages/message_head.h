@@ -11,6 +11,6 @@ namespace jostle::server {
 
 // A field of a message whose content is `own` and, after these bytes, `shared_bytes` more: its
 // tag, its length, then `own`.
-std::string encode_head(int field_number, std::string_view own, std::size_t shared_bytes);
+std::string encode_header(int field_number, std::string_view own, std::size_t shared_bytes);
 
 }  // namespace jostle::server

@@ -215,7 +215,7 @@ std::string encode_snapshot_head(const ClientUpdate& from, std::string_view more
     }
     std::string own = fields.SerializeAsString();
     own += more;
-    return encode_head(v1::ServerMessage::kSnapshotFieldNumber, own, shared_bytes);
+    return encode_header(v1::ServerMessage::kSnapshotFieldNumber, own, shared_bytes);
 }
 
 }  // namespace jostle::server

@@ -218,7 +218,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
     const auto gone =
-        lost ? take_over(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
+        lost ? resume_stream(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
     Welcome welcome{.client = client_,
                     .world_id = world->id(),
                     .world_name = world->name(),

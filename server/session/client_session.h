@@ -89,7 +89,7 @@ private:
     // client_session_resume.cpp: how a conversation goes on after its connection broke.
     bool resume(const Hello& hello, Clock::time_point now);
     Status may_resume(const Hello& hello, const DisconnectedClient& lost);
-    std::optional<std::vector<EntityId>> take_over(DisconnectedClient& lost, std::uint32_t frame,
+    std::optional<std::vector<EntityId>> resume_stream(DisconnectedClient& lost, std::uint32_t frame,
                                                    const EntityList& now);
     Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.

@@ -27,7 +27,7 @@ std::shared_ptr<WorldHost> host_of(PlayContext& context, const DisconnectedClien
     return context.worlds.find(host.id());
 }
 
-void let_go(PlayContext& context, const DisconnectedClient& lost) {
+void release(PlayContext& context, const DisconnectedClient& lost) {
     log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
     context.sessions.leave(lost.client);
     if (const auto host = host_of(context, lost))
@@ -64,7 +64,7 @@ void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const C
 }
 
 void remove_expired_clients(PlayContext& context, Clock::time_point now) {
-    for (const DisconnectedClient& lost : context.resume_registry.take_expired(now)) let_go(context, lost);
+    for (const DisconnectedClient& lost : context.resume_registry.take_expired(now)) release(context, lost);
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
@@ -76,7 +76,7 @@ Result<ClientId> ClientSession::acquire_client_id(const WorldHost& world) {
     if (!lost && context_.sessions.clients() >= context_.config.world.clients_max)
         lost = context_.resume_registry.take_oldest({});
     if (!lost) return client;
-    let_go(context_, *lost);
+    release(context_, *lost);
     return context_.sessions.enter(world.id(), network);
 }
 
@@ -153,7 +153,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     const Status may = world_is_there ? may_resume(hello, lost) : Status();
     if (!world_is_there || (!may.ok() && may.error().code == ErrorCode::not_found)) {
         context_.resume_registry.close(*claim.resume_session);
-        let_go(context_, lost);
+        release(context_, lost);
         return false;
     }
     if (!may.ok()) {
@@ -169,7 +169,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
 }
 
 // Whom it may know that is no more, if it goes on from that frame; nothing: it begins anew.
-std::optional<std::vector<EntityId>> ClientSession::take_over(DisconnectedClient& lost, std::uint32_t frame,
+std::optional<std::vector<EntityId>> ClientSession::resume_stream(DisconnectedClient& lost, std::uint32_t frame,
                                                            const EntityList& now) {
     last_sequence_ = lost.last_sequence;
     persisted_sequence_ = lost.persisted_sequence;

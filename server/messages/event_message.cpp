@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "jostle/v1/play.pb.h"
-#include "server/messages/message_head.h"
+#include "server/messages/message_header.h"
 #include "server/messages/vector_message.h"
 
 namespace jostle::server {

@@ -23,8 +23,8 @@ grpc::Slice share(const SharedBytes& bytes) {
 grpc::ByteBuffer to_byte_buffer(const OutMessage& message) {
     std::array<grpc::Slice, 2> slices;
     std::size_t count = 0;
-    if (!message.head.empty()) {
-        slices[count++] = grpc::Slice(message.head.data(), message.head.size());
+    if (!message.header.empty()) {
+        slices[count++] = grpc::Slice(message.header.data(), message.header.size());
     }
     if (message.shared && !message.shared->empty()) slices[count++] = share(message.shared);
     if (message.cells.empty()) return grpc::ByteBuffer(slices.data(), count);

@@ -83,7 +83,7 @@ std::string encode_shared_events(const TickEvents& from) {
     return events.SerializeAsString();
 }
 
-std::string encode_events_head(std::uint32_t missed, std::size_t shared_bytes) {
+std::string encode_events_header(std::uint32_t missed, std::size_t shared_bytes) {
     v1::Events own;
     own.set_missed(missed);
     return encode_header(v1::Snapshot::kEventsFieldNumber, own.SerializeAsString(), shared_bytes);

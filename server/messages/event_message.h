@@ -15,6 +15,6 @@ namespace jostle::server {
 
 std::string encode_shared_events(const TickEvents& events);
 // `missed`: ticks with events that this client was not sent since the last ones.
-std::string encode_events_head(std::uint32_t missed, std::size_t shared_bytes);
+std::string encode_events_header(std::uint32_t missed, std::size_t shared_bytes);
 
 }  // namespace jostle::server

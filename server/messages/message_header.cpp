@@ -21,8 +21,8 @@ std::string encode_header(int field_number, std::string_view own, std::size_t sh
         static_cast<std::uint32_t>(own.size() + shared_bytes), end);
     std::string head(reinterpret_cast<const char*>(bytes.data()),
                      static_cast<std::size_t>(end - bytes.data()));
-    head += own;
-    return head;
+    header += own;
+    return header;
 }
 
 }  // namespace jostle::server

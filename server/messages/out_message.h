@@ -14,18 +14,18 @@
 namespace jostle::server {
 
 struct OutMessage {
-    std::string head;                  // first on the wire
+    std::string header;                  // first on the wire
     SharedBytes shared;                // then this; null: nothing
     std::vector<SharedBytes> cells{};  // then these; none of them null
 
     std::size_t size() const {
-        std::size_t bytes = head.size() + (shared ? shared->size() : 0);
+        std::size_t bytes = header.size() + (shared ? shared->size() : 0);
         for (const SharedBytes& cell : cells) bytes += cell->size();
         return bytes;
     }
     // For who does not send pieces.
-    std::string in_one() const {
-        std::string bytes = head + (shared ? *shared : "");
+    std::string concatenated() const {
+        std::string bytes = header + (shared ? *shared : "");
         for (const SharedBytes& cell : cells) bytes += *cell;
         return bytes;
     }

@@ -151,9 +151,9 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     return snapshot.SerializeAsString();
 }
 
-std::string encode_driven_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                std::span<const std::uint32_t> before, bool whole) {
-    if (whole) before = {};
+std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool keyframe) {
+    if (keyframe) before = {};
     wire::WordChanges changes = wire::changes_between(before, driven.words);
     v1::Snapshot fields;
     v1::Driven& to = *fields.mutable_controlled_entity();
@@ -161,7 +161,7 @@ std::string encode_driven_field(const ControlledEntityState& driven, std::uint32
     to.set_module(driven.module);
     to.set_tick(tick);
     to.set_words(static_cast<std::uint32_t>(driven.words.size()));
-    to.set_keyframe(whole);
+    to.set_keyframe(keyframe);
     to.set_changed_mask(std::move(changes.changed));
     to.set_values(std::move(changes.values));
     return fields.SerializeAsString();
@@ -200,7 +200,7 @@ void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
 
 }  // namespace
 
-std::string encode_snapshot_head(const ClientUpdate& from, std::string_view more,
+std::string encode_snapshot_header(const ClientUpdate& from, std::string_view more,
                                  std::size_t shared_bytes) {
     v1::Snapshot fields;
     if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||

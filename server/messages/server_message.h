@@ -70,8 +70,8 @@ struct ClientUpdate {
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
 // What the client drives, against the words that it was told last; `whole`: against none.
-std::string encode_driven_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                std::span<const std::uint32_t> before, bool whole);
+std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
+                                std::span<const std::uint32_t> before, bool keyframe);
 
 // The fields of jostle.v1.Snapshot that all clients share.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
@@ -80,7 +80,7 @@ std::string encode_cell_field(const EncodedCell& cell);
 std::string encode_cells_left_field(std::span<const CellId> cells);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
-std::string encode_snapshot_head(const ClientUpdate& own, std::string_view more,
+std::string encode_snapshot_header(const ClientUpdate& own, std::string_view more,
                                  std::size_t shared_bytes);
 
 }  // namespace jostle::server

@@ -42,7 +42,7 @@ OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_
     const std::vector<CellId> left = interest_->take_left();
     std::string fields = left.empty() ? std::string() : encode_cells_left_field(left);
     OutMessage message = snapshot_of(frame, now, std::move(fields), std::move(cells));
-    interest_->spend(message.head.size() + message.shared->size(), false);
+    interest_->spend(message.header.size() + message.shared->size(), false);
     return message;
 }
 

@@ -83,7 +83,7 @@ void ClientSession::send_datagram(Clock::time_point now) {
     const SharedBytes shared = feed_->snapshots().encoding(
         frame, datagrams_->frames().bases_for(frame->tick), channel_kinds_, codec_);
     if (!datagrams_->fits(shared->size() + client_update_bytes_max, now)) return;
-    const OutMessage message{encode_snapshot_head(datagram_client_update(), {}, shared->size()), shared};
+    const OutMessage message{encode_snapshot_header(datagram_client_update(), {}, shared->size()), shared};
     datagrams_->send(message, frame->tick, now);
     snapshot_due_ = false;
     last_snapshot_ = now;
@@ -111,7 +111,7 @@ std::optional<OutMessage> ClientSession::take_reply(Clock::time_point now) {
     }
     const std::string more = take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
-    OutMessage message{encode_snapshot_head(client_update(), more, 0), nullptr};
+    OutMessage message{encode_snapshot_header(client_update(), more, 0), nullptr};
     if (resume_session_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
     metrics_.answered(results_);
     results_.clear();

@@ -161,7 +161,7 @@ std::string ClientSession::take_events(const Frame& frame) {
             continue;
         }
         if (fields.size() + shared->size() > events_bytes_max) break;  // with the next one
-        fields += encode_events_head(std::exchange(events_missed_, 0), shared->size());
+        fields += encode_events_header(std::exchange(events_missed_, 0), shared->size());
         fields += *shared;
     }
     return fields;
@@ -177,7 +177,7 @@ std::string ClientSession::take_controlled_entity(const Frame& frame) {
     const double every = std::max(1.0, std::round(feed_->host().hz() / controlled_entity_updates_per_second));
     if (!whole && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every)) return {};
     if (!sent_controlled_entity_) sent_controlled_entity_ = std::make_unique<SentControlledEntity>();
-    std::string field = encode_driven_field(*mine, frame.tick, sent_controlled_entity_->words, whole);
+    std::string field = encode_controlled_entity_field(*mine, frame.tick, sent_controlled_entity_->words, whole);
     *sent_controlled_entity_ = {mine->entity, frame.tick, mine->words};
     return field;
 }
@@ -228,7 +228,7 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
                                     interest_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
-    OutMessage message{encode_snapshot_head(client_update(), more, shared->size() + cells_bytes),
+    OutMessage message{encode_snapshot_header(client_update(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};
     metrics_.answered(results_);
     if (resume_session_) sent_log_.on_snapshot(frame->tick, results_, event_cursor_);

@@ -39,7 +39,7 @@ bool DatagramSession::fits(std::size_t bytes, Clock::time_point now) {
 
 void DatagramSession::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
     const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
-    const std::array pieces{std::string_view(snapshot.head), shared};
+    const std::array pieces{std::string_view(snapshot.header), shared};
     connection_->send(pieces, now);
     frames_.on_sent(frame, true);
     last_sent_ = frame;

@@ -75,7 +75,7 @@ private:
             const auto out = link_.take_message(now_);
             if (!out) return;
             v1::ServerMessage message;
-            expect(message.ParseFromString(out->in_one()),
+            expect(message.ParseFromString(out->concatenated()),
                    "what the server sends is a ServerMessage");
             state_.take(message);
         }

@@ -169,7 +169,7 @@ std::vector<std::string> server_messages(bool events) {
                             now);
     std::vector<std::string> said;
     const auto listen = [&] {
-        while (const auto out = link.take_message(now)) said.push_back(out->in_one());
+        while (const auto out = link.take_message(now)) said.push_back(out->concatenated());
     };
     link.receive(hello(events).SerializeAsString(), now);
     for (std::uint32_t round = 0; round < 4; round++) {

@@ -80,7 +80,7 @@ void Line::write(Clock::time_point now) {
             return;
         }
         if (hung_up_) continue;
-        down_.put(out->in_one(), arrival(now));
+        down_.put(out->concatenated(), arrival(now));
     }
     session_.wait_for_write(now);
     // As the transports do with who takes nothing: nobody waits for the last word to be heard.

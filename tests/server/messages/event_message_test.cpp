@@ -36,7 +36,7 @@ void expect_contact(const v1::ContactEvent& event) {
 TEST(EventMessage, every_kind_is_in_its_field) {
     const std::string shared = encode_shared_events(one_of_each_kind());
     v1::Snapshot snapshot;
-    ASSERT_TRUE(snapshot.ParseFromString(encode_events_head(7, shared.size()) + shared));
+    ASSERT_TRUE(snapshot.ParseFromString(encode_events_header(7, shared.size()) + shared));
     ASSERT_EQ(snapshot.events_size(), 1);
     const v1::Events& events = snapshot.events(0);
     EXPECT_EQ(events.tick(), 9u);

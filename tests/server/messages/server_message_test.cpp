@@ -24,7 +24,7 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
     const std::string shared = encode_shared_snapshot(encoded);
     for (const ClientUpdate own :
          {ClientUpdate{}, ClientUpdate{0xffffffff, 0xffffffff, 0xffffffff, {}, -1'000'000'000}}) {
-        const auto message = parse(encode_snapshot_head(own, "", shared.size()) + shared);
+        const auto message = parse(encode_snapshot_header(own, "", shared.size()) + shared);
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();
         EXPECT_EQ(snapshot.frame(), 300u);
@@ -47,7 +47,7 @@ TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seven
     with_body.packed.resize(1000, std::byte{7});
     const auto size = [](const EncodedSnapshot& snapshot) {
         const std::string shared = encode_shared_snapshot(snapshot);
-        return encode_snapshot_head({}, "", shared.size()).size() + shared.size();
+        return encode_snapshot_header({}, "", shared.size()).size() + shared.size();
     };
     EXPECT_EQ(size(with_body) - 1000, 17u);
     EXPECT_EQ(size(encoded), 13u) << "nothing moved";
@@ -58,7 +58,7 @@ TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
     frame.tick = 77;
     const std::string shared = encode_shared_snapshot({.frame = 77});
     const auto message =
-        parse(encode_snapshot_head({}, encode_stats_field(frame, 3), shared.size()) + shared);
+        parse(encode_snapshot_header({}, encode_stats_field(frame, 3), shared.size()) + shared);
     EXPECT_EQ(message.snapshot().stats().tick(), 77u);
     EXPECT_EQ(message.snapshot().stats().clients(), 3u);
     EXPECT_EQ(message.snapshot().frame(), 77u);
@@ -71,7 +71,7 @@ TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
     encoded.channels = {.bytes = {std::byte{0}, std::byte{255}}, .crc = 0xdeadbeef};
     const std::string shared = encode_shared_snapshot(encoded);
     EXPECT_EQ(shared.substr(0, without.size()), without) << "all else has the bytes that it had";
-    const auto message = parse(encode_snapshot_head({}, "", shared.size()) + shared);
+    const auto message = parse(encode_snapshot_header({}, "", shared.size()) + shared);
     EXPECT_EQ(message.snapshot().channels(), std::string("\x00\xff", 2));
     EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
 }
@@ -99,7 +99,7 @@ TEST(ServerMessage, results_and_notices_keep_code_and_text) {
                               .status = Error{ErrorCode::permission_denied, "not yours"},
                               .tick = 77,
                               .entity = 6};
-    const auto told = parse(encode_snapshot_head({.results = std::span(&refused, 1)}, "", 0));
+    const auto told = parse(encode_snapshot_header({.results = std::span(&refused, 1)}, "", 0));
     const v1::InputResult& result = told.snapshot().client_update().results(0);
     EXPECT_EQ(result.sequence(), 5u);
     EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);

@@ -68,7 +68,7 @@ struct TestClient {
     void listen(Clock::duration later = 0s) {
         while (std::optional<OutMessage> out = session.take_message(Clock::now() + later)) {
             v1::ServerMessage message;
-            const std::string bytes = out->in_one();
+            const std::string bytes = out->concatenated();
             ASSERT_TRUE(message.ParseFromString(bytes));
             bytes_taken += bytes.size();
             kinds.push_back(message.message_case());

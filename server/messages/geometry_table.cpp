@@ -44,7 +44,7 @@ std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::G
     v1::Shape shape;
     scenes::write_outline(shape, geometry, {});
     std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());
-    by_address_.emplace(address, Seen{geometry, made});
+    by_address_.emplace(address, Known{geometry, made});
     return made;
 }
 

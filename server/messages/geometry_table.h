@@ -34,11 +34,11 @@ public:
 private:
     std::shared_ptr<const LargeGeometry> find_or_add(std::string bytes);
 
-    struct Seen {
+    struct Known {
         physics::Geometry held;  // so that no other shape can have its address
         std::shared_ptr<const LargeGeometry> geometry;
     };
-    std::map<const void*, Seen> by_address_;
+    std::map<const void*, Known> by_address_;
     struct Content {
         std::string bytes;
         std::shared_ptr<const LargeGeometry> geometry;

@@ -14,7 +14,7 @@ constexpr std::size_t question_bytes_max = 4 * 1024 * 1024;  // a hundred hulls 
 
 template <class Request, class Response>
 CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
-                    Status (QueryControl::*ask)(const Request&, Response&, const StillWanted&)
+                    Status (QueryControl::*ask)(const Request&, Response&, const CancellationCheck&)
                         const) {
     return world_method<Request, Response>(
         std::string("/jostle.v1.QueryService/") + name, CallWork::query, question_bytes_max, worlds,

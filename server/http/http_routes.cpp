@@ -69,7 +69,7 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
 template <class Request, class Response>
 HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
                  const std::function<Status(const std::string&)>& authorize_world,
-                 Status (QueryControl::*method)(const Request&, Response&, const StillWanted&)
+                 Status (QueryControl::*method)(const Request&, Response&, const CancellationCheck&)
                      const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;

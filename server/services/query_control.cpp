@@ -191,7 +191,7 @@ CopyLayers layers_of(const v1::DebugRequest& request) {
 }  // namespace
 
 Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
-                               const StillWanted& wanted) const {
+                               const CancellationCheck& wanted) const {
     if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
         return invalid_argument(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
@@ -217,7 +217,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
 
 Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                                  v1::CastShapesResponse& response,
-                                 const StillWanted& wanted) const {
+                                 const CancellationCheck& wanted) const {
     if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
         return invalid_argument(
@@ -252,7 +252,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
 }
 
 Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
-                             const StillWanted&) const {
+                             const CancellationCheck&) const {
     physics::ShapeDef shape;
     switch (request.what_case()) {
         case v1::OverlapRequest::kShape: {
@@ -286,7 +286,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
 }
 
 Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
-                                    v1::ClosestPointsResponse& response, const StillWanted&) const {
+                                    v1::ClosestPointsResponse& response, const CancellationCheck&) const {
     if (Status s = check_count("points", request.points_size(), points_max); !s.ok()) return s;
     if (Status s = check_number("max_distance", request.max_distance(), 0, coordinate_max); !s.ok())
         return s;
@@ -315,7 +315,7 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
 }
 
 Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response,
-                           const StillWanted&) const {
+                           const CancellationCheck&) const {
     const Result<QueryFramePtr> frame = debug_frame(request);
     if (!frame.ok()) return frame.error();
     write_debug(request, **frame, response);

@@ -22,7 +22,7 @@ constexpr int hull_points_max = 1000;
 constexpr std::size_t hits_max = 50000;
 constexpr double coordinate_max = physics::limits::max_coordinate;  // m
 
-Error no_longer_wanted() {
+Error cancelled() {
     return {ErrorCode::deadline_exceeded, "the deadline passed while the answer was made"};
 }
 
@@ -191,7 +191,7 @@ CopyLayers layers_of(const v1::DebugRequest& request) {
 }  // namespace
 
 Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
-                               const CancellationCheck& wanted) const {
+                               const CancellationCheck& still_needed) const {
     if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
         return invalid_argument(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
@@ -206,7 +206,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
-        if (!wanted()) return no_longer_wanted();
+        if (!still_needed()) return cancelled();
         const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
         if (Status s = cast_one(cast, request.mode(), filter, *asked, *response.add_rays(), total);
             !s.ok())
@@ -217,7 +217,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
 
 Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                                  v1::CastShapesResponse& response,
-                                 const CancellationCheck& wanted) const {
+                                 const CancellationCheck& still_needed) const {
     if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
         return invalid_argument(
@@ -225,7 +225,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                         static_cast<int>(request.mode())));
     std::vector<physics::ShapeCast> casts;
     for (int i = 0; i < request.shapes_size(); i++) {
-        if (!wanted()) return no_longer_wanted();
+        if (!still_needed()) return cancelled();
         const std::string field = fmt::format("shapes[{}]", i);
         const v1::MovingShape& moving = request.shapes(i);
         const Result<physics::ShapeDef> shape = read_shape(moving.shape(), field + ".shape");
@@ -240,7 +240,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
-        if (!wanted()) return no_longer_wanted();
+        if (!still_needed()) return cancelled();
         v1::Hits& hits = *response.add_shapes();
         Status s =
             request.mode() == v1::HIT_MODE_ALL

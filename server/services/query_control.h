@@ -38,16 +38,16 @@ public:
 
     // Work of many parts asks between them whether the answer is still wanted.
     Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
-                     const CancellationCheck& wanted = always) const;
+                     const CancellationCheck& still_needed = always) const;
     Status cast_shapes(const v1::CastShapesRequest& request, v1::CastShapesResponse& response,
-                       const CancellationCheck& wanted = always) const;
+                       const CancellationCheck& still_needed = always) const;
     Status overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
-                   const CancellationCheck& wanted = always) const;
+                   const CancellationCheck& still_needed = always) const;
     Status closest_points(const v1::ClosestPointsRequest& request,
                           v1::ClosestPointsResponse& response,
-                          const CancellationCheck& wanted = always) const;
+                          const CancellationCheck& still_needed = always) const;
     Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
-                 const CancellationCheck& wanted = always) const;
+                 const CancellationCheck& still_needed = always) const;
     // Its two halves, for who keeps answers: the same request about the same copy gets the same.
     Result<QueryFramePtr> debug_frame(const v1::DebugRequest& request) const;
     static void write_debug(const v1::DebugRequest& request, const QueryFrame& frame,

@@ -132,14 +132,14 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 // --- asking ---
 
 template <class Request>
-Result<QuerySubject> ask(const WorldDirectory& worlds, const Request& request,
+Result<QueryTarget> ask(const WorldDirectory& worlds, const Request& request,
                          const RewindView::CandidateFilter& candidate_filter = any_candidate) {
     return query_subject(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
                          candidate_filter);
 }
 
 template <class Response>
-void write_view_time(Response& to, const QuerySubject& asked) {
+void write_view_time(Response& to, const QueryTarget& asked) {
     to.set_tick(asked.tick);
     to.set_view_time_clamped(asked.clamped);
 }
@@ -167,7 +167,7 @@ Status check_ray(const v1::Ray& ray, int number) {
 }
 
 Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
-                const QuerySubject& asked, v1::Hits& hits, std::size_t& total) {
+                const QueryTarget& asked, v1::Hits& hits, std::size_t& total) {
     const QueryFrame& frame = *asked.frame;
     if (mode == v1::HIT_MODE_ALL)
         return write_hits(hits, asked.queries.cast_ray_all(ray, filter), frame, total);
@@ -199,7 +199,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
                                             static_cast<int>(v1::HitMode_MAX)));
     for (int i = 0; i < request.rays_size(); i++)
         if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
-    const Result<QuerySubject> asked = ask(context_.worlds, request, along_rays(request));
+    const Result<QueryTarget> asked = ask(context_.worlds, request, along_rays(request));
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
     write_view_time(response, *asked);
@@ -233,7 +233,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
         if (Status s = check_vector(field + ".motion", moving.motion()); !s.ok()) return s;
         casts.push_back({shape->geometry, shape->pose, to_vector(moving.motion())});
     }
-    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    const Result<QueryTarget> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
     write_view_time(response, *asked);
@@ -267,7 +267,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
         case v1::OverlapRequest::WHAT_NOT_SET:
             return invalid_argument("give shape or point");
     }
-    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    const Result<QueryTarget> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
     write_view_time(response, *asked);
@@ -296,7 +296,7 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
             return s;
         points.push_back(to_vector(request.points(i)));
     }
-    const Result<QuerySubject> asked = ask(context_.worlds, request);
+    const Result<QueryTarget> asked = ask(context_.worlds, request);
     if (!asked.ok()) return asked.error();
     const QueryFramePtr& frame = asked->frame;
     write_view_time(response, *asked);

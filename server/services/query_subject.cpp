@@ -44,7 +44,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
     return frame_of(**world, parts);
 }
 
-Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::string& name,
+Result<QueryTarget> query_subject(const WorldDirectory& worlds, const std::string& name,
                                    const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
@@ -52,13 +52,13 @@ Result<QuerySubject> query_subject(const WorldDirectory& worlds, const std::stri
     if (!world.ok()) return world.error();
     const Result<QueryFramePtr> frame = frame_of(**world, copy_shapes);
     if (!frame.ok()) return frame.error();
-    QuerySubject now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
+    QueryTarget now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
     if (!view_time) return now;
     const RewindView past(*(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
     const Result<physics::Queries> then =
         now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, candidate_filter));
     if (!then.ok()) return Error{ErrorCode::internal, then.error().message};
-    return QuerySubject{now.frame, *then, past.tick(), past.clamped()};
+    return QueryTarget{now.frame, *then, past.tick(), past.clamped()};
 }
 
 }  // namespace jostle::server

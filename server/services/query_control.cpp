@@ -9,7 +9,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
 #include "server/messages/vector_message.h"
-#include "server/services/query_subject.h"
+#include "server/services/query_target.h"
 
 namespace jostle::server {
 
@@ -134,7 +134,7 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 template <class Request>
 Result<QueryTarget> ask(const WorldDirectory& worlds, const Request& request,
                          const RewindView::CandidateFilter& candidate_filter = any_candidate) {
-    return query_subject(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
+    return query_target(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
                          candidate_filter);
 }
 

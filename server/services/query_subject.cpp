@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/services/query_subject.h"
+#include "server/services/query_target.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -44,7 +44,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
     return frame_of(**world, parts);
 }
 
-Result<QueryTarget> query_subject(const WorldDirectory& worlds, const std::string& name,
+Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& name,
                                    const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();

@@ -29,7 +29,7 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
                                      CopyLayers parts);
 
 // `seen` null: now. Of the past only what may be met.
-Result<QueryTarget> query_subject(const WorldDirectory& worlds, const std::string& world,
+Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& world,
                                    const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter);
 
 // For questions about all of a world.

@@ -157,7 +157,7 @@ private:
 
     // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
-    std::shared_ptr<WorldFeed> feed_;
+    std::shared_ptr<BroadcastCache> feed_;
     ClientLimits limits_;
     std::shared_ptr<ResumeSession> resume_session_;  // null: its place is not kept
     SentLog sent_log_;                      // of one with a seat

@@ -19,22 +19,22 @@ SharedBytes share(std::string bytes) {
 
 }  // namespace
 
-WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host, double interest_cell_m)
+BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
       snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
       cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {}
 
-CellFeed::Cells WorldFeed::cells_of(const FramePtr& frame) {
+CellFeed::Cells BroadcastCache::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
 }
 
-EntityUpdateMessages WorldFeed::entity_update_for(const EntityList& entities) {
+EntityUpdateMessages BroadcastCache::entity_update_for(const EntityList& entities) {
     const std::lock_guard lock(mutex_);
     static const EntityList nothing;
     return entity_update_messages(nothing, entities, geometry_);
 }
 
-std::shared_ptr<const EntityUpdateMessages> WorldFeed::entity_list_change(
+std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
     const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
     const std::lock_guard lock(mutex_);
     for (const EntityListChange& change : entity_list_changes_) {
@@ -49,7 +49,7 @@ std::shared_ptr<const EntityUpdateMessages> WorldFeed::entity_list_change(
     return messages;
 }
 
-SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
+SharedBytes BroadcastCache::world_stats(const FramePtr& frame, std::uint32_t clients) {
     const std::lock_guard lock(mutex_);
     if (stats_frame_ != frame || stats_clients_ != clients) {
         stats_ = share(encode_stats_field(*frame, clients));
@@ -59,7 +59,7 @@ SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients)
     return stats_;
 }
 
-SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
+SharedBytes BroadcastCache::events(const std::shared_ptr<const TickEvents>& tick) {
     const std::lock_guard lock(mutex_);
     const auto known =
         std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
@@ -70,14 +70,14 @@ SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
     return bytes;
 }
 
-std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
+std::shared_ptr<BroadcastCache> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
                                                double interest_cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
-    std::weak_ptr<WorldFeed>& known = feeds_[host.get()];
-    std::shared_ptr<WorldFeed> feed = known.lock();
+    std::weak_ptr<BroadcastCache>& known = feeds_[host.get()];
+    std::shared_ptr<BroadcastCache> feed = known.lock();
     if (!feed) {
-        feed = std::make_shared<WorldFeed>(host, interest_cell_m);
+        feed = std::make_shared<BroadcastCache>(host, interest_cell_m);
         known = feed;
     }
     return feed;

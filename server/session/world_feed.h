@@ -20,9 +20,9 @@
 
 namespace jostle::server {
 
-class WorldFeed {
+class BroadcastCache {
 public:
-    WorldFeed(std::shared_ptr<WorldHost> host, double interest_cell_m);
+    BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m);
 
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
@@ -64,11 +64,11 @@ private:
 class WorldFeeds {
 public:
     // `interest_cell_m`: edge of the cells of a feed that is made.
-    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host, double interest_cell_m);
+    std::shared_ptr<BroadcastCache> feed_of(const std::shared_ptr<WorldHost>& host, double interest_cell_m);
 
 private:
     std::mutex mutex_;
-    std::map<const WorldHost*, std::weak_ptr<WorldFeed>> feeds_;
+    std::map<const WorldHost*, std::weak_ptr<BroadcastCache>> feeds_;
 };
 
 }  // namespace jostle::server

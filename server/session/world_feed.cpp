@@ -70,7 +70,7 @@ SharedBytes BroadcastCache::events(const std::shared_ptr<const TickEvents>& tick
     return bytes;
 }
 
-std::shared_ptr<BroadcastCache> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host,
+std::shared_ptr<BroadcastCache> BroadcastCaches::feed_of(const std::shared_ptr<WorldHost>& host,
                                                double interest_cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });

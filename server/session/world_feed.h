@@ -61,7 +61,7 @@ private:
 };
 
 // The feed of each world that has clients. Any thread.
-class WorldFeeds {
+class BroadcastCaches {
 public:
     // `interest_cell_m`: edge of the cells of a feed that is made.
     std::shared_ptr<BroadcastCache> feed_of(const std::shared_ptr<WorldHost>& host, double interest_cell_m);

@@ -13,7 +13,7 @@
 #include "server/limits/session_directory.h"
 #include "server/metrics/rpc_metrics.h"
 #include "server/session/resume_registry.h"
-#include "server/session/world_feed.h"
+#include "server/session/broadcast_cache.h"
 #include "server/udp/datagram_server.h"
 #include "server/world/world_directory.h"
 

@@ -24,7 +24,7 @@
 #include "server/replication/baseline_tracker.h"
 #include "server/session/resume_token.h"
 #include "server/session/sent_log.h"
-#include "server/session/world_feed.h"
+#include "server/session/broadcast_cache.h"
 #include "server/util/clock.h"
 #include "server/world/result_queue.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/session/world_feed.h"
+#include "server/session/broadcast_cache.h"
 
 #include <algorithm>
 

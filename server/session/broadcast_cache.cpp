@@ -70,17 +70,17 @@ SharedBytes BroadcastCache::events(const std::shared_ptr<const TickEvents>& tick
     return bytes;
 }
 
-std::shared_ptr<BroadcastCache> BroadcastCaches::feed_of(const std::shared_ptr<WorldHost>& host,
+std::shared_ptr<BroadcastCache> BroadcastCaches::cache_for(const std::shared_ptr<WorldHost>& host,
                                                double interest_cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
     std::weak_ptr<BroadcastCache>& known = feeds_[host.get()];
-    std::shared_ptr<BroadcastCache> feed = known.lock();
-    if (!feed) {
-        feed = std::make_shared<BroadcastCache>(host, interest_cell_m);
-        known = feed;
+    std::shared_ptr<BroadcastCache> broadcast = known.lock();
+    if (!broadcast) {
+        broadcast = std::make_shared<BroadcastCache>(host, interest_cell_m);
+        known = broadcast;
     }
-    return feed;
+    return broadcast;
 }
 
 }  // namespace jostle::server

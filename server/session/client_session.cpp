@@ -93,7 +93,7 @@ void ClientSession::handle_bytes(std::string_view bytes, Clock::time_point now) 
     if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
     const Result<ClientMessage> message = decode_client_message(bytes);
     if (!message.ok()) return refuse(message.error(), now);
-    if (!feed_ && !std::holds_alternative<Hello>(*message)) {
+    if (!broadcast_ && !std::holds_alternative<Hello>(*message)) {
         return refuse(Error{ErrorCode::failed_precondition, "the first message must be a Hello"},
                       now);
     }
@@ -119,7 +119,7 @@ void ClientSession::drop_message(Clock::time_point now) {
 }
 
 void ClientSession::on_message(const Hello& hello, Clock::time_point now) {
-    if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
+    if (broadcast_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
     if (context_.draining) {
         return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
     }
@@ -188,7 +188,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     spectator_ = hello.spectator;
-    feed_ = lost ? lost->feed : context_.feeds.feed_of(world, context_.config.stream.interest_cell_m);
+    broadcast_ = lost ? lost->feed : context_.broadcast_caches.cache_for(world, context_.config.stream.interest_cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
         resume_session_ = open_resume_session(*world);
@@ -226,7 +226,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
                     .tick_hz = world->hz(),
                     .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
                     .ack_interval_ms = static_cast<std::uint32_t>(context_.config.stream.ack_interval_ms),
-                    .quant = feed_->snapshots().spec(),
+                    .quant = broadcast_->snapshots().spec(),
                     .server_time_us = to_us(now),
                     .epoch_us = world->epoch_us(),
                     .gravity = world->gravity(),
@@ -286,7 +286,7 @@ Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
-    if (!feed_->host().push({.client = client_,
+    if (!broadcast_->host().push({.client = client_,
                              .sequence = sequence,
                              .action = *input,
                              .reply = result_queue_,
@@ -352,19 +352,19 @@ void ClientSession::finish(Status status, Clock::time_point now, bool lost) {
     end_ = std::move(status);
     end_time_ = now;
     // Who is there when the server goes down has not left a world that is kept.
-    const bool world_goes_on = feed_ && feed_->host().is_persisted();
+    const bool world_goes_on = broadcast_ && broadcast_->host().is_persisted();
     lost = resume_session_ && (lost || context_.closing) && (world_goes_on || !context_.draining);
     if (client_ != 0)
-        log_info("client {} {} world {}", client_, lost ? "lost" : "left", feed_->host().id());
+        log_info("client {} {} world {}", client_, lost ? "lost" : "left", broadcast_->host().id());
     leave_world(lost ? std::optional(now) : std::nullopt);
 }
 
 void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
     metrics_.left();
-    if (wants_events_) feed_->host().remove_event_listener();
-    if (wants_motion_) feed_->host().remove_motion_listener();
-    if (wants_controlled_entity_) feed_->host().remove_controlled_entity_listener();
+    if (wants_events_) broadcast_->host().remove_event_listener();
+    if (wants_motion_) broadcast_->host().remove_motion_listener();
+    if (wants_controlled_entity_) broadcast_->host().remove_controlled_entity_listener();
     if (lost) {
         suspend(*lost);
     } else {
@@ -372,8 +372,8 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
         // In this order: whoever goes on with the world elsewhere looks who is there
         // (put_in_place).
         context_.sessions.leave(client_);
-        const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(feed_->host().id());
-        (goes_on ? *goes_on : feed_->host())
+        const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(broadcast_->host().id());
+        (goes_on ? *goes_on : broadcast_->host())
             .leave(client_, context_.config.client.retain_bodies_after_leave);
     }
     client_ = 0;
@@ -400,7 +400,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
                                                              context_.config.drain_timeout_seconds)));
     }
     if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
-    if (!feed_) {
+    if (!broadcast_) {
         if (now - begun_ > from_seconds(limits.hello_timeout_seconds)) {
             refuse(Error{ErrorCode::deadline_exceeded,
                          fmt::format("no Hello within {:g} s", limits.hello_timeout_seconds)},
@@ -418,20 +418,20 @@ void ClientSession::check_timeouts(Clock::time_point now) {
                                         limits.client_timeout_seconds)},
                       now, true);
     }
-    if (feed_->host().failed()) {
-        const bool kept = feed_->host().is_persisted();
+    if (broadcast_->host().failed()) {
+        const bool kept = broadcast_->host().is_persisted();
         const char* why =
             kept ? "a fault of the server ended the world; it goes on from what was kept of it"
                  : "a fault of the server ended the world; it starts anew from its scene";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, kept);
     }
-    if (feed_->host().was_replaced()) {
+    if (broadcast_->host().was_replaced()) {
         const char* why = "the world is taken back to an earlier tick";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, true);
     }
-    if (feed_->host().stopped()) {
+    if (broadcast_->host().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }

@@ -66,7 +66,7 @@ public:
     // take_message() has nothing more.
     const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
-    bool hello_received() const { return feed_ != nullptr; }
+    bool hello_received() const { return broadcast_ != nullptr; }
 
 private:
     void handle_bytes(std::string_view bytes, Clock::time_point now);
@@ -94,7 +94,7 @@ private:
     Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
     std::uint32_t confirmed() const {
-        return feed_->host().is_persisted() ? persisted_sequence_ : last_sequence_;
+        return broadcast_->host().is_persisted() ? persisted_sequence_ : last_sequence_;
     }
     std::shared_ptr<ResumeSession> open_resume_session(const WorldHost& world);
     void suspend(Clock::time_point now);
@@ -157,7 +157,7 @@ private:
 
     // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
-    std::shared_ptr<BroadcastCache> feed_;
+    std::shared_ptr<BroadcastCache> broadcast_;
     ClientLimits limits_;
     std::shared_ptr<ResumeSession> resume_session_;  // null: its place is not kept
     SentLog sent_log_;                      // of one with a seat

@@ -22,14 +22,14 @@ constexpr std::size_t entity_updates_per_message_max = 64, entity_bytes = 48;
 OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_point now) {
     if (frame->entity_list != entity_list_) send_removed(frame->entity_list);
     std::vector<SharedBytes> cells;
-    const CellFeed::Cells there = feed_->cells_of(frame);
+    const CellFeed::Cells there = broadcast_->cells_of(frame);
     more_to_send_ = false;
-    for (const auto& part : interest_->wanted(feed_->cells(), *there, frame->tick, now)) {
+    for (const auto& part : interest_->wanted(broadcast_->cells(), *there, frame->tick, now)) {
         if (part.new_members && !send_cell_members(*part.state.content)) {
             more_to_send_ = true;
             continue;
         }
-        SharedBytes bytes = feed_->cells().encoding(part.state, part.baselines, codec_);
+        SharedBytes bytes = broadcast_->cells().encoding(part.state, part.baselines, codec_);
         if (!interest_->affords(bytes->size(), part.fresh)) {
             more_to_send_ = true;
             if (part.fresh) continue;
@@ -60,7 +60,7 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
         if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
     }
     if (fresh.empty()) return all;
-    const EntityUpdateMessages messages = feed_->entity_update_for(fresh);
+    const EntityUpdateMessages messages = broadcast_->entity_update_for(fresh);
     push(messages);
     for (const SharedBytes& roster : messages.entity_updates) interest_->spend(roster->size(), true);
     for (const auto& entity : fresh) {
@@ -74,7 +74,7 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
 void ClientSession::send_removed(const std::shared_ptr<const EntityList>& entities) {
     if (entity_list_) {
         std::vector<EntityId> removed;
-        for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
+        for (const EntityId id : broadcast_->entity_list_change(entity_list_, entities)->removed)
             if (id < known_entities_.size() && known_entities_[id]) removed.push_back(id);
         if (!gone.empty())
             outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});

@@ -67,7 +67,7 @@ bool ClientSession::send_by_datagram(const Frame& frame, Clock::time_point now) 
 }
 
 void ClientSession::send_datagram(Clock::time_point now) {
-    const FramePtr frame = feed_->host().frame();
+    const FramePtr frame = broadcast_->host().frame();
     if (datagrams_->sent_last()) {
         const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
         flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
@@ -80,7 +80,7 @@ void ClientSession::send_datagram(Clock::time_point now) {
     if (!snapshot_due_ || frame->tick <= datagrams_->frames().last_sent()) return;
     // Who knows an entity not yet leaves it out: the snapshot need not wait for the stream.
     if (frame->entity_list != entity_list_) send_entities(frame->entity_list);
-    const SharedBytes shared = feed_->snapshots().encoding(
+    const SharedBytes shared = broadcast_->snapshots().encoding(
         frame, datagrams_->frames().bases_for(frame->tick), channel_kinds_, codec_);
     if (!datagrams_->fits(shared->size() + client_update_bytes_max, now)) return;
     const OutMessage message{encode_snapshot_header(datagram_client_update(), {}, shared->size()), shared};
@@ -104,7 +104,7 @@ ClientUpdate ClientSession::datagram_client_update() {
 // What must come exactly once, while snapshots go by datagrams: results, events and statistics, in
 // a Snapshot that tells nothing of the world.
 std::optional<OutMessage> ClientSession::take_reply(Clock::time_point now) {
-    const FramePtr frame = feed_->host().frame();
+    const FramePtr frame = broadcast_->host().frame();
     if (frame->entity_list != entity_list_) {
         send_entities(frame->entity_list);
         if (!outgoing_.empty()) return next_message(now);

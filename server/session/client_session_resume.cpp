@@ -23,12 +23,12 @@ constexpr auto token_life = std::chrono::hours(24);
 
 // A world that an error ended may run again, as another host.
 std::shared_ptr<WorldHost> host_of(PlayContext& context, const DisconnectedClient& lost) {
-    const WorldHost& host = lost.feed->host();
+    const WorldHost& host = lost.broadcast->host();
     return context.worlds.find(host.id());
 }
 
 void release(PlayContext& context, const DisconnectedClient& lost) {
-    log_info("client {} did not come back to world {}", lost.client, lost.feed->host().id());
+    log_info("client {} did not come back to world {}", lost.client, lost.broadcast->host().id());
     context.sessions.leave(lost.client);
     if (const auto host = host_of(context, lost))
         host->leave(lost.client, context.config.client.retain_bodies_after_leave);
@@ -41,7 +41,7 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
     context.sessions.enter_again(client, world->id(), {});
     world->disconnect(client);
     context.resume_registry.expect({.client = client,
-                            .feed = context.feeds.feed_of(world, context.config.stream.interest_cell_m),
+                            .broadcast = context.broadcast_caches.cache_for(world, context.config.stream.interest_cell_m),
                             .network = {},
                             .subject = {},
                             .result_queue = std::make_shared<ResultQueue>(),
@@ -93,9 +93,9 @@ std::shared_ptr<ResumeSession> ClientSession::open_resume_session(const WorldHos
 
 void ClientSession::suspend(Clock::time_point now) {
     collect_results();
-    feed_->host().disconnect(client_);
+    broadcast_->host().disconnect(client_);
     DisconnectedClient lost{.client = client_,
-                    .feed = feed_,
+                    .broadcast = broadcast_,
                     .network = network_of(peer_.address),
                     .subject = metrics_.subject(),
                     .by_ticket = by_ticket_,
@@ -126,7 +126,7 @@ Status ClientSession::may_resume(const Hello& hello, const DisconnectedClient& l
     if (!world.ok()) return world.error();
     if (metrics_.subject() != lost.subject)
         return Error{ErrorCode::permission_denied, "that place is somebody else's"};
-    if (world->get() != &lost.feed->host())
+    if (world->get() != &lost.broadcast->host())
         return Error{ErrorCode::not_found, "that place is in another world"};
     return {};
 }
@@ -141,11 +141,11 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
         return true;
     }
     DisconnectedClient& lost = *claim.client;
-    if (const auto host = host_of(context_, lost); host && host.get() != &lost.feed->host())
-        lost.move_to(context_.feeds.feed_of(host, context_.config.stream.interest_cell_m));
-    const bool world_is_there = !lost.feed->host().stopped();
-    const auto timeout = lost.feed->host().was_replaced() ? world_replacement_max : give_way_max;
-    if (!world_is_there && lost.feed->host().is_persisted() && now - begun_ <= timeout) {
+    if (const auto host = host_of(context_, lost); host && host.get() != &lost.broadcast->host())
+        lost.move_to(context_.broadcast_caches.cache_for(host, context_.config.stream.interest_cell_m));
+    const bool world_is_there = !lost.broadcast->host().stopped();
+    const auto timeout = lost.broadcast->host().was_replaced() ? world_replacement_max : give_way_max;
+    if (!world_is_there && lost.broadcast->host().is_persisted() && now - begun_ <= timeout) {
         context_.resume_registry.suspend(*claim.resume_session, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
         return true;
@@ -163,7 +163,7 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     }
     resume_session_ = std::move(claim.resume_session);
     by_ticket_ = lost.by_ticket;
-    const auto world = context_.worlds.find(lost.feed->host().id());
+    const auto world = context_.worlds.find(lost.broadcast->host().id());
     enter(world, hello, now, &lost);
     return true;
 }

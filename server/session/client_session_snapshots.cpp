@@ -52,12 +52,12 @@ std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
 std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
-    if (outgoing_.empty() && feed_ && !end_) {
-        if (const FramePtr frame = feed_->host().frame(); frame->tick != last_frame_tick_) {
+    if (outgoing_.empty() && broadcast_ && !end_) {
+        if (const FramePtr frame = broadcast_->host().frame(); frame->tick != last_frame_tick_) {
             on_frame(*frame, now);
         }
         write_blocked_ = false;
-        if (send_by_datagram(*feed_->host().frame(), now)) return take_reply(now);
+        if (send_by_datagram(*broadcast_->host().frame(), now)) return take_reply(now);
         return take_snapshot(now);
     }
     if (outgoing_.empty()) return std::nullopt;
@@ -78,7 +78,7 @@ void ClientSession::wait_for_write(Clock::time_point now) {
                      fmt::format("nothing was read for {:g} s",
                                  context_.config.stream.client_timeout_seconds)},
                now, true);
-    if (feed_ && !end_) collect_results();
+    if (broadcast_ && !end_) collect_results();
 }
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
@@ -139,8 +139,8 @@ std::string ClientSession::take_stats(const FramePtr& frame, Clock::time_point n
     if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) return {};
     last_stats_ = now;
     const auto clients =
-        static_cast<std::uint32_t>(context_.sessions.clients_in(feed_->host().id()));
-    return *feed_->world_stats(frame, clients);
+        static_cast<std::uint32_t>(context_.sessions.clients_in(broadcast_->host().id()));
+    return *broadcast_->world_stats(frame, clients);
 }
 
 // The fields of all ticks up to the frame's, so that the client has been told of the entities. How
@@ -155,7 +155,7 @@ std::string ClientSession::take_events(const Frame& frame) {
         event_cursor_ = removed;
     }
     for (; event_cursor_ < frame.events->count; event_cursor_++) {
-        const SharedBytes shared = feed_->events(ticks[event_cursor_ - gone]);
+        const SharedBytes shared = broadcast_->events(ticks[event_cursor_ - gone]);
         if (shared->size() > events_bytes_max) {
             events_missed_++;
             continue;
@@ -174,7 +174,7 @@ std::string ClientSession::take_controlled_entity(const Frame& frame) {
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};
     const bool stream_resumable = !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
-    const double every = std::max(1.0, std::round(feed_->host().hz() / controlled_entity_updates_per_second));
+    const double every = std::max(1.0, std::round(broadcast_->host().hz() / controlled_entity_updates_per_second));
     if (!whole && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every)) return {};
     if (!sent_controlled_entity_) sent_controlled_entity_ = std::make_unique<SentControlledEntity>();
     std::string field = encode_controlled_entity_field(*mine, frame.tick, sent_controlled_entity_->words, whole);
@@ -184,7 +184,7 @@ std::string ClientSession::take_controlled_entity(const Frame& frame) {
 
 // Shapes before the bodies that have them, each once in a stream.
 void ClientSession::send_entities(const std::shared_ptr<const EntityList>& entities) {
-    const auto messages = feed_->entity_list_change(entity_list_, entities);
+    const auto messages = broadcast_->entity_list_change(entity_list_, entities);
     push(*messages);
     entity_list_ = entities;
     if (can_resume_stream()) sent_log_.on_list(entities, baselines_.last());
@@ -203,7 +203,7 @@ void ClientSession::push(const EntityUpdateMessages& messages) {
 // it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
 std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
-    const FramePtr frame = feed_->host().frame();
+    const FramePtr frame = broadcast_->host().frame();
     if (frame->tick <= newest_sent()) return std::nullopt;
     if (interest_) return take_cell_snapshot(frame, now);
     if (frame->entity_list != entity_list_) {
@@ -225,7 +225,7 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =
-        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
+        broadcast_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
                                     interest_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     OutMessage message{encode_snapshot_header(client_update(), more, shared->size() + cells_bytes),

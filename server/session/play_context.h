@@ -27,7 +27,7 @@ struct PlayContext {
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     DatagramServer* datagrams = nullptr;  // null: all goes by streams
-    BroadcastCaches feeds{};
+    BroadcastCaches broadcast_caches{};
     ClientRecords records{};
     ResumeRegistry resume_registry{};
     std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal

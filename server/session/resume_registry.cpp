@@ -72,7 +72,7 @@ ResumeRegistry::Entry* ResumeRegistry::find_expected(std::string_view token, Wal
     Entry& place = at->second;
     if (!place.resume_session->token.empty() || !place.client) return nullptr;
     DisconnectedClient& lost = *place.client;
-    if (lost.feed->host().id() != who->world) return nullptr;
+    if (lost.broadcast->host().id() != who->world) return nullptr;
     place.resume_session->token = token;
     lost.subject = std::move(who->subject);
     lost.by_ticket = who->by_ticket;

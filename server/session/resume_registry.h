@@ -33,7 +33,7 @@ namespace jostle::server {
 // What of a conversation outlives its connection.
 struct DisconnectedClient {
     ClientId client = 0;
-    std::shared_ptr<BroadcastCache> feed;
+    std::shared_ptr<BroadcastCache> broadcast;
     std::string network, subject;  // whence it came, and whom its token named
     bool by_ticket = false;        // how it came in
     bool spectator = false;
@@ -50,7 +50,7 @@ struct DisconnectedClient {
 
     // Its world was begun again: what it was told is of no use any longer.
     void move_to(std::shared_ptr<BroadcastCache> again) {
-        feed = std::move(again);
+        broadcast = std::move(again);
         stream_resumable = false;
         sent = {};
     }

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "jostle/datagram/packet.h"
-#include "server/replication/cell_feed.h"
+#include "server/replication/cell_snapshot_cache.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/command.h"
 #include "server/world/frame.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client sees of its world, and which cells (cell_feed.h) it is sent next. Near cells come
+// What one client sees of its world, and which cells (cell_snapshot_cache.h) it is sent next. Near cells come
 // with every snapshot; beyond half of the radius every second one, beyond three quarters every
 // fourth. What waited longest and is nearest comes first, for as long as the client's budget lasts:
 // a token bucket of bytes that holds a twentieth of a second, so that no second has more than a
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "server/replication/baseline_tracker.h"
-#include "server/replication/cell_feed.h"
+#include "server/replication/cell_snapshot_cache.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {
@@ -43,7 +43,7 @@ public:
     };
     // What should go out in that tick, in the order in which it should: what is new, then what is
     // known. Of each as much as affords() lets. Refills the budget.
-    std::vector<Wanted> wanted(const CellFeed& feed, const std::vector<CellState>& cells,
+    std::vector<Wanted> wanted(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
                                std::uint32_t tick, Clock::time_point now);
     // Whether so many bytes may go out now.
     bool affords(std::size_t bytes, bool fresh) const;

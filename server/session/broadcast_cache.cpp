@@ -24,7 +24,7 @@ BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_
       snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
       cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {}
 
-CellFeed::Cells BroadcastCache::cells_of(const FramePtr& frame) {
+CellSnapshotCache::Cells BroadcastCache::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
 }
 

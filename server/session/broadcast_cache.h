@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "server/messages/entity_update_message.h"
-#include "server/replication/cell_feed.h"
+#include "server/replication/cell_snapshot_cache.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/world_host.h"
 
@@ -26,9 +26,9 @@ public:
 
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
-    CellFeed& cells() { return cells_; }
+    CellSnapshotCache& cells() { return cells_; }
     // The cells of a frame, or of a newer one.
-    CellFeed::Cells cells_of(const FramePtr& frame);
+    CellSnapshotCache::Cells cells_of(const FramePtr& frame);
 
     // The messages that take a client from one entity list to another; null `from`: it knows
     // nothing yet.
@@ -50,7 +50,7 @@ private:
 
     const std::shared_ptr<WorldHost> host_;
     SnapshotCache snapshots_;
-    CellFeed cells_;
+    CellSnapshotCache cells_;
     std::mutex mutex_;
     GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // the newest few

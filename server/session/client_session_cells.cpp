@@ -22,7 +22,7 @@ constexpr std::size_t entity_updates_per_message_max = 64, entity_bytes = 48;
 OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_point now) {
     if (frame->entity_list != entity_list_) send_removed(frame->entity_list);
     std::vector<SharedBytes> cells;
-    const CellFeed::Cells there = broadcast_->cells_of(frame);
+    const CellSnapshotCache::Cells there = broadcast_->cells_of(frame);
     more_to_send_ = false;
     for (const auto& part : interest_->wanted(broadcast_->cells(), *there, frame->tick, now)) {
         if (part.new_members && !send_cell_members(*part.state.content)) {

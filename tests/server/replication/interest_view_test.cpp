@@ -125,7 +125,7 @@ struct Eyes {
     }
 
     InterestView view;
-    CellFeed feed{cell_edge_m, wire::QuantSpec(), put_cell};
+    CellSnapshotCache feed{cell_edge_m, wire::QuantSpec(), put_cell};
     std::map<CellId, std::map<std::uint32_t, wire::QuantizedFrame>> known;
     std::map<CellId, std::vector<std::uint32_t>> sent_at;
     std::vector<std::size_t> bytes_of_tick;
@@ -209,7 +209,7 @@ TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
 }
 
 // Somebody who flies leaves cells behind: they are forgotten, and clients are told.
-TEST(CellFeed, a_cell_that_stays_empty_is_gone_after_a_while) {
+TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
     Eyes eyes(0);
     const auto fly = [&](std::uint32_t tick) {
         auto list = std::make_shared<EntityList>();
@@ -233,11 +233,11 @@ TEST(CellFeed, a_cell_that_stays_empty_is_gone_after_a_while) {
         most = std::max(most, fly(tick));
         left += eyes.view.take_left().size();
     }
-    EXPECT_LE(most, CellFeed::empty_ticks / cell_edge_m + 3);
+    EXPECT_LE(most, CellSnapshotCache::empty_ticks / cell_edge_m + 3);
     EXPECT_GE(left, 140u) << "of 156 that it flew through";
 }
 
-TEST(CellFeed, clients_share_the_bytes_of_a_cell) {
+TEST(CellSnapshotCache, clients_share_the_bytes_of_a_cell) {
     Field field(true);
     Eyes one(0);
     const FramePtr frame = field.frame(1);

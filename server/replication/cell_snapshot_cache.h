@@ -35,13 +35,13 @@ struct EncodedCell {
     std::uint32_t crc = 0;
 };
 
-class CellFeed {
+class CellSnapshotCache {
 public:
     using Serialize = std::function<std::string(const EncodedCell&)>;
     static constexpr std::size_t states_kept = 32;  // of a cell, as bases
     static constexpr std::uint32_t empty_ticks = 256;
 
-    CellFeed(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);
+    CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);
 
     // In rising order of id. One that became empty stays for `empty_ticks`.
     using Cells = std::shared_ptr<const std::vector<CellState>>;

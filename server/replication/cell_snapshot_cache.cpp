@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/replication/cell_feed.h"
+#include "server/replication/cell_snapshot_cache.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,10 +8,10 @@
 
 namespace jostle::server {
 
-CellFeed::CellFeed(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize)
+CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize)
     : spec_(spec), serialize_(std::move(serialize)), grid_(interest_cell_m, spec) {}
 
-CellFeed::Cells CellFeed::cells(const FramePtr& frame,
+CellSnapshotCache::Cells CellSnapshotCache::cells(const FramePtr& frame,
                                 const std::function<wire::QuantizedFrame()>& quantized) {
     const std::lock_guard lock(mutex_);
     if (frame->tick <= tick_) return cells_;
@@ -32,7 +32,7 @@ CellFeed::Cells CellFeed::cells(const FramePtr& frame,
 }
 
 // A state that is as the one before is that one.
-void CellFeed::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick) {
+void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick) {
     History& history = histories_[cell];
     if (!history.states.empty() && history.states.back().content->entities == content.entities)
         return;
@@ -49,12 +49,12 @@ void CellFeed::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick
     history.encodings.clear();
 }
 
-const wire::QuantizedFrame* CellFeed::find(const History& history, std::uint32_t number) const {
+const wire::QuantizedFrame* CellSnapshotCache::find(const History& history, std::uint32_t number) const {
     const auto at = std::ranges::lower_bound(history.states, number, {}, &CellState::number);
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellFeed::encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec) {
+SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
     // made for one client.
@@ -67,7 +67,7 @@ SharedBytes CellFeed::encoding(const CellState& state, wire::BaselineFrames base
     return bytes;
 }
 
-SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
+SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
                              wire::Codec codec) const {
     const wire::QuantizedFrame* baseline = baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
     const wire::QuantizedFrame* baseline2 =

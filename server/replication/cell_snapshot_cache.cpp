@@ -45,7 +45,7 @@ void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint
     history.states.push_back({cell, tick, members,
                               std::make_shared<const wire::QuantizedFrame>(std::move(content)),
                               crc});
-    if (history.states.size() > states_kept) history.states.pop_front();
+    if (history.states.size() > states_retained) history.states.pop_front();
     history.encodings.clear();
 }
 

@@ -38,7 +38,7 @@ struct EncodedCell {
 class CellSnapshotCache {
 public:
     using Serialize = std::function<std::string(const EncodedCell&)>;
-    static constexpr std::size_t states_kept = 32;  // of a cell, as bases
+    static constexpr std::size_t states_retained = 32;  // of a cell, as bases
     static constexpr std::uint32_t empty_ticks = 256;
 
     CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);

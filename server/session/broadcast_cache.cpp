@@ -11,7 +11,7 @@ namespace jostle::server {
 namespace {
 
 // Clients that lag by a few changes still share; what lags further is written for it alone.
-constexpr std::size_t entity_list_changes_kept = 16;
+constexpr std::size_t entity_list_changes_retained = 16;
 
 SharedBytes share(std::string bytes) {
     return std::make_shared<const std::string>(std::move(bytes));
@@ -43,7 +43,7 @@ std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
     static const EntityList nothing;
     const auto messages = std::make_shared<const EntityUpdateMessages>(
         entity_update_messages(from ? *from : nothing, *to, geometry_));
-    if (entity_list_changes_.size() == entity_list_changes_kept)
+    if (entity_list_changes_.size() == entity_list_changes_retained)
         entity_list_changes_.erase(entity_list_changes_.begin());
     entity_list_changes_.push_back({from, to, messages});
     return messages;

@@ -20,28 +20,28 @@ double gap(double coordinate, double from, double size) {
 CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
     : cell_m_(interest_cell_m), units_per_cell_(interest_cell_m * spec.units_per_meter) {}
 
-CellId CellGrid::id_of(CellPlace place) {
+CellId CellGrid::id_of(CellCoordinates place) {
     const auto part = [](int k) {
         return static_cast<std::uint32_t>(std::clamp(k, -place_max, place_max) + place_max);
     };
     return 1 + (part(place.x) << 16 | part(place.z));
 }
 
-CellPlace CellGrid::place_of(CellId cell) {
+CellCoordinates CellGrid::place_of(CellId cell) {
     const auto part = [](std::uint32_t bits) { return static_cast<int>(bits) - place_max; };
     return {part((cell - 1) >> 16), part((cell - 1) & 0xffff)};
 }
 
 double CellGrid::distance(CellId cell, double x_m, double z_m) const {
     if (cell == everywhere) return 0;
-    const CellPlace place = place_of(cell);
+    const CellCoordinates place = place_of(cell);
     return std::hypot(gap(x_m, place.x * cell_m_, cell_m_), gap(z_m, place.z * cell_m_, cell_m_));
 }
 
 CellId CellGrid::cell_of(const wire::EntityState& entity, CellId before) const {
     const double x = entity.position[0] / units_per_cell_, z = entity.position[2] / units_per_cell_;
     if (before != everywhere) {
-        const CellPlace old = place_of(before);
+        const CellCoordinates old = place_of(before);
         if (gap(x, old.x, 1) <= border_share && gap(z, old.z, 1) <= border_share) return before;
     }
     return id_of({static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z))});

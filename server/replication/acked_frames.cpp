@@ -7,7 +7,7 @@ void AckedFrames::on_sent(std::uint32_t frame, bool by_datagram) {
     if (frame <= last_sent_) return;
     last_sent_ = frame;
     sent_.push_back({frame, by_datagram});
-    if (sent_.size() > BaselineTracker::client_ring) sent_.pop_front();
+    if (sent_.size() > BaselineTracker::client_frames_max) sent_.pop_front();
 }
 
 bool AckedFrames::on_ack(std::uint32_t frame, std::uint32_t before) {

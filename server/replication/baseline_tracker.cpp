@@ -33,7 +33,7 @@ bool BaselineTracker::roll_back_to(std::uint32_t frame) {
 
 void BaselineTracker::on_sent(std::uint32_t frame) {
     sent_.push_back(frame);
-    if (sent_.size() > client_ring) sent_.pop_front();
+    if (sent_.size() > client_frames_max) sent_.pop_front();
 }
 
 }  // namespace jostle::server

@@ -15,7 +15,7 @@ namespace jostle::server {
 
 class BaselineTracker {
 public:
-    static constexpr std::size_t client_ring = 32;  // decoded frames a client keeps (WIRE.md)
+    static constexpr std::size_t client_frames_max = 32;  // decoded frames a client keeps (WIRE.md)
 
     // The bases for the frame that is to be sent now: the last one sent, and two older ones about
     // as far apart, because extrapolating a short step over a long one multiplies the rounding

@@ -8,7 +8,7 @@ namespace jostle::server {
 namespace {
 
 constexpr double border_share = 0.125;  // of a cell: how far beyond it an entity stays in it
-constexpr int place_max = 32767;
+constexpr int coordinate_max = 32767;
 
 // m of a cell's extent that lie between it and a coordinate.
 double gap(double coordinate, double from, double size) {
@@ -20,28 +20,28 @@ double gap(double coordinate, double from, double size) {
 CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
     : cell_m_(interest_cell_m), units_per_cell_(interest_cell_m * spec.units_per_meter) {}
 
-CellId CellGrid::id_of(CellCoordinates place) {
+CellId CellGrid::id_of(CellCoordinates coordinates) {
     const auto part = [](int k) {
-        return static_cast<std::uint32_t>(std::clamp(k, -place_max, place_max) + place_max);
+        return static_cast<std::uint32_t>(std::clamp(k, -place_max, coordinate_max) + coordinate_max);
     };
-    return 1 + (part(place.x) << 16 | part(place.z));
+    return 1 + (part(coordinates.x) << 16 | part(coordinates.z));
 }
 
-CellCoordinates CellGrid::place_of(CellId cell) {
-    const auto part = [](std::uint32_t bits) { return static_cast<int>(bits) - place_max; };
+CellCoordinates CellGrid::coordinates_of(CellId cell) {
+    const auto part = [](std::uint32_t bits) { return static_cast<int>(bits) - coordinate_max; };
     return {part((cell - 1) >> 16), part((cell - 1) & 0xffff)};
 }
 
 double CellGrid::distance(CellId cell, double x_m, double z_m) const {
     if (cell == everywhere) return 0;
-    const CellCoordinates place = place_of(cell);
-    return std::hypot(gap(x_m, place.x * cell_m_, cell_m_), gap(z_m, place.z * cell_m_, cell_m_));
+    const CellCoordinates place = coordinates_of(cell);
+    return std::hypot(gap(x_m, coordinates.x * cell_m_, cell_m_), gap(z_m, coordinates.z * cell_m_, cell_m_));
 }
 
 CellId CellGrid::cell_of(const wire::EntityState& entity, CellId before) const {
     const double x = entity.position[0] / units_per_cell_, z = entity.position[2] / units_per_cell_;
     if (before != everywhere) {
-        const CellCoordinates old = place_of(before);
+        const CellCoordinates old = coordinates_of(before);
         if (gap(x, old.x, 1) <= border_share && gap(z, old.z, 1) <= border_share) return before;
     }
     return id_of({static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z))});

@@ -35,8 +35,8 @@ public:
     Cells split(const wire::QuantizedFrame& frame, const EntityList& entities);
 
     double interest_cell_m() const { return cell_m_; }
-    static CellId id_of(CellCoordinates place);
-    static CellCoordinates place_of(CellId cell);
+    static CellId id_of(CellCoordinates coordinates);
+    static CellCoordinates coordinates_of(CellId cell);
     // m from a point on the ground to the nearest of the cell; 0 within, and to `everywhere`.
     double distance(CellId cell, double x_m, double z_m) const;
 

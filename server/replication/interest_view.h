@@ -32,7 +32,7 @@ public:
     // `bytes_per_second`: 0 without a bound.
     explicit InterestView(double bytes_per_second) : rate_(bytes_per_second) {}
 
-    void look_at(const Interest& interest) { interest_ = interest; }
+    void set_interest(const Interest& interest) { interest_ = interest; }
     const Interest& interest() const { return interest_; }
 
     struct Wanted {

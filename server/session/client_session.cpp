@@ -200,7 +200,7 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     flow_.emplace(context_.config.stream, world->hz(), divider);
     if (hello.interest || hello.max_kbps != 0) {
         interest_ = std::make_unique<InterestView>(hello.max_kbps * 125.0);
-        if (hello.interest) interest_->look_at(*hello.interest);
+        if (hello.interest) interest_->set_interest(*hello.interest);
     }
     if (hello.events) {
         wants_events_ = true;
@@ -316,7 +316,7 @@ void ClientSession::on_message(const Interest& interest, Clock::time_point now) 
         return refuse(Error{ErrorCode::failed_precondition,
                             "an interest in a stream without one; name the first in the hello"},
                       now);
-    interest_->look_at(interest);
+    interest_->set_interest(interest);
 }
 
 void ClientSession::on_message(const Leave&, Clock::time_point now) {

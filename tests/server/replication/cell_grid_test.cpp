@@ -40,8 +40,8 @@ TEST(CellGrid, places_and_numbers_of_cells_say_the_same) {
         for (const int z : {-29999, -1, 0, 7}) {
             const CellId cell = CellGrid::id_of({x, z});
             EXPECT_NE(cell, everywhere);
-            EXPECT_EQ(CellGrid::place_of(cell).x, x);
-            EXPECT_EQ(CellGrid::place_of(cell).z, z);
+            EXPECT_EQ(CellGrid::coordinates_of(cell).x, x);
+            EXPECT_EQ(CellGrid::coordinates_of(cell).z, z);
         }
 }
 

@@ -134,7 +134,7 @@ struct Eyes {
 TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
     Field field(false);
     Eyes eyes(0);
-    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 50});
+    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 50});
     for (std::uint32_t tick = 1; tick < 60; tick++) eyes.tick(field, tick);
     std::size_t expected = 0;
     for (int x = 0; x < 10; x++)
@@ -149,7 +149,7 @@ TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
     Field field(true);
     Eyes eyes(0);
     for (std::uint32_t tick = 1; tick < 600; tick++) {
-        eyes.view.look_at({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
+        eyes.view.set_interest({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
         eyes.tick(field, tick);
     }
     for (const auto& [cell, states] : eyes.known)
@@ -160,7 +160,7 @@ TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
 TEST(InterestView, what_is_far_comes_less_often) {
     Field field(true);
     Eyes eyes(0);
-    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 200});
+    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 200});
     for (std::uint32_t tick = 1; tick <= 240; tick++) eyes.tick(field, tick);
     const auto count = [&](int x) {
         return static_cast<int>(eyes.sent_at[CellGrid::id_of({x, 0})].size());
@@ -178,7 +178,7 @@ TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first
     const std::size_t wants = all.most_bytes_of_a_second();
     const double rate = 0.3 * static_cast<double>(wants);
     Eyes eyes(rate);
-    eyes.view.look_at({.x_m = 16, .z_m = 16});
+    eyes.view.set_interest({.x_m = 16, .z_m = 16});
     for (std::uint32_t tick = 1; tick <= 900; tick++) eyes.tick(field, tick);
     RecordProperty("bytes_of_worst_second", static_cast<int>(eyes.most_bytes_of_a_second()));
     EXPECT_LE(static_cast<double>(eyes.most_bytes_of_a_second()), 1.05 * rate);
@@ -197,11 +197,11 @@ TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first
 TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
     Field field(true);
     Eyes eyes(20'000);
-    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 20});
+    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 20});
     std::uint32_t tick = 1;
     for (; tick <= 120; tick++) eyes.tick(field, tick);
     const std::size_t before = eyes.sent_at[CellGrid::id_of({0, 0})].size();
-    eyes.view.look_at({.x_m = 16, .z_m = 16, .radius_m = 1000});
+    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 1000});
     for (; tick <= 180; tick++) eyes.tick(field, tick);
     EXPECT_GE(eyes.sent_at[CellGrid::id_of({0, 0})].size() - before, 20u) << "of sixty";
     for (; tick <= 1200; tick++) eyes.tick(field, tick);

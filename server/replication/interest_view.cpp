@@ -50,13 +50,13 @@ std::uint32_t InterestView::interval(double distance_m) const {
     return distance_m <= 0.75 * interest_.radius_m ? 2 : 4;
 }
 
-std::vector<InterestView::Wanted> InterestView::wanted(const CellSnapshotCache& feed,
+std::vector<InterestView::PendingCell> InterestView::wanted(const CellSnapshotCache& feed,
                                                        const std::vector<CellState>& cells,
                                                        std::uint32_t tick, Clock::time_point now) {
     refill(now);
     struct Ranked {
         double rank;
-        Wanted part;
+        PendingCell part;
     };
     std::vector<Ranked> ranked;
     for (const CellState& cell : cells) {
@@ -86,7 +86,7 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellSnapshotCache& 
         return !there;
     });
     std::ranges::stable_sort(ranked, std::ranges::greater{}, &Ranked::rank);
-    std::vector<Wanted> parts;
+    std::vector<PendingCell> parts;
     parts.reserve(ranked.size());
     for (Ranked& entry : ranked) parts.push_back(std::move(entry.part));
     return parts;
@@ -96,7 +96,7 @@ void InterestView::reset() {
     for (auto& [cell, known] : known_) known.states.reset();
 }
 
-void InterestView::on_sent(const Wanted& part, std::uint32_t tick) {
+void InterestView::on_sent(const PendingCell& part, std::uint32_t tick) {
     Known& known = known_[part.state.id];
     known.states.on_sent(part.state.number);
     known.sent_tick = tick;

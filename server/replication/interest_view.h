@@ -35,7 +35,7 @@ public:
     void set_interest(const Interest& interest) { interest_ = interest; }
     const Interest& interest() const { return interest_; }
 
-    struct Wanted {
+    struct PendingCell {
         CellState state;
         wire::BaselineFrames baselines;
         bool fresh = false;        // the client does not know the cell
@@ -43,12 +43,12 @@ public:
     };
     // What should go out in that tick, in the order in which it should: what is new, then what is
     // known. Of each as much as affords() lets. Refills the budget.
-    std::vector<Wanted> wanted(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
+    std::vector<PendingCell> wanted(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
                                std::uint32_t tick, Clock::time_point now);
     // Whether so many bytes may go out now.
     bool affords(std::size_t bytes, bool fresh) const;
     void spend(std::size_t bytes, bool fresh);
-    void on_sent(const Wanted& part, std::uint32_t tick);
+    void on_sent(const PendingCell& part, std::uint32_t tick);
     // Cells that the client is to forget: they are out of sight since the last call of wanted().
     std::vector<CellId> take_left() { return std::exchange(left_, {}); }
     // The client lost track: each cell that it has is sent whole again.

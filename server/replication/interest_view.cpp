@@ -50,7 +50,7 @@ std::uint32_t InterestView::interval(double distance_m) const {
     return distance_m <= 0.75 * interest_.radius_m ? 2 : 4;
 }
 
-std::vector<InterestView::PendingCell> InterestView::wanted(const CellSnapshotCache& feed,
+std::vector<InterestView::PendingCell> InterestView::pending_cells(const CellSnapshotCache& feed,
                                                        const std::vector<CellState>& cells,
                                                        std::uint32_t tick, Clock::time_point now) {
     refill(now);

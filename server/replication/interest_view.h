@@ -43,7 +43,7 @@ public:
     };
     // What should go out in that tick, in the order in which it should: what is new, then what is
     // known. Of each as much as affords() lets. Refills the budget.
-    std::vector<PendingCell> wanted(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
+    std::vector<PendingCell> pending_cells(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
                                std::uint32_t tick, Clock::time_point now);
     // Whether so many bytes may go out now.
     bool affords(std::size_t bytes, bool fresh) const;

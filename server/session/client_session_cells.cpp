@@ -24,7 +24,7 @@ OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_
     std::vector<SharedBytes> cells;
     const CellSnapshotCache::Cells there = broadcast_->cells_of(frame);
     more_to_send_ = false;
-    for (const auto& part : interest_->wanted(broadcast_->cells(), *there, frame->tick, now)) {
+    for (const auto& part : interest_->pending_cells(broadcast_->cells(), *there, frame->tick, now)) {
         if (part.new_members && !send_cell_members(*part.state.content)) {
             more_to_send_ = true;
             continue;

@@ -83,7 +83,7 @@ struct Eyes {
             return made;
         });
         std::size_t bytes = 0;
-        for (const auto& part : view.wanted(feed, *cells, number, at(number))) {
+        for (const auto& part : view.pending_cells(feed, *cells, number, at(number))) {
             const SharedBytes sent = feed.encoding(part.state, part.baselines, wire::Codec::bits);
             if (!view.affords(sent->size(), part.fresh)) {
                 if (part.fresh) continue;
@@ -224,7 +224,7 @@ TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
                 .frame = tick,
                 .entities = {wire::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
         });
-        for (const auto& part : eyes.view.wanted(eyes.feed, *cells, tick, at(tick)))
+        for (const auto& part : eyes.view.pending_cells(eyes.feed, *cells, tick, at(tick)))
             eyes.view.on_sent(part, tick);
         return cells->size();
     };

@@ -61,12 +61,12 @@ public:
     std::uint64_t encodings_made() const;
 
 private:
-    struct Asked {
+    struct EncodingKey {
         wire::BaselineFrames baselines;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
         std::optional<wire::Codec> poses;
 
-        auto operator<=>(const Asked&) const = default;
+        auto operator<=>(const EncodingKey&) const = default;
     };
     struct Entry {
         FramePtr frame;
@@ -77,7 +77,7 @@ private:
         std::vector<bool> block_rests;  // all of it lies at rest
         wire::Channels channels;
         std::map<std::pair<wire::BaselineFrames, wire::Codec>, std::vector<std::byte>> packed;
-        std::map<Asked, SharedBytes> encodings;
+        std::map<EncodingKey, SharedBytes> encodings;
     };
 
     // Under the lock, against bases that are there. Poses are packed once, whoever asks for which

@@ -577,7 +577,7 @@ TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
 }
 
 // A row of 40 balls that roll, ten metres apart.
-class SightTest : public ClientSessionTest {
+class InterestTest : public ClientSessionTest {
 protected:
     void SetUp() override {
         scenes::SceneDescription row = *scenes::read_scene_json(
@@ -604,7 +604,7 @@ protected:
     }
 };
 
-TEST_F(SightTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
+TEST_F(InterestTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     // Cells of 32 m: those that begin within 40 m of x = 16 end at x = 64.
@@ -622,7 +622,7 @@ TEST_F(SightTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(SightTest, a_budget_bounds_all_that_is_sent) {
+TEST_F(InterestTest, a_budget_bounds_all_that_is_sent) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_max_kbps(40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() == 40; }))
@@ -637,7 +637,7 @@ TEST_F(SightTest, a_budget_bounds_all_that_is_sent) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(SightTest, who_is_removed_is_gone_and_the_stream_goes_on) {
+TEST_F(InterestTest, who_is_removed_is_gone_and_the_stream_goes_on) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
@@ -655,7 +655,7 @@ TEST_F(SightTest, who_is_removed_is_gone_and_the_stream_goes_on) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(SightTest, who_lost_track_gets_every_cell_whole_again) {
+TEST_F(InterestTest, who_lost_track_gets_every_cell_whole_again) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
@@ -667,7 +667,7 @@ TEST_F(SightTest, who_lost_track_gets_every_cell_whole_again) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(SightTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
+TEST_F(InterestTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage look;

@@ -8,7 +8,7 @@ constexpr std::uint32_t oldest_baseline_age = 200;  // ticks; the codec takes 25
 
 }  // namespace
 
-wire::BaselineFrames BaselineTracker::bases_for(std::uint32_t frame) const {
+wire::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
     wire::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_baseline_age) return baselines;
     baselines.baseline = sent_.back();

@@ -20,7 +20,7 @@ public:
     // The bases for the frame that is to be sent now: the last one sent, and two older ones about
     // as far apart, because extrapolating a short step over a long one multiplies the rounding
     // noise.
-    wire::BaselineFrames bases_for(std::uint32_t frame) const;
+    wire::BaselineFrames baselines_for(std::uint32_t frame) const;
     void on_sent(std::uint32_t frame);
     // The client has that frame and forgot those that were sent after it. False: that one is not
     // known, and the next snapshot is absolute.

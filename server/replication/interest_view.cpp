@@ -76,7 +76,7 @@ std::vector<InterestView::PendingCell> InterestView::pending_cells(const CellSna
         if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
         const double near = 1 + distance / feed.interest_cell_m();
         ranked.push_back({waited / near,
-                          {cell, known->second.states.bases_for(cell.number), false,
+                          {cell, known->second.states.baselines_for(cell.number), false,
                            cell.members != known->second.members}});
     }
     // Cells that are gone: nobody has been there for long.

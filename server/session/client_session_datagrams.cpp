@@ -81,7 +81,7 @@ void ClientSession::send_datagram(Clock::time_point now) {
     // Who knows an entity not yet leaves it out: the snapshot need not wait for the stream.
     if (frame->entity_list != entity_list_) send_entities(frame->entity_list);
     const SharedBytes shared = broadcast_->snapshots().encoding(
-        frame, datagrams_->frames().bases_for(frame->tick), channel_kinds_, codec_);
+        frame, datagrams_->frames().baselines_for(frame->tick), channel_kinds_, codec_);
     if (!datagrams_->fits(shared->size() + client_update_bytes_max, now)) return;
     const OutMessage message{encode_snapshot_header(datagram_client_update(), {}, shared->size()), shared};
     datagrams_->send(message, frame->tick, now);

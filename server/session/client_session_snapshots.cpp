@@ -225,7 +225,7 @@ OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point n
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
     SharedBytes shared =
-        broadcast_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_,
+        broadcast_->snapshots().encoding(frame, baselines_.baselines_for(frame->tick), channel_kinds_,
                                     interest_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     OutMessage message{encode_snapshot_header(client_update(), more, shared->size() + cells_bytes),

@@ -22,7 +22,7 @@ bool DatagramSession::carries(std::uint32_t tick, Clock::time_point now) {
         unacked_since_.reset();
         connection_->restart_path_validation();
     }
-    return now >= by_stream_until_ && connection_->is_open(now) && frames_.bases_for(tick).baseline != 0;
+    return now >= by_stream_until_ && connection_->is_open(now) && frames_.baselines_for(tick).baseline != 0;
 }
 
 void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {

@@ -16,7 +16,7 @@ TEST(AckedFrames, what_nobody_acknowledged_is_no_base) {
     AckedFrames frames;
     send(frames, 1, 10);
     EXPECT_EQ(frames.newest(), 0u);
-    EXPECT_EQ(frames.bases_for(11), wire::BaselineFrames{});
+    EXPECT_EQ(frames.baselines_for(11), wire::BaselineFrames{});
     EXPECT_EQ(frames.last_sent(), 10u);
 }
 
@@ -25,7 +25,7 @@ TEST(AckedFrames, bases_are_the_newest_that_the_client_has_though_others_were_lo
     send(frames, 1, 10);
     frames.on_ack(8, 0b1101);  // 7, 5 and 4, but not 6
     EXPECT_EQ(frames.newest(), 8u);
-    const wire::BaselineFrames baselines = frames.bases_for(11);
+    const wire::BaselineFrames baselines = frames.baselines_for(11);
     EXPECT_EQ(baselines.baseline, 8u);
     EXPECT_EQ(baselines.baseline2, 5u) << "at least half as far back as the base: 6 was lost";
     EXPECT_EQ(baselines.baseline3, 0u);

@@ -71,8 +71,8 @@ TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
     BaselineTracker one, two;
     for (std::uint32_t tick = 1; tick <= 50; ++tick) {
         const FramePtr frame = frame_at(tick);
-        const SharedBytes a = cache.encoding(frame, one.bases_for(tick));
-        const SharedBytes b = cache.encoding(frame, two.bases_for(tick));
+        const SharedBytes a = cache.encoding(frame, one.baselines_for(tick));
+        const SharedBytes b = cache.encoding(frame, two.baselines_for(tick));
         EXPECT_EQ(a, b) << "the same bytes, not equal ones";
         one.on_sent(tick);
         two.on_sent(tick);
@@ -105,7 +105,7 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
         const FramePtr frame = frame_at(tick);
         for (int c = 0; c < 3; ++c) {
             if (tick % every[c] != 0) continue;
-            receivers[c].take(*cache.encoding(frame, trackers[c].bases_for(tick)));
+            receivers[c].take(*cache.encoding(frame, trackers[c].baselines_for(tick)));
             trackers[c].on_sent(tick);
         }
     }
@@ -144,7 +144,7 @@ TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_pose
         for (const std::uint32_t every : {1u, 4u}) {
             if (tick % every != 0) continue;
             const std::size_t c = every == 1 ? 0 : 1;
-            receivers[c].take(*cache.encoding(frame, trackers[c].bases_for(tick)));
+            receivers[c].take(*cache.encoding(frame, trackers[c].baselines_for(tick)));
             trackers[c].on_sent(tick);
             const wire::QuantizedFrame& has = receivers[c].ring.back();
             ASSERT_EQ(has, cache.quantized(frame));
@@ -160,25 +160,25 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     SnapshotCache cache({}, serialize);
     BaselineTracker slow;
     Receiver receiver;
-    receiver.take(*cache.encoding(frame_at(1), slow.bases_for(1)));
+    receiver.take(*cache.encoding(frame_at(1), slow.baselines_for(1)));
     slow.on_sent(1);
     for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
-    receiver.take(*cache.encoding(frame_at(60), slow.bases_for(60)));
+    receiver.take(*cache.encoding(frame_at(60), slow.baselines_for(60)));
     EXPECT_EQ(receiver.baselines, wire::BaselineFrames{});
 }
 
 TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
     BaselineTracker baselines;
-    EXPECT_EQ(baselines.bases_for(5), wire::BaselineFrames{});
+    EXPECT_EQ(baselines.baselines_for(5), wire::BaselineFrames{});
     baselines.on_sent(5);
     baselines.on_sent(6);
     baselines.on_sent(7);
-    EXPECT_EQ(baselines.bases_for(8), (wire::BaselineFrames{7, 6, 5}));
-    EXPECT_EQ(baselines.bases_for(1000), wire::BaselineFrames{}) << "too far apart to predict from";
+    EXPECT_EQ(baselines.baselines_for(8), (wire::BaselineFrames{7, 6, 5}));
+    EXPECT_EQ(baselines.baselines_for(1000), wire::BaselineFrames{}) << "too far apart to predict from";
     baselines.reset();
-    EXPECT_EQ(baselines.bases_for(8), wire::BaselineFrames{});
+    EXPECT_EQ(baselines.baselines_for(8), wire::BaselineFrames{});
 }
 
 TEST(SnapshotCache, bodies_at_rest_are_silent) {
@@ -195,7 +195,7 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
         for (EntityId id = 1; id <= 1000; ++id)
             poses.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
         frame->entities = PoseList(poses);
-        cache.encoding(frame, baselines.bases_for(tick));
+        cache.encoding(frame, baselines.baselines_for(tick));
         baselines.on_sent(tick);
     }
     EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
@@ -305,7 +305,7 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
             if (random() % 400 == 0) client.baselines.reset();  // a CRC that did not match
             if (c > 5 && random() % 10 == 0) continue;          // a write is pending
             if (!client.flow.may_send(tick, now)) continue;
-            client.receiver.take(*cache.encoding(frame, client.baselines.bases_for(tick)));
+            client.receiver.take(*cache.encoding(frame, client.baselines.baselines_for(tick)));
             client.baselines.on_sent(tick);
             client.flow.on_sent(tick, now);
             client.unacked.push_back(tick);
@@ -327,7 +327,7 @@ TEST(SnapshotCache, network_threads_may_ask_at_once) {
             BaselineTracker baselines;
             Receiver receiver;
             for (std::uint32_t tick = 1 + t; tick <= 200; tick += t + 1) {
-                receiver.take(*cache.encoding(frames[tick - 1], baselines.bases_for(tick)));
+                receiver.take(*cache.encoding(frames[tick - 1], baselines.baselines_for(tick)));
                 baselines.on_sent(tick);
             }
         });

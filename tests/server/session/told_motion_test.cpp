@@ -21,7 +21,7 @@ physics::Vec3 told_velocity(const SessionHarness& player, EntityId id) {
 }
 
 // Every body that is awake, in each of thirty frames: how far it went is how fast it was.
-TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
+TEST(MotionChannel, is_how_bodies_came_to_where_they_are) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}});
@@ -48,7 +48,7 @@ TEST(ToldMotion, is_how_bodies_came_to_where_they_are) {
 }
 
 // 901 cubes that a big one draws along, for five seconds.
-TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
+TEST(MotionChannel, costs_less_than_eight_bytes_of_a_body_that_moves) {
     TestServer server({.world = {.bodies_max = 2000}});
     const auto world = server.host(*scenes::find_scene("katamari"));
     SessionHarness player(server, {.channels = {motion_kind}}), silent(server, {});
@@ -70,7 +70,7 @@ TEST(ToldMotion, costs_less_than_eight_bytes_of_a_body_that_moves) {
     EXPECT_LT(each, 8);
 }
 
-TEST(ToldMotion, ends_with_the_last_who_asked) {
+TEST(MotionChannel, ends_with_the_last_who_asked) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     std::optional<SessionHarness> player(std::in_place, server,
@@ -82,7 +82,7 @@ TEST(ToldMotion, ends_with_the_last_who_asked) {
     EXPECT_TRUE(world->frame()->channels->empty());
 }
 
-TEST(ToldMotion, is_not_for_who_sees_a_part_of_the_world) {
+TEST(MotionChannel, is_not_for_who_sees_a_part_of_the_world) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}, .max_kbps = 500});

@@ -14,7 +14,7 @@ namespace {
 using test::SessionHarness;
 using test::TestServer;
 
-physics::Vec3 told_velocity(const SessionHarness& player, EntityId id) {
+physics::Vec3 sent_velocity(const SessionHarness& player, EntityId id) {
     const auto told = player.conversation.view().channel(motion_kind, id);
     if (told.size() != 6) return {99, 99, 99};
     return physics::Vec3{told[0] / motion_units, told[1] / motion_units, told[2] / motion_units};
@@ -35,7 +35,7 @@ TEST(MotionChannel, is_how_bodies_came_to_where_they_are) {
             const auto was = std::ranges::find(before->entities, body.id, &EntityPose::id);
             if (!body.awake || was == before->entities.end()) continue;
             const physics::Vec3 went = (body.pose.position - was->pose.position) * 60.0;
-            off += length(went - told_velocity(player, body.id)) < 0.2 ? 0 : 1;
+            off += length(went - sent_velocity(player, body.id)) < 0.2 ? 0 : 1;
             compared++;
         }
         before = now;

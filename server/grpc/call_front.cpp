@@ -27,7 +27,7 @@ Error too_much(std::string what) {
 
 }  // namespace
 
-struct CallFront::Tag : RpcTag {
+struct UnaryDispatcher::Tag : RpcTag {
     enum class Event { accepted, read, wrote, finished, done };
 
     Tag(Call* of_call, Event of_event) : RpcTag(Of::call), call(of_call), event(of_event) {}
@@ -38,7 +38,7 @@ struct CallFront::Tag : RpcTag {
 
 // Belongs to the queue's thread, but for the time in which a thread of a pool answers: that one
 // begins the write that hands it back.
-struct CallFront::Call {
+struct UnaryDispatcher::Call {
     grpc::GenericServerContext context;
     grpc::GenericServerAsyncReaderWriter stream{&context};
     Tag accepted{this, Tag::Event::accepted}, read{this, Tag::Event::read},
@@ -61,7 +61,7 @@ struct CallFront::Call {
     void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
+UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
                      RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;
@@ -76,11 +76,11 @@ CallFront::CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, Ca
       mutation_pool_(1, limits.queue_max, mutation_niceness),
       waiting_(limits.waiting_threads, limits.queue_max, 0) {}
 
-CallFront::~CallFront() {
+UnaryDispatcher::~UnaryDispatcher() {
     stop();
 }
 
-void CallFront::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
+void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
     queue_ = &queue;
     connections_ = &connections;
     due_ = Clock::now() + front_housekeeping_period;
@@ -88,7 +88,7 @@ void CallFront::start(grpc::ServerCompletionQueue& queue, const ConnectionTable&
 }
 
 // The pools first: what they answer begins an operation, which a queue that shuts down forbids.
-void CallFront::stop() {
+void UnaryDispatcher::stop() {
     if (stopping_.exchange(true)) return;
     quick_pool_.stop();
     query_pool_.stop();
@@ -96,7 +96,7 @@ void CallFront::stop() {
     waiting_.stop();
 }
 
-void CallFront::ask_for_call() {
+void UnaryDispatcher::ask_for_call() {
     calls_.push_back(std::make_unique<Call>());
     Call& call = *calls_.back();
     call.context.AsyncNotifyWhenDone(&call.done);
@@ -104,7 +104,7 @@ void CallFront::ask_for_call() {
 }
 
 // While the front stops nothing is begun any more: the server has cancelled what is open.
-void CallFront::handle(RpcTag& any, bool ok) {
+void UnaryDispatcher::handle(RpcTag& any, bool ok) {
     Tag& tag = static_cast<Tag&>(any);
     Call& call = *tag.call;
     switch (tag.event) {
@@ -137,7 +137,7 @@ void CallFront::handle(RpcTag& any, bool ok) {
     if (call.over()) forget(call);
 }
 
-void CallFront::forget(Call& call) {
+void UnaryDispatcher::forget(Call& call) {
     if (call.begun) {
         open_--;
         call.connection->calls--;
@@ -147,7 +147,7 @@ void CallFront::forget(Call& call) {
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
 
-Status CallFront::admit(Call& call) const {
+Status UnaryDispatcher::admit(Call& call) const {
     if (open_ > limits_.calls_max && !call.method->is_probe)
         return too_much("too many calls are open");
     if (call.connection->unary_calls > limits_.calls_per_peer_max)
@@ -158,7 +158,7 @@ Status CallFront::admit(Call& call) const {
 }
 
 // Who calls, and whether he may; of calls about a world that is asked when it is known which.
-Status CallFront::authorize(Call& call) const {
+Status UnaryDispatcher::authorize(Call& call) const {
     Result<Identity> who = identify(call.context, *call.connection, authorizer_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
@@ -166,7 +166,7 @@ Status CallFront::authorize(Call& call) const {
     return authorizer_.admit(call.who, context_of(call).ask({}));
 }
 
-CallContext CallFront::context_of(const Call& call) const {
+CallContext UnaryDispatcher::context_of(const Call& call) const {
     return {.authorizer = authorizer_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
@@ -175,7 +175,7 @@ CallContext CallFront::context_of(const Call& call) const {
             .gave_up = [&call] { return call.gave_up.load(); }};
 }
 
-void CallFront::begin(Call& call) {
+void UnaryDispatcher::begin(Call& call) {
     call.begun = true;
     call.since = Clock::now();
     call.connection = connections_->of(call.context.peer());
@@ -198,7 +198,7 @@ void CallFront::begin(Call& call) {
     call.stream.Read(&call.incoming, &call.read);
 }
 
-void CallFront::on_read(Call& call, bool ok) {
+void UnaryDispatcher::on_read(Call& call, bool ok) {
     if (!ok) {
         // The client sends no more: of a stream that is the end, of others it is too early.
         if (call.method->work == CallWork::stream) return finish(call, {});
@@ -216,7 +216,7 @@ void CallFront::on_read(Call& call, bool ok) {
     if (call.method->work != CallWork::watch) enqueue(call);
 }
 
-void CallFront::enqueue(Call& call) {
+void UnaryDispatcher::enqueue(Call& call) {
     // Quick answers are small.
     if (unsent_bytes_ > limits_.answer_bytes_max && call.method->work != CallWork::quick)
         return finish(call, too_much("answers wait for clients that do not read"));
@@ -224,7 +224,7 @@ void CallFront::enqueue(Call& call) {
         finish(call, too_much("too many calls wait to be answered"));
 }
 
-WorkPool& CallFront::pool_of(const CallMethod& method) {
+WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
     switch (method.work) {
         case CallWork::query:
             return query_pool_;
@@ -238,7 +238,7 @@ WorkPool& CallFront::pool_of(const CallMethod& method) {
 }
 
 // On a thread of a pool. The last operation it begins hands the call back.
-void CallFront::answer(Call& call) {
+void UnaryDispatcher::answer(Call& call) {
     const CallContext context = context_of(call);
     Status status;
     AnswerBytes bytes;
@@ -263,7 +263,7 @@ void CallFront::answer(Call& call) {
     call.stream.WriteAndFinish(buffer, {}, grpc::Status::OK, &call.finished);
 }
 
-void CallFront::on_wrote(Call& call, bool ok) {
+void UnaryDispatcher::on_wrote(Call& call, bool ok) {
     if (!ok || call.gave_up)
         return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
     if (call.method->work != CallWork::stream) return;
@@ -271,7 +271,7 @@ void CallFront::on_wrote(Call& call, bool ok) {
     call.stream.Read(&call.incoming, &call.read);
 }
 
-void CallFront::finish(Call& call, const Status& status) {
+void UnaryDispatcher::finish(Call& call, const Status& status) {
     call.finishing = true;
     call.wait_for_client();
     const grpc::Status rich = to_rich(status);
@@ -280,13 +280,13 @@ void CallFront::finish(Call& call, const Status& status) {
 }
 
 // Once a call, when its status is known.
-void CallFront::count(const Call& call, grpc::StatusCode code) const {
+void UnaryDispatcher::count(const Call& call, grpc::StatusCode code) const {
     if (!metrics_) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - call.since).count();
     metrics_->handled(call.context.method(), code, seconds);
 }
 
-void CallFront::tell_watches() {
+void UnaryDispatcher::tell_watches() {
     for (const auto& entry : calls_) {
         Call& call = *entry;
         if (!call.asked || call.finishing || call.writing || call.method->work != CallWork::watch)
@@ -309,7 +309,7 @@ void CallFront::tell_watches() {
 }
 
 // A client that neither sends nor takes costs a call and its bytes: for a while only.
-void CallFront::give_up_waiting(Clock::time_point now) {
+void UnaryDispatcher::give_up_waiting(Clock::time_point now) {
     for (const auto& call : calls_) {
         const Clock::rep since = call->waits_since.load();
         if (since == 0 || call->is_done) continue;
@@ -318,7 +318,7 @@ void CallFront::give_up_waiting(Clock::time_point now) {
     }
 }
 
-void CallFront::housekeep(Clock::time_point now) {
+void UnaryDispatcher::housekeep(Clock::time_point now) {
     if (now < due_) return;
     due_ = now + front_housekeeping_period;
     if (stopping_) return;
@@ -326,7 +326,7 @@ void CallFront::housekeep(Clock::time_point now) {
     give_up_waiting(now);
 }
 
-void CallFront::forget_all() {
+void UnaryDispatcher::forget_all() {
     calls_.clear();
 }
 

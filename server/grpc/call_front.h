@@ -38,12 +38,12 @@ struct CallLimits {
     Clock::duration timeout = std::chrono::seconds(10);
 };
 
-class CallFront {
+class UnaryDispatcher {
 public:
     // The gate outlives the front, and so do `metrics`; null: nobody counts.
-    CallFront(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
+    UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
               RpcMetrics* metrics = nullptr);
-    ~CallFront();
+    ~UnaryDispatcher();
 
     grpc::AsyncGenericService& service() { return service_; }
     // After the server was started, before the queue's thread is; queue and `connections` outlive

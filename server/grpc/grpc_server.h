@@ -71,7 +71,7 @@ private:
     const GrpcSettings settings_;
     std::atomic<bool> serving_{false};
     RawPlayService play_service_;
-    CallFront front_;
+    UnaryDispatcher front_;
     ConnectionTable table_;
     ConnectionRelay relay_;
     ConnectionAcceptor acceptor_;

@@ -29,7 +29,7 @@ PlayShard::~PlayShard() {
     stop();
 }
 
-void PlayShard::start(CallFront* front) {
+void PlayShard::start(UnaryDispatcher* front) {
     front_ = front;
     for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
     thread_ = std::thread([this] { run(); });

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/grpc/call_front.h"
+#include "server/grpc/unary_dispatcher.h"
 #include "server/grpc/play_shard.h"
 #include "server/grpc_proxy/connection_acceptor.h"
 #include "server/grpc_proxy/connection_relay.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // gRPC clients at a server in this process whose methods are the test's own.
-#include "server/grpc/call_front.h"
+#include "server/grpc/unary_dispatcher.h"
 
 #include <google/rpc/error_details.pb.h>
 #include <google/rpc/status.pb.h>

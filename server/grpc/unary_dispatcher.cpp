@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/call_front.h"
+#include "server/grpc/unary_dispatcher.h"
 
 #include <algorithm>
 #include <optional>

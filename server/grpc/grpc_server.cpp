@@ -74,7 +74,7 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                        std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      front_(all_methods(std::move(methods), std::move(is_healthy)), context.authorizer, {},
+      dispatcher_(all_methods(std::move(methods), std::move(is_healthy)), context.authorizer, {},
              context.rpc_metrics),
       table_(settings_.connections),
       relay_(table_, settings_.relay, settings_.metrics),
@@ -112,14 +112,14 @@ Status GrpcServer::start() {
     set_keepalive(builder);
     set_limits(builder, settings_);
     builder.RegisterService(&play_service_);
-    builder.RegisterAsyncGenericService(&front_.service());
+    builder.RegisterAsyncGenericService(&dispatcher_.service());
     for (int i = 0; i < settings_.network_threads; ++i)
         shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, table_,
                                                       builder.AddCompletionQueue()));
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
-    front_.start(shards_.front()->queue(), table_);
-    for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &front_ : nullptr);
+    dispatcher_.start(shards_.front()->queue(), table_);
+    for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
     serving_ = true;
     answered_ = Clock::now().time_since_epoch().count();
     asker_ = std::thread([this] { ask_itself(); });
@@ -187,7 +187,7 @@ void GrpcServer::stop() {
     // drains with patience is not to wait any longer.
     if (server_) grpc_server_cancel_all_calls(server_->c_server());
     if (shutdown_.joinable()) shutdown_.join();
-    front_.stop();
+    dispatcher_.stop();
     for (const auto& shard : shards_) shard->stop();
     relay_.stop(last_words_max);
 }

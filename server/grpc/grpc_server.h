@@ -71,7 +71,7 @@ private:
     const GrpcSettings settings_;
     std::atomic<bool> serving_{false};
     RawPlayService play_service_;
-    UnaryDispatcher front_;
+    UnaryDispatcher dispatcher_;
     ConnectionTable table_;
     ConnectionRelay relay_;
     ConnectionAcceptor acceptor_;

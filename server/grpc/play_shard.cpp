@@ -29,8 +29,8 @@ PlayShard::~PlayShard() {
     stop();
 }
 
-void PlayShard::start(UnaryDispatcher* front) {
-    front_ = front;
+void PlayShard::start(UnaryDispatcher* dispatcher) {
+    dispatcher_ = dispatcher;
     for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
     thread_ = std::thread([this] { run(); });
 }
@@ -95,7 +95,7 @@ void PlayShard::run() {
         bool ok = false;
         // gRPC takes its deadlines on the system clock; the distance is what counts.
         const Clock::time_point due =
-            front_ ? std::min(housekeeping_, front_->housekeeping()) : housekeeping_;
+            dispatcher_ ? std::min(housekeeping_, dispatcher_->housekeeping()) : housekeeping_;
         const auto wait = std::max(Clock::duration::zero(), due - Clock::now());
         const auto deadline = std::chrono::system_clock::now() + wait;
         const auto next = queue_->AsyncNext(&tag, &ok, deadline);
@@ -113,7 +113,7 @@ void PlayShard::run() {
                 advance_all(now);
             }
         }
-        if (front_) front_->housekeep(now);
+        if (dispatcher_) dispatcher_->housekeep(now);
         if (now >= housekeeping_ && !stopping_) {
             housekeep(now);
             housekeeping_ = now + (streams_.empty() ? Clock::duration(idle_shard_period)
@@ -122,12 +122,12 @@ void PlayShard::run() {
     }
     streams_.clear();
     waiting_.clear();
-    if (front_) front_->forget_all();
+    if (dispatcher_) dispatcher_->forget_all();
 }
 
 void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
     if (tag.of == RpcTag::Of::call)
-        front_->handle(tag, ok);
+        dispatcher_->handle(tag, ok);
     else
         handle(static_cast<PlayTag&>(tag), ok, now);
 }

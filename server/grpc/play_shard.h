@@ -32,7 +32,7 @@ public:
     ~PlayShard();
 
     // After the server was started. `front`: its calls arrive here, too; null: another shard's.
-    void start(UnaryDispatcher* front);
+    void start(UnaryDispatcher* dispatcher);
     grpc::ServerCompletionQueue& queue() { return *queue_; }
     // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
     // awake already.
@@ -61,7 +61,7 @@ private:
     RawPlayService& service_;
     const ConnectionTable& connections_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
-    UnaryDispatcher* front_ = nullptr;
+    UnaryDispatcher* dispatcher_ = nullptr;
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
     std::size_t first_ = 0;  // whose write starts first this time

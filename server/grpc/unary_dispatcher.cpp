@@ -15,7 +15,7 @@ namespace jostle::server {
 namespace {
 
 // How often timeouts and watches are looked at.
-constexpr auto front_housekeeping_period = std::chrono::milliseconds(100);
+constexpr auto dispatcher_housekeeping_period = std::chrono::milliseconds(100);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr int calls_asked_for = 16;
 // Who asks stands back behind who plays.
@@ -83,7 +83,7 @@ UnaryDispatcher::~UnaryDispatcher() {
 void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
     queue_ = &queue;
     connections_ = &connections;
-    due_ = Clock::now() + front_housekeeping_period;
+    due_ = Clock::now() + dispatcher_housekeeping_period;
     for (int i = 0; i < calls_asked_for; i++) ask_for_call();
 }
 
@@ -320,7 +320,7 @@ void UnaryDispatcher::give_up_waiting(Clock::time_point now) {
 
 void UnaryDispatcher::housekeep(Clock::time_point now) {
     if (now < due_) return;
-    due_ = now + front_housekeeping_period;
+    due_ = now + dispatcher_housekeeping_period;
     if (stopping_) return;
     tell_watches();
     give_up_waiting(now);

@@ -54,13 +54,13 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
         server_call(control, "Drain", Audit::yes, &AdminControl::drain),
         world_call(control, worlds, "SetPaused", CallWork::quick, Audit::yes,
                    &AdminControl::set_paused),
-        world_call(control, worlds, "StepWorld", CallWork::waits, Audit::yes,
+        world_call(control, worlds, "StepWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::step_world),
-        world_call(control, worlds, "ExportWorld", CallWork::waits, Audit::no,
+        world_call(control, worlds, "ExportWorld", CallWork::blocking, Audit::no,
                    &AdminControl::export_world),
-        world_call(control, worlds, "RewindWorld", CallWork::waits, Audit::yes,
+        world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::rewind_world),
-        world_call(control, worlds, "Profile", CallWork::waits, Audit::no, &AdminControl::profile),
+        world_call(control, worlds, "Profile", CallWork::blocking, Audit::no, &AdminControl::profile),
     };
 }
 

@@ -38,7 +38,7 @@ enum class CallWork {
     quick,    // one request, one answer at once
     query,    // likewise, on the threads of what asks worlds
     control,  // likewise, on the threads of what changes worlds
-    waits,    // likewise, on the threads of what waits for a world: operators' calls
+    blocking,    // likewise, on the threads of what waits for a world: operators' calls
     stream,   // an answer for each request, until the client ends it
     watch,    // one request, then an answer whenever there is another one
 };

@@ -230,7 +230,7 @@ WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
             return query_pool_;
         case CallWork::control:
             return mutation_pool_;
-        case CallWork::waits:
+        case CallWork::blocking:
             return waiting_;
         default:
             return quick_pool_;

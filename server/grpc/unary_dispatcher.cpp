@@ -142,7 +142,7 @@ void UnaryDispatcher::forget(Call& call) {
         open_--;
         call.connection->calls--;
         call.connection->unary_calls--;
-        if (call.method && call.method->stays_open()) staying_--;
+        if (call.method && call.method->stays_open()) open_streams_--;
     }
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
@@ -152,7 +152,7 @@ Status UnaryDispatcher::admit(Call& call) const {
         return too_much("too many calls are open");
     if (call.connection->unary_calls > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
-    if (call.method->stays_open() && staying_ > limits_.staying_max)
+    if (call.method->stays_open() && open_streams_ > limits_.open_streams_max)
         return too_much("too many streams of this kind are open");
     return authorize(call);
 }
@@ -185,7 +185,7 @@ void UnaryDispatcher::begin(Call& call) {
     open_++;
     const auto known = methods_.find(call.context.method());
     if (known != methods_.end()) call.method = &known->second;
-    if (call.method && call.method->stays_open()) staying_++;
+    if (call.method && call.method->stays_open()) open_streams_++;
     if (!call.method) {
         call.finishing = true;
         count(call, grpc::StatusCode::UNIMPLEMENTED);

@@ -31,7 +31,7 @@ struct CallLimits {
     std::size_t calls_max = 256;     // open at once
     int calls_per_peer_max = 32;     // of one connection
     std::size_t queue_max = 64;      // that wait for a thread, of each pool
-    std::size_t staying_max = 64;    // streams and watches
+    std::size_t open_streams_max = 64;    // streams and watches
     double answer_bytes_max = 64e6;  // made but not yet taken by their clients
     int waiting_threads = 2;         // for what waits for a world
     // For a request to come in, and for an answer to be taken.
@@ -87,7 +87,7 @@ private:
     const ConnectionTable* connections_ = nullptr;
     Clock::time_point due_{};
     std::list<std::unique_ptr<Call>> calls_;  // also those that were asked for and did not come
-    std::size_t open_ = 0, staying_ = 0;
+    std::size_t open_ = 0, open_streams_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false};
     WorkPool quick_pool_, query_pool_, mutation_pool_, waiting_;

@@ -32,7 +32,7 @@ struct CallContext {
     AccessRequest ask(const WorldTarget& world) const { return {call, world, address}; }
 };
 
-using AnswerBytes = std::shared_ptr<const std::string>;
+using ResponseBytes = std::shared_ptr<const std::string>;
 
 enum class CallWork {
     quick,    // one request, one answer at once
@@ -51,7 +51,7 @@ struct CallMethod {
     bool asks_for_world = false;
     bool is_probe = false;  // is answered however many calls of others are open
     // On a thread of a pool; a watch's on that of the front, again and again.
-    std::function<Status(const CallContext&, std::string_view request, AnswerBytes& answer)> run;
+    std::function<Status(const CallContext&, std::string_view request, ResponseBytes& answer)> run;
 
     // Until its client ends it.
     bool stays_open() const { return work == CallWork::stream || work == CallWork::watch; }
@@ -75,7 +75,7 @@ template <class Request, class Response, class Handle>
 CallMethod unary_method(std::string path, CallWork work, std::size_t request_bytes_max,
                         Handle handle) {
     auto run = [handle = std::move(handle)](const CallContext& context, std::string_view bytes,
-                                            AnswerBytes& answer) -> Status {
+                                            ResponseBytes& answer) -> Status {
         Request request;
         if (Status s = parse(bytes, request); !s.ok()) return s;
         Response response;

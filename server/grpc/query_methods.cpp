@@ -28,15 +28,15 @@ CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, c
 class SharedAnswers {
 public:
     template <class Make>
-    AnswerBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
+    ResponseBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
                              const Make& make) {
         const std::lock_guard lock(mutex_);
         std::erase_if(kept_, [](const Kept& kept) { return kept.answer.expired(); });
         for (const Kept& kept : kept_)
-            if (AnswerBytes answer = kept.answer.lock();
+            if (ResponseBytes answer = kept.answer.lock();
                 answer && kept.frame.lock() == frame && kept.request == request)
                 return answer;
-        const AnswerBytes made = make();
+        const ResponseBytes made = make();
         kept_.push_back({frame, std::string(request), made});
         return made;
     }
@@ -55,7 +55,7 @@ private:
 CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {
     const auto shared = std::make_shared<SharedAnswers>();
     const auto run = [&queries, &worlds, shared](const CallContext& context, std::string_view bytes,
-                                                 AnswerBytes& answer) -> Status {
+                                                 ResponseBytes& answer) -> Status {
         v1::DebugRequest request;
         if (Status s = parse(bytes, request); !s.ok()) return s;
         if (Status s = admit(context, worlds, request.world()); !s.ok()) return s;

@@ -50,7 +50,7 @@ struct UnaryDispatcher::Call {
     Clock::time_point since{};  // it came
     Identity who;
     grpc::ByteBuffer incoming;
-    AnswerBytes told;  // of a watch: what it was told last
+    ResponseBytes told;  // of a watch: what it was told last
     double unsent = 0;
     std::atomic<Clock::rep> waits_since{0};  // for its client; 0: it does not
     std::atomic<bool> gave_up{false};
@@ -241,7 +241,7 @@ WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
 void UnaryDispatcher::answer(Call& call) {
     const CallContext context = context_of(call);
     Status status;
-    AnswerBytes bytes;
+    ResponseBytes bytes;
     try {
         if (context.is_too_late())
             status = Error{ErrorCode::deadline_exceeded, "the deadline has passed"};
@@ -295,7 +295,7 @@ void UnaryDispatcher::tell_watches() {
             finish(call, Error{ErrorCode::aborted, "the client left"});
             continue;
         }
-        AnswerBytes now;
+        ResponseBytes now;
         const CallContext context = context_of(call);
         if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);

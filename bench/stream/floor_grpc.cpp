@@ -40,7 +40,7 @@ public:
     void run(const std::atomic<bool>& stop);
 
 private:
-    void ask_for_call();
+    void request_call();
     void handle(const FloorTag& tag, bool ok);
     void write_to_all();
 
@@ -62,11 +62,11 @@ Status GrpcFloor::listen() {
     queue_ = builder.AddCompletionQueue();
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot listen"};
-    ask_for_call();
+    request_call();
     return tell_port(options_.port_file, port);
 }
 
-void GrpcFloor::ask_for_call() {
+void GrpcFloor::request_call() {
     streams_.push_back(std::make_unique<FloorStream>());
     FloorStream& next = *streams_.back();
     service_.RequestCall(&next.context, &next.stream, queue_.get(), queue_.get(), &next.accepted);
@@ -79,7 +79,7 @@ void GrpcFloor::handle(const FloorTag& tag, bool ok) {
         case FloorTag::Event::accepted:
             if (!ok) return;
             accepted_ = streams_.size();
-            ask_for_call();
+            request_call();
             stream.stream.Read(&stream.incoming, &stream.read);
             return;
         case FloorTag::Event::read:

@@ -26,9 +26,9 @@ struct CallContext {
     const Identity& who;
     std::string address;
     std::chrono::system_clock::time_point deadline;
-    std::function<bool()> gave_up;  // nobody waits for the answer any more
+    std::function<bool()> is_cancelled;  // nobody waits for the answer any more
 
-    bool is_too_late() const { return deadline <= std::chrono::system_clock::now() || gave_up(); }
+    bool is_too_late() const { return deadline <= std::chrono::system_clock::now() || is_cancelled(); }
     AccessRequest ask(const WorldTarget& world) const { return {call, world, address}; }
 };
 
@@ -48,10 +48,10 @@ struct CallMethod {
     CallWork work = CallWork::quick;
     std::size_t request_bytes_max = 64 * 1024;
     // Calls about a world ask the gate when they know which; for the others the front has asked.
-    bool asks_for_world = false;
+    bool authorizes_world = false;
     bool is_probe = false;  // is answered however many calls of others are open
     // On a thread of a pool; a watch's on that of the front, again and again.
-    std::function<Status(const CallContext&, std::string_view request, ResponseBytes& answer)> run;
+    std::function<Status(const CallContext&, std::string_view request, ResponseBytes& response_bytes)> run;
 
     // Until its client ends it.
     bool stays_open() const { return work == CallWork::stream || work == CallWork::watch; }
@@ -75,12 +75,12 @@ template <class Request, class Response, class Handle>
 CallMethod unary_method(std::string path, CallWork work, std::size_t request_bytes_max,
                         Handle handle) {
     auto run = [handle = std::move(handle)](const CallContext& context, std::string_view bytes,
-                                            ResponseBytes& answer) -> Status {
+                                            ResponseBytes& response_bytes) -> Status {
         Request request;
         if (Status s = parse(bytes, request); !s.ok()) return s;
         Response response;
         if (Status s = handle(context, request, response); !s.ok()) return s;
-        answer = std::make_shared<const std::string>(response.SerializeAsString());
+        response_bytes = std::make_shared<const std::string>(response.SerializeAsString());
         return {};
     };
     return {.path = std::move(path),
@@ -100,7 +100,7 @@ CallMethod world_method(std::string path, CallWork work, std::size_t request_byt
             if (Status s = admit(context, worlds, request.world()); !s.ok()) return s;
             return handle(context, request, response);
         });
-    method.asks_for_world = true;
+    method.authorizes_world = true;
     return method;
 }
 

@@ -103,7 +103,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
 }
 
 Status GrpcServer::start() {
-    tame_libraries();
+    configure_libraries();
     if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(

@@ -32,7 +32,7 @@ void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::str
 
 }  // namespace
 
-void tame_libraries() {
+void configure_libraries() {
     absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
     gpr_set_log_function(write_grpc);
     google::protobuf::SetLogHandler(write_protobuf);

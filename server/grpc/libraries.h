@@ -9,6 +9,6 @@
 namespace jostle::server {
 
 // Any number of times; for the whole process.
-void tame_libraries();
+void configure_libraries();
 
 }  // namespace jostle::server

@@ -14,7 +14,7 @@ constexpr auto shard_housekeeping_period = std::chrono::milliseconds(50);
 // Of one that has no streams: each time that a thread wakes costs a quiet server.
 constexpr auto idle_shard_period = std::chrono::milliseconds(250);
 // Calls that may arrive together before one of them has to wait for the thread.
-constexpr std::size_t plays_asked_for = 16;
+constexpr std::size_t plays_requested = 16;
 constexpr std::size_t streams_without_hello_max = 256;
 constexpr std::size_t streams_without_hello_of_address_max = 64;
 
@@ -31,7 +31,7 @@ PlayShard::~PlayShard() {
 
 void PlayShard::start(UnaryDispatcher* dispatcher) {
     dispatcher_ = dispatcher;
-    for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
+    for (std::size_t i = 0; i < plays_requested; ++i) request_call();
     thread_ = std::thread([this] { run(); });
 }
 
@@ -48,7 +48,7 @@ bool PlayShard::too_many_wait_from(const std::string& network) const {
     return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
 }
 
-void PlayShard::ask_for_call() {
+void PlayShard::request_call() {
     waiting_.push_back(std::make_unique<PlayStream>(service_, *queue_));
 }
 
@@ -122,7 +122,7 @@ void PlayShard::run() {
     }
     streams_.clear();
     waiting_.clear();
-    if (dispatcher_) dispatcher_->forget_all();
+    if (dispatcher_) dispatcher_->drop_all();
 }
 
 void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
@@ -144,7 +144,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             std::unique_ptr<PlayStream> owned = std::move(*at);
             waiting_.erase(at);
             if (!ok) return;  // the server is going down
-            ask_for_call();
+            request_call();
             owned->begin(
                 context_, connections_, [this] { wake_for_datagrams(); }, now);
             if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))

@@ -53,7 +53,7 @@ private:
     void advance_with_datagrams(Clock::time_point now);
     void housekeep(Clock::time_point now);
     void drop_finished();
-    void ask_for_call();
+    void request_call();
     std::size_t streams_max() const;
     bool too_many_wait_from(const std::string& network) const;
 

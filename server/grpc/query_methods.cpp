@@ -33,9 +33,9 @@ public:
         const std::lock_guard lock(mutex_);
         std::erase_if(kept_, [](const Kept& kept) { return kept.answer.expired(); });
         for (const Kept& kept : kept_)
-            if (ResponseBytes answer = kept.answer.lock();
+            if (ResponseBytes response_bytes = kept.answer.lock();
                 answer && kept.frame.lock() == frame && kept.request == request)
-                return answer;
+                return response_bytes;
         const ResponseBytes made = make();
         kept_.push_back({frame, std::string(request), made});
         return made;
@@ -45,7 +45,7 @@ private:
     struct Kept {
         std::weak_ptr<const QueryFrame> frame;
         std::string request;
-        std::weak_ptr<const std::string> answer;
+        std::weak_ptr<const std::string> response_bytes;
     };
 
     std::mutex mutex_;
@@ -55,13 +55,13 @@ private:
 CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {
     const auto shared = std::make_shared<SharedAnswers>();
     const auto run = [&queries, &worlds, shared](const CallContext& context, std::string_view bytes,
-                                                 ResponseBytes& answer) -> Status {
+                                                 ResponseBytes& response_bytes) -> Status {
         v1::DebugRequest request;
         if (Status s = parse(bytes, request); !s.ok()) return s;
         if (Status s = admit(context, worlds, request.world()); !s.ok()) return s;
         const Result<QueryFramePtr> frame = queries.debug_frame(request);
         if (!frame.ok()) return frame.error();
-        answer = shared->find_or_make(*frame, bytes, [&] {
+        response_bytes = shared->find_or_make(*frame, bytes, [&] {
             v1::DebugResponse response;
             QueryControl::write_debug(request, **frame, response);
             return std::make_shared<const std::string>(response.SerializeAsString());
@@ -72,7 +72,7 @@ CallMethod debug_method(const QueryControl& queries, const WorldDirectory& world
     return {.path = "/jostle.v1.QueryService/Debug",
             .work = CallWork::query,
             .request_bytes_max = debug_bytes_max,
-            .asks_for_world = true,
+            .authorizes_world = true,
             .run = run};
 }
 

@@ -29,7 +29,7 @@ void add_with_imports(const FileDescriptor& file, std::set<const FileDescriptor*
         add_with_imports(*file.dependency(i), added, out);
 }
 
-void answer_file(const FileDescriptor* file, reflection::ServerReflectionResponse& response) {
+void respond_with_file(const FileDescriptor* file, reflection::ServerReflectionResponse& response) {
     if (file == nullptr) {
         response.mutable_error_response()->set_error_code(grpc::StatusCode::NOT_FOUND);
         response.mutable_error_response()->set_error_message("there is no such file or symbol");
@@ -46,9 +46,9 @@ void answer(const reflection::ServerReflectionRequest& request,
     const DescriptorPool& pool = *DescriptorPool::generated_pool();
     switch (request.message_request_case()) {
         case Request::kFileByFilename:
-            return answer_file(pool.FindFileByName(request.file_by_filename()), response);
+            return respond_with_file(pool.FindFileByName(request.file_by_filename()), response);
         case Request::kFileContainingSymbol:
-            return answer_file(pool.FindFileContainingSymbol(request.file_containing_symbol()),
+            return respond_with_file(pool.FindFileContainingSymbol(request.file_containing_symbol()),
                                response);
         case Request::kListServices:
             for (const std::string& name : services)
@@ -57,7 +57,7 @@ void answer(const reflection::ServerReflectionRequest& request,
         case Request::kAllExtensionNumbersOfType:  // nothing is extended here
         case Request::kFileContainingExtension:
         case Request::MESSAGE_REQUEST_NOT_SET:
-            return answer_file(nullptr, response);
+            return respond_with_file(nullptr, response);
     }
 }
 

@@ -63,7 +63,7 @@ std::string_view field_of(std::string_view message) {
 
 }  // namespace
 
-grpc::Status to_rich(const Status& status) {
+grpc::Status to_rich_status(const Status& status) {
     const grpc::Status plain = to_grpc(status);
     if (status.ok()) return plain;
     const Error& error = status.error();

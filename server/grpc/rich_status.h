@@ -10,6 +10,6 @@
 
 namespace jostle::server {
 
-grpc::Status to_rich(const Status& status);
+grpc::Status to_rich_status(const Status& status);
 
 }  // namespace jostle::server

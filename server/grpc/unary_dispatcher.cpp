@@ -17,7 +17,7 @@ namespace {
 // How often timeouts and watches are looked at.
 constexpr auto dispatcher_housekeeping_period = std::chrono::milliseconds(100);
 // Calls that may arrive together before one of them has to wait for the thread.
-constexpr int calls_asked_for = 16;
+constexpr int calls_requested = 16;
 // Who asks stands back behind who plays.
 constexpr int query_niceness = 10, mutation_niceness = 5;
 
@@ -53,7 +53,7 @@ struct UnaryDispatcher::Call {
     ResponseBytes told;  // of a watch: what it was told last
     double unsent = 0;
     std::atomic<Clock::rep> waits_since{0};  // for its client; 0: it does not
-    std::atomic<bool> gave_up{false};
+    std::atomic<bool> is_cancelled{false};
     bool begun = false, asked = false, writing = false, finishing = false;
     bool is_finished = false, is_done = false;
 
@@ -84,7 +84,7 @@ void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue, const Connection
     queue_ = &queue;
     connections_ = &connections;
     due_ = Clock::now() + dispatcher_housekeeping_period;
-    for (int i = 0; i < calls_asked_for; i++) ask_for_call();
+    for (int i = 0; i < calls_requested; i++) request_call();
 }
 
 // The pools first: what they answer begins an operation, which a queue that shuts down forbids.
@@ -96,7 +96,7 @@ void UnaryDispatcher::stop() {
     waiting_.stop();
 }
 
-void UnaryDispatcher::ask_for_call() {
+void UnaryDispatcher::request_call() {
     calls_.push_back(std::make_unique<Call>());
     Call& call = *calls_.back();
     call.context.AsyncNotifyWhenDone(&call.done);
@@ -112,7 +112,7 @@ void UnaryDispatcher::handle(RpcTag& any, bool ok) {
             // Not ok: the server goes down; such a call gets no other event.
             if (!ok) call.is_finished = call.is_done = true;
             if (!ok || stopping_) break;
-            ask_for_call();
+            request_call();
             begin(call);
             break;
         case Tag::Event::read:
@@ -131,7 +131,7 @@ void UnaryDispatcher::handle(RpcTag& any, bool ok) {
             break;
         case Tag::Event::done:
             call.is_done = true;
-            call.gave_up = call.context.IsCancelled();
+            call.is_cancelled = call.context.IsCancelled();
             break;
     }
     if (call.over()) forget(call);
@@ -162,7 +162,7 @@ Status UnaryDispatcher::authorize(Call& call) const {
     Result<Identity> who = identify(call.context, *call.connection, authorizer_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
-    if (call.method->asks_for_world) return {};
+    if (call.method->authorizes_world) return {};
     return authorizer_.admit(call.who, context_of(call).ask({}));
 }
 
@@ -172,7 +172,7 @@ CallContext UnaryDispatcher::context_of(const Call& call) const {
             .who = call.who,
             .address = call.connection->address,
             .deadline = call.context.deadline(),
-            .gave_up = [&call] { return call.gave_up.load(); }};
+            .is_cancelled = [&call] { return call.is_cancelled.load(); }};
 }
 
 void UnaryDispatcher::begin(Call& call) {
@@ -218,9 +218,9 @@ void UnaryDispatcher::on_read(Call& call, bool ok) {
 
 void UnaryDispatcher::enqueue(Call& call) {
     // Quick answers are small.
-    if (unsent_bytes_ > limits_.answer_bytes_max && call.method->work != CallWork::quick)
+    if (unsent_bytes_ > limits_.response_bytes_max && call.method->work != CallWork::quick)
         return finish(call, too_much("answers wait for clients that do not read"));
-    if (!pool_of(*call.method).add([this, &call] { answer(call); }))
+    if (!pool_of(*call.method).add([this, &call] { respond(call); }))
         finish(call, too_much("too many calls wait to be answered"));
 }
 
@@ -238,7 +238,7 @@ WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
 }
 
 // On a thread of a pool. The last operation it begins hands the call back.
-void UnaryDispatcher::answer(Call& call) {
+void UnaryDispatcher::respond(Call& call) {
     const CallContext context = context_of(call);
     Status status;
     ResponseBytes bytes;
@@ -264,7 +264,7 @@ void UnaryDispatcher::answer(Call& call) {
 }
 
 void UnaryDispatcher::on_wrote(Call& call, bool ok) {
-    if (!ok || call.gave_up)
+    if (!ok || call.is_cancelled)
         return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
     if (call.method->work != CallWork::stream) return;
     call.wait_for_client();
@@ -274,7 +274,7 @@ void UnaryDispatcher::on_wrote(Call& call, bool ok) {
 void UnaryDispatcher::finish(Call& call, const Status& status) {
     call.finishing = true;
     call.wait_for_client();
-    const grpc::Status rich = to_rich(status);
+    const grpc::Status rich = to_rich_status(status);
     count(call, rich.error_code());
     call.stream.Finish(rich, &call.finished);
 }
@@ -286,12 +286,12 @@ void UnaryDispatcher::count(const Call& call, grpc::StatusCode code) const {
     metrics_->handled(call.context.method(), code, seconds);
 }
 
-void UnaryDispatcher::tell_watches() {
+void UnaryDispatcher::notify_watches() {
     for (const auto& entry : calls_) {
         Call& call = *entry;
         if (!call.asked || call.finishing || call.writing || call.method->work != CallWork::watch)
             continue;
-        if (call.gave_up) {
+        if (call.is_cancelled) {
             finish(call, Error{ErrorCode::aborted, "the client left"});
             continue;
         }
@@ -309,7 +309,7 @@ void UnaryDispatcher::tell_watches() {
 }
 
 // A client that neither sends nor takes costs a call and its bytes: for a while only.
-void UnaryDispatcher::give_up_waiting(Clock::time_point now) {
+void UnaryDispatcher::cancel_timed_out(Clock::time_point now) {
     for (const auto& call : calls_) {
         const Clock::rep since = call->waits_since.load();
         if (since == 0 || call->is_done) continue;
@@ -322,11 +322,11 @@ void UnaryDispatcher::housekeep(Clock::time_point now) {
     if (now < due_) return;
     due_ = now + dispatcher_housekeeping_period;
     if (stopping_) return;
-    tell_watches();
-    give_up_waiting(now);
+    notify_watches();
+    cancel_timed_out(now);
 }
 
-void UnaryDispatcher::forget_all() {
+void UnaryDispatcher::drop_all() {
     calls_.clear();
 }
 

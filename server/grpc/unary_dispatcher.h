@@ -32,7 +32,7 @@ struct CallLimits {
     int calls_per_peer_max = 32;     // of one connection
     std::size_t queue_max = 64;      // that wait for a thread, of each pool
     std::size_t open_streams_max = 64;    // streams and watches
-    double answer_bytes_max = 64e6;  // made but not yet taken by their clients
+    double response_bytes_max = 64e6;  // made but not yet taken by their clients
     int waiting_threads = 2;         // for what waits for a world
     // For a request to come in, and for an answer to be taken.
     Clock::duration timeout = std::chrono::seconds(10);
@@ -56,24 +56,24 @@ public:
     void handle(RpcTag& tag, bool ok);
     void housekeep(Clock::time_point now);                   // does nothing before it is due
     Clock::time_point housekeeping() const { return due_; }  // when it is
-    void forget_all();                                       // the queue is empty
+    void drop_all();                                       // the queue is empty
 
 private:
     struct Call;
     struct Tag;
 
     void forget(Call& call);
-    void ask_for_call();
+    void request_call();
     void begin(Call& call);
     void on_read(Call& call, bool ok);
     void on_wrote(Call& call, bool ok);
     void enqueue(Call& call);
-    void answer(Call& call);
+    void respond(Call& call);
     void finish(Call& call, const Status& status);
     WorkPool& pool_of(const CallMethod& method);
     void count(const Call& call, grpc::StatusCode code) const;
-    void tell_watches();
-    void give_up_waiting(Clock::time_point now);
+    void notify_watches();
+    void cancel_timed_out(Clock::time_point now);
     Status admit(Call& call) const;
     Status authorize(Call& call) const;
     CallContext context_of(const Call& call) const;

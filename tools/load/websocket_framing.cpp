@@ -7,7 +7,7 @@ namespace {
 // The key of RFC 6455, 1.3, and what a server answers to it.
 constexpr std::string_view websocket_key = "dGhlIHNhbXBsZSBub25jZQ==";
 constexpr std::string_view websocket_accept = "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=";
-constexpr std::size_t answer_bytes_max = 16 * 1024;
+constexpr std::size_t response_bytes_max = 16 * 1024;
 
 namespace websocket {
 enum Opcode : std::uint8_t { continuation = 0, binary = 2, close = 8, ping = 9, pong = 10 };
@@ -97,7 +97,7 @@ Result<std::size_t> WebSocketFraming::take_answer(Bytes bytes) {
     const std::string_view answer = chars_of(bytes);
     const std::size_t end = answer.find("\r\n\r\n");
     if (end == std::string_view::npos) {
-        if (bytes.size() > answer_bytes_max) return broken_socket("an answer without end");
+        if (bytes.size() > response_bytes_max) return broken_socket("an answer without end");
         return std::size_t{0};
     }
     const std::string_view head = answer.substr(0, end);

@@ -11,7 +11,7 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/grpc/health_methods.h"
-#include "server/grpc/libraries.h"
+#include "server/grpc/library_setup.h"
 #include "server/grpc/reflection.h"
 
 namespace jostle::server {

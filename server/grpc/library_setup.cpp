@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/libraries.h"
+#include "server/grpc/library_setup.h"
 
 #include <absl/synchronization/mutex.h>
 #include <google/protobuf/stubs/logging.h>

@@ -126,7 +126,7 @@ void PlayShard::run() {
 }
 
 void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
-    if (tag.of == RpcTag::Of::call)
+    if (tag.of == RpcTag::Owner::call)
         dispatcher_->handle(tag, ok);
     else
         handle(static_cast<PlayTag&>(tag), ok, now);

@@ -31,7 +31,7 @@ struct PlayTag : RpcTag {
     enum class Event { accepted, read, wrote, finished };
 
     PlayTag(PlayStream* of_stream, Event of_event)
-        : RpcTag(Of::play), stream(of_stream), event(of_event) {}
+        : RpcTag(Owner::play), stream(of_stream), event(of_event) {}
 
     PlayStream* stream;
     Event event;

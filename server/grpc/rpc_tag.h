@@ -8,9 +8,9 @@
 namespace jostle::server {
 
 struct RpcTag {
-    enum class Of : std::uint8_t { play, call };
+    enum class Owner : std::uint8_t { play, call };
 
-    explicit RpcTag(Of whose) : of(whose) {}
+    explicit RpcTag(Owner whose) : of(whose) {}
 
     const Of of;
 };

@@ -30,7 +30,7 @@ Error too_much(std::string what) {
 struct UnaryDispatcher::Tag : RpcTag {
     enum class Event { accepted, read, wrote, finished, done };
 
-    Tag(Call* of_call, Event of_event) : RpcTag(Of::call), call(of_call), event(of_event) {}
+    Tag(Call* of_call, Event of_event) : RpcTag(Owner::call), call(of_call), event(of_event) {}
 
     Call* call;
     Event event;

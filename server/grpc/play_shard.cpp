@@ -107,7 +107,7 @@ void PlayShard::run() {
                 datagrams_came_ = false;  // before looking, as below
                 if (!stopping_) advance_with_datagrams(now);
             } else if (tag != nullptr) {
-                hand_on(*static_cast<RpcTag*>(tag), ok, now);
+                dispatch(*static_cast<RpcTag*>(tag), ok, now);
             } else if (!stopping_) {
                 awake_ = false;  // before looking: a frame that comes meanwhile wakes again
                 advance_all(now);
@@ -125,7 +125,7 @@ void PlayShard::run() {
     if (dispatcher_) dispatcher_->drop_all();
 }
 
-void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
+void PlayShard::dispatch(RpcTag& tag, bool ok, Clock::time_point now) {
     if (tag.of == RpcTag::Owner::call)
         dispatcher_->handle(tag, ok);
     else
@@ -135,7 +135,7 @@ void PlayShard::hand_on(RpcTag& tag, bool ok, Clock::time_point now) {
 void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
     PlayStream& stream = *tag.stream;
     if (stopping_)
-        return stream.settle(tag.event);  // nothing may be started on a queue that shuts down
+        return stream.on_shutdown(tag.event);  // nothing may be started on a queue that shuts down
     switch (tag.event) {
         case PlayTag::Event::accepted: {
             const auto at =
@@ -186,7 +186,7 @@ void PlayShard::advance_with_datagrams(Clock::time_point now) {
 }
 
 void PlayShard::drop_finished() {
-    std::erase_if(streams_, [](const auto& stream) { return stream->over(); });
+    std::erase_if(streams_, [](const auto& stream) { return stream->is_finished(); });
     stream_count_.store(streams_.size(), std::memory_order_relaxed);
 }
 

@@ -47,7 +47,7 @@ public:
 
 private:
     void run();
-    void hand_on(RpcTag& tag, bool ok, Clock::time_point now);
+    void dispatch(RpcTag& tag, bool ok, Clock::time_point now);
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
     void advance_all(Clock::time_point now);
     void advance_with_datagrams(Clock::time_point now);

@@ -90,7 +90,7 @@ void PlayStream::on_finished() {
     finished_ = true;
 }
 
-void PlayStream::settle(PlayTag::Event event) {
+void PlayStream::on_shutdown(PlayTag::Event event) {
     if (event == PlayTag::Event::read) reading_ = false;
     if (event == PlayTag::Event::wrote) writing_ = false;
     if (event == PlayTag::Event::finished) finished_ = true;

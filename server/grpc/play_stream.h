@@ -30,8 +30,8 @@ class PlayStream;
 struct PlayTag : RpcTag {
     enum class Event { accepted, read, wrote, finished };
 
-    PlayTag(PlayStream* of_stream, Event of_event)
-        : RpcTag(Owner::play), stream(of_stream), event(of_event) {}
+    PlayTag(PlayStream* stream_of_tag, Event of_event)
+        : RpcTag(Owner::play), stream(stream_of_tag), event(of_event) {}
 
     PlayStream* stream;
     Event event;
@@ -52,7 +52,7 @@ public:
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();
     // The queue shuts down: notes that an operation ended and starts none.
-    void settle(PlayTag::Event event);
+    void on_shutdown(PlayTag::Event event);
 
     // Starts the next write when none is in flight and there is something to say, or ends the
     // stream.
@@ -62,7 +62,7 @@ public:
     ClientSession& session() { return *session_; }  // only when begun
     const std::string& network() const { return network_; }
     // Nothing is in flight and nothing will be: may be destroyed.
-    bool over() const { return finished_ && !reading_ && !writing_; }
+    bool is_finished() const { return finished_ && !reading_ && !writing_; }
 
 private:
     void start_read();

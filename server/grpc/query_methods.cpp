@@ -25,7 +25,7 @@ CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, c
 
 // Answers that are on their way, by the copy of the world that they tell of: who asks the same of
 // the same copy gets the same bytes, however many ask at once.
-class SharedAnswers {
+class ResponseCache {
 public:
     template <class Make>
     ResponseBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
@@ -53,7 +53,7 @@ private:
 };
 
 CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {
-    const auto shared = std::make_shared<SharedAnswers>();
+    const auto shared = std::make_shared<ResponseCache>();
     const auto run = [&queries, &worlds, shared](const CallContext& context, std::string_view bytes,
                                                  ResponseBytes& response_bytes) -> Status {
         v1::DebugRequest request;

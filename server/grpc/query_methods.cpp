@@ -31,8 +31,8 @@ public:
     ResponseBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
                              const Make& make) {
         const std::lock_guard lock(mutex_);
-        std::erase_if(kept_, [](const Kept& kept) { return kept.answer.expired(); });
-        for (const Kept& kept : kept_)
+        std::erase_if(kept_, [](const CachedResponse& kept) { return kept.answer.expired(); });
+        for (const CachedResponse& kept : kept_)
             if (ResponseBytes response_bytes = kept.answer.lock();
                 answer && kept.frame.lock() == frame && kept.request == request)
                 return response_bytes;
@@ -42,14 +42,14 @@ public:
     }
 
 private:
-    struct Kept {
+    struct CachedResponse {
         std::weak_ptr<const QueryFrame> frame;
         std::string request;
         std::weak_ptr<const std::string> response_bytes;
     };
 
     std::mutex mutex_;
-    std::vector<Kept> kept_;
+    std::vector<CachedResponse> kept_;
 };
 
 CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {

@@ -27,9 +27,9 @@ constexpr int streams_per_connection_max = 100;
 constexpr int header_bytes_max = 8 * 1024;
 constexpr int handshake_ms = 5'000;  // from the connection to the first settings
 constexpr auto shutdown_timeout = std::chrono::seconds(1);
-constexpr auto last_words_max = std::chrono::milliseconds(300);
-constexpr auto ask_period = std::chrono::milliseconds(500);
-constexpr auto unanswered_max = std::chrono::milliseconds(1500);
+constexpr auto shutdown_flush_max = std::chrono::milliseconds(300);
+constexpr auto probe_period = std::chrono::milliseconds(500);
+constexpr auto probe_timeout_max = std::chrono::milliseconds(1500);
 
 // A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
 // or slower.
@@ -106,7 +106,7 @@ Status GrpcServer::start() {
     configure_libraries();
     if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
     grpc::ServerBuilder builder;
-    door_ = builder.experimental().AddExternalConnectionAcceptor(
+    external_acceptor_ = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
         grpc::InsecureServerCredentials());  // TLS ends at the relay
     set_keepalive(builder);
@@ -121,12 +121,12 @@ Status GrpcServer::start() {
     dispatcher_.start(shards_.front()->queue(), table_);
     for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
     serving_ = true;
-    answered_ = Clock::now().time_since_epoch().count();
-    asker_ = std::thread([this] { ask_itself(); });
+    probed_at_ = Clock::now().time_since_epoch().count();
+    prober_ = std::thread([this] { probe_self(); });
     const Status moving = relay_.start([this](int descriptor) {
         grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
         connection.fd = descriptor;
-        door_->HandleNewConnection(&connection);
+        external_acceptor_->HandleNewConnection(&connection);
     });
     if (!moving.ok()) return moving.error();
     acceptor_.start(
@@ -137,7 +137,7 @@ Status GrpcServer::start() {
 }
 
 std::optional<std::string> GrpcServer::failure_reason(Clock::time_point now) const {
-    if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
+    if (now - Clock::time_point(Clock::duration(probed_at_)) > probe_timeout_max)
         return "gRPC does not answer";
     if (!relay_.is_responsive(now)) return "gRPC's connections stand still";
     if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
@@ -146,18 +146,18 @@ std::optional<std::string> GrpcServer::failure_reason(Clock::time_point now) con
 
 // Through gRPC and the front, by a transport that needs no descriptor: how many connections there
 // are is no matter of health.
-void GrpcServer::ask_itself() {
+void GrpcServer::probe_self() {
     const auto health = grpc::health::v1::Health::NewStub(server_->InProcessChannel({}));
-    std::unique_lock lock(asker_mutex_);
+    std::unique_lock lock(prober_mutex_);
     do {
         lock.unlock();
         grpc::ClientContext call;
-        call.set_deadline(std::chrono::system_clock::now() + ask_period);
+        call.set_deadline(std::chrono::system_clock::now() + probe_period);
         grpc::health::v1::HealthCheckResponse response;
         if (health->Check(&call, {}, &response).ok())
-            answered_ = Clock::now().time_since_epoch().count();
+            probed_at_ = Clock::now().time_since_epoch().count();
         lock.lock();
-    } while (!asker_wake_.wait_for(lock, ask_period, [this] { return !serving_; }));
+    } while (!prober_wake_.wait_for(lock, probe_period, [this] { return !serving_; }));
 }
 
 void GrpcServer::wake() {
@@ -168,9 +168,9 @@ void GrpcServer::wake() {
 // patience has.
 void GrpcServer::drain(Clock::duration timeout) {
     if (!serving_.exchange(false) || !server_) return;
-    { const std::lock_guard lock(asker_mutex_); }
-    asker_wake_.notify_all();
-    if (asker_.joinable()) asker_.join();
+    { const std::lock_guard lock(prober_mutex_); }
+    prober_wake_.notify_all();
+    if (prober_.joinable()) prober_.join();
     acceptor_.stop();
     shutdown_ = std::thread([this, timeout] {
         // Those who watch our health are told first.
@@ -189,7 +189,7 @@ void GrpcServer::stop() {
     if (shutdown_.joinable()) shutdown_.join();
     dispatcher_.stop();
     for (const auto& shard : shards_) shard->stop();
-    relay_.stop(last_words_max);
+    relay_.stop(shutdown_flush_max);
 }
 
 }  // namespace jostle::server

@@ -63,7 +63,7 @@ public:
     void stop();
 
 private:
-    void ask_itself();
+    void probe_self();
     std::vector<CallMethod> all_methods(std::vector<CallMethod> methods,
                                         std::function<bool()> is_healthy);
 
@@ -75,13 +75,13 @@ private:
     ConnectionTable table_;
     ConnectionRelay relay_;
     ConnectionAcceptor acceptor_;
-    std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> door_;
+    std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> external_acceptor_;
     std::vector<std::unique_ptr<PlayShard>> shards_;
     std::unique_ptr<grpc::Server> server_;
-    std::thread shutdown_, asker_;
-    std::atomic<Clock::rep> answered_{0};  // when it last answered itself
-    std::mutex asker_mutex_;
-    std::condition_variable asker_wake_;
+    std::thread shutdown_, prober_;
+    std::atomic<Clock::rep> probed_at_{0};  // when it last answered itself
+    std::mutex prober_mutex_;
+    std::condition_variable prober_wake_;
     bool stopped_ = false;
 };
 

@@ -41,7 +41,7 @@ std::size_t PlayShard::streams_max() const {
 }
 
 // Of those without a hello no address takes all the room.
-bool PlayShard::too_many_wait_from(const std::string& network) const {
+bool PlayShard::too_many_without_hello_from(const std::string& network) const {
     const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
         return !stream->session().hello_received() && stream->network() == network;
     });
@@ -147,7 +147,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             request_call();
             owned->begin(
                 context_, connections_, [this] { wake_for_datagrams(); }, now);
-            if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
+            if (streams_.size() >= streams_max() || too_many_without_hello_from(owned->network()))
                 owned->session().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             streams_.push_back(std::move(owned));
             housekeeping_ = std::min(housekeeping_, now + shard_housekeeping_period);

@@ -55,7 +55,7 @@ private:
     void drop_finished();
     void request_call();
     std::size_t streams_max() const;
-    bool too_many_wait_from(const std::string& network) const;
+    bool too_many_without_hello_from(const std::string& network) const;
 
     PlayContext& context_;
     RawPlayService& service_;

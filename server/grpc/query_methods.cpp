@@ -10,14 +10,14 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t question_bytes_max = 4 * 1024 * 1024;  // a hundred hulls of a thousand points
+constexpr std::size_t query_request_bytes_max = 4 * 1024 * 1024;  // a hundred hulls of a thousand points
 
 template <class Request, class Response>
 CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
                     Status (QueryControl::*ask)(const Request&, Response&, const CancellationCheck&)
                         const) {
     return world_method<Request, Response>(
-        std::string("/jostle.v1.QueryService/") + name, CallWork::query, question_bytes_max, worlds,
+        std::string("/jostle.v1.QueryService/") + name, CallWork::query, query_request_bytes_max, worlds,
         [&queries, ask](const CallContext& context, const Request& request, Response& response) {
             return (queries.*ask)(request, response, [&] { return !context.is_too_late(); });
         });

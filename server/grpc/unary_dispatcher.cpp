@@ -58,7 +58,7 @@ struct UnaryDispatcher::Call {
     bool is_finished = false, is_done = false;
 
     bool over() const { return is_finished && is_done; }
-    void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
+    void wait_for_request() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
 UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
@@ -194,7 +194,7 @@ void UnaryDispatcher::begin(Call& call) {
                                   &call.finished);
     }
     if (Status s = admit(call); !s.ok()) return finish(call, s);
-    call.wait_for_client();
+    call.wait_for_request();
     call.stream.Read(&call.incoming, &call.read);
 }
 
@@ -256,7 +256,7 @@ void UnaryDispatcher::respond(Call& call) {
     if (!status.ok()) return finish(call, status);
     call.unsent = static_cast<double>(bytes->size());
     unsent_bytes_.fetch_add(call.unsent);
-    call.wait_for_client();
+    call.wait_for_request();
     const grpc::ByteBuffer buffer = to_byte_buffer({{}, bytes});
     if (call.method->work == CallWork::stream) return call.stream.Write(buffer, &call.wrote);
     count(call, grpc::StatusCode::OK);
@@ -267,13 +267,13 @@ void UnaryDispatcher::on_wrote(Call& call, bool ok) {
     if (!ok || call.is_cancelled)
         return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
     if (call.method->work != CallWork::stream) return;
-    call.wait_for_client();
+    call.wait_for_request();
     call.stream.Read(&call.incoming, &call.read);
 }
 
 void UnaryDispatcher::finish(Call& call, const Status& status) {
     call.finishing = true;
-    call.wait_for_client();
+    call.wait_for_request();
     const grpc::Status rich = to_rich_status(status);
     count(call, rich.error_code());
     call.stream.Finish(rich, &call.finished);
@@ -302,7 +302,7 @@ void UnaryDispatcher::notify_watches() {
         } else if (!call.told || *call.told != *now) {
             call.told = now;
             call.writing = true;
-            call.wait_for_client();
+            call.wait_for_request();
             call.stream.Write(to_byte_buffer({{}, now}), &call.wrote);
         }
     }

@@ -31,7 +31,7 @@ struct ClientIdentity {
 };
 
 // A client at one moment.
-struct ClientSight {
+struct ClientStatus {
     ClientIdentity who;
     double connected_seconds = 0;          // since it came
     double kbit_per_second = 0;  // sent to it, over the last second or so
@@ -51,7 +51,7 @@ public:
     std::optional<std::string> kicked() const;
 
     // Any thread.
-    ClientSight look(Clock::time_point now) const;
+    ClientStatus look(Clock::time_point now) const;
     void kick(std::string reason);
 
 private:
@@ -73,7 +73,7 @@ public:
     std::shared_ptr<ClientRecord> add(ClientIdentity who);
     void remove(ClientId client);
 
-    std::vector<ClientSight> look(Clock::time_point now) const;  // in order of their ids
+    std::vector<ClientStatus> look(Clock::time_point now) const;  // in order of their ids
     // The client is told, and its stream ends within a moment. Not found: there is none of that id.
     Status kick(ClientId client, std::string reason);
 

@@ -55,7 +55,7 @@ private:
     const bool admitted_;
 };
 
-void write(v1::ClientInfo& out, const ClientSight& sight) {
+void write(v1::ClientInfo& out, const ClientStatus& sight) {
     out.set_id(sight.who.id);
     out.set_name(sight.who.name);
     out.set_subject(sight.who.subject);
@@ -83,7 +83,7 @@ Status AdminControl::list_clients(const v1::ListClientsRequest& request,
         if (!world.ok()) return world.error();
         world_id = (*world)->id();
     }
-    for (const ClientSight& sight : context_.records.look(Clock::now()))
+    for (const ClientStatus& sight : context_.records.look(Clock::now()))
         if (world_id.empty() || sight.who.world_id == world_id)
             write(*response.add_clients(), sight);
     return {};

@@ -16,7 +16,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 
 }  // namespace
 
-void ClientRecord::count_sent(std::size_t bytes, Clock::time_point now) {
+void ConnectedClient::count_sent(std::size_t bytes, Clock::time_point now) {
     const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
     const double seconds = seconds_between(began, now);
     if (seconds >= window_s) {
@@ -28,25 +28,25 @@ void ClientRecord::count_sent(std::size_t bytes, Clock::time_point now) {
     window_bytes_.fetch_add(bytes, std::memory_order_relaxed);
 }
 
-void ClientRecord::set_flow(std::uint32_t skipped, double round_trip_s) {
+void ConnectedClient::set_flow(std::uint32_t skipped, double round_trip_s) {
     skipped_.store(skipped, std::memory_order_relaxed);
     round_trip_s_.store(round_trip_s, std::memory_order_relaxed);
 }
 
-std::optional<std::string> ClientRecord::kicked() const {
+std::optional<std::string> ConnectedClient::kicked() const {
     if (!is_kicked_.load(std::memory_order_acquire)) return std::nullopt;
     const std::lock_guard lock(kick_mutex_);
     return kick_reason_;
 }
 
-void ClientRecord::kick(std::string reason) {
+void ConnectedClient::kick(std::string reason) {
     const std::lock_guard lock(kick_mutex_);
     kick_reason_ = std::move(reason);
     is_kicked_.store(true, std::memory_order_release);
 }
 
 // The parts may be of two moments when the link writes meanwhile: good enough to look at.
-ClientStatus ClientRecord::look(Clock::time_point now) const {
+ClientStatus ConnectedClient::look(Clock::time_point now) const {
     const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
     const double seconds = seconds_between(began, now);
     const auto bytes = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
@@ -59,9 +59,9 @@ ClientStatus ClientRecord::look(Clock::time_point now) const {
             .round_trip_ms = 1000 * round_trip_s_.load(std::memory_order_relaxed)};
 }
 
-std::shared_ptr<ClientRecord> ClientRecords::add(ClientIdentity who) {
+std::shared_ptr<ConnectedClient> ClientRecords::add(ClientIdentity who) {
     const ClientId client = who.id;
-    auto record = std::make_shared<ClientRecord>(std::move(who));
+    auto record = std::make_shared<ConnectedClient>(std::move(who));
     const std::lock_guard lock(mutex_);
     records_[client] = record;
     return record;

@@ -39,9 +39,9 @@ struct ClientStatus {
     double round_trip_ms = 0;    // of its last acknowledgement; 0: none yet
 };
 
-class ClientRecord {
+class ConnectedClient {
 public:
-    explicit ClientRecord(ClientIdentity who)
+    explicit ConnectedClient(ClientIdentity who)
         : who_(std::move(who)), window_began_(who_.since.time_since_epoch().count()) {}
 
     // The link's thread.
@@ -70,7 +70,7 @@ private:
 // Any thread.
 class ClientRecords {
 public:
-    std::shared_ptr<ClientRecord> add(ClientIdentity who);
+    std::shared_ptr<ConnectedClient> add(ClientIdentity who);
     void remove(ClientId client);
 
     std::vector<ClientStatus> look(Clock::time_point now) const;  // in order of their ids
@@ -79,7 +79,7 @@ public:
 
 private:
     mutable std::mutex mutex_;
-    std::map<ClientId, std::shared_ptr<ClientRecord>> records_;
+    std::map<ClientId, std::shared_ptr<ConnectedClient>> records_;
 };
 
 }  // namespace jostle::server

@@ -47,7 +47,7 @@ private:
     };
 
     PlayContext& context_;
-    std::shared_ptr<ClientRecord> record_;
+    std::shared_ptr<ConnectedClient> record_;
     std::string subject_;
     ClientId client_ = 0;
     WorldMetrics* world_ = nullptr;

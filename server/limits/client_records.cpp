@@ -59,7 +59,7 @@ ClientStatus ConnectedClient::look(Clock::time_point now) const {
             .round_trip_ms = 1000 * round_trip_s_.load(std::memory_order_relaxed)};
 }
 
-std::shared_ptr<ConnectedClient> ClientRecords::add(ClientIdentity who) {
+std::shared_ptr<ConnectedClient> ConnectedClients::add(ClientIdentity who) {
     const ClientId client = who.id;
     auto record = std::make_shared<ConnectedClient>(std::move(who));
     const std::lock_guard lock(mutex_);
@@ -67,12 +67,12 @@ std::shared_ptr<ConnectedClient> ClientRecords::add(ClientIdentity who) {
     return record;
 }
 
-void ClientRecords::remove(ClientId client) {
+void ConnectedClients::remove(ClientId client) {
     const std::lock_guard lock(mutex_);
     records_.erase(client);
 }
 
-std::vector<ClientStatus> ClientRecords::look(Clock::time_point now) const {
+std::vector<ClientStatus> ConnectedClients::look(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
     std::vector<ClientStatus> sights;
     sights.reserve(records_.size());
@@ -80,7 +80,7 @@ std::vector<ClientStatus> ClientRecords::look(Clock::time_point now) const {
     return sights;
 }
 
-Status ClientRecords::kick(ClientId client, std::string reason) {
+Status ConnectedClients::kick(ClientId client, std::string reason) {
     const std::lock_guard lock(mutex_);
     const auto at = records_.find(client);
     if (at == records_.end())

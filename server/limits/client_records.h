@@ -68,7 +68,7 @@ private:
 };
 
 // Any thread.
-class ClientRecords {
+class ConnectedClients {
 public:
     std::shared_ptr<ConnectedClient> add(ClientIdentity who);
     void remove(ClientId client);

@@ -26,7 +26,7 @@ ClientIdentity client(ClientId id) {
 
 // 60 messages of 250 bytes a second are 120 kbit/s, whenever one looks.
 TEST(ClientRecordsTest, the_rate_is_that_of_the_last_second) {
-    ClientRecords records;
+    ConnectedClients records;
     const auto record = records.add(client(7));
     Clock::time_point now = arrival;
     for (int i = 1; i <= 600; i++) {
@@ -41,7 +41,7 @@ TEST(ClientRecordsTest, the_rate_is_that_of_the_last_second) {
 }
 
 TEST(ClientRecordsTest, those_who_are_there_are_listed_by_id) {
-    ClientRecords records;
+    ConnectedClients records;
     const auto nine = records.add(client(9)), two = records.add(client(2));
     nine->set_flow(14, 0.025);
     const auto sights = records.look(arrival + 3s);
@@ -55,7 +55,7 @@ TEST(ClientRecordsTest, those_who_are_there_are_listed_by_id) {
 }
 
 TEST(ClientRecordsTest, one_who_is_kicked_learns_why) {
-    ClientRecords records;
+    ConnectedClients records;
     const auto record = records.add(client(3));
     EXPECT_FALSE(record->kicked());
     EXPECT_TRUE(records.kick(3, "flooding").ok());

@@ -9,7 +9,7 @@
 
 #include "server/auth/authorizer.h"
 #include "server/config/config.h"
-#include "server/limits/client_records.h"
+#include "server/limits/connected_clients.h"
 #include "server/limits/session_directory.h"
 #include "server/metrics/rpc_metrics.h"
 #include "server/session/resume_registry.h"

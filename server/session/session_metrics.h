@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include "server/limits/client_records.h"
+#include "server/limits/connected_clients.h"
 #include "server/limits/flow_control.h"
 #include "server/messages/out_message.h"
 #include "server/session/play_context.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/limits/client_records.h"
+#include "server/limits/connected_clients.h"
 
 #include <gtest/gtest.h>
 

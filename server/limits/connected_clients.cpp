@@ -46,7 +46,7 @@ void ConnectedClient::kick(std::string reason) {
 }
 
 // The parts may be of two moments when the link writes meanwhile: good enough to look at.
-ClientStatus ConnectedClient::look(Clock::time_point now) const {
+ClientStatus ConnectedClient::status(Clock::time_point now) const {
     const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
     const double seconds = seconds_between(began, now);
     const auto bytes = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
@@ -72,11 +72,11 @@ void ConnectedClients::remove(ClientId client) {
     records_.erase(client);
 }
 
-std::vector<ClientStatus> ConnectedClients::look(Clock::time_point now) const {
+std::vector<ClientStatus> ConnectedClients::status(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
     std::vector<ClientStatus> sights;
     sights.reserve(records_.size());
-    for (const auto& [client, record] : records_) sights.push_back(record->look(now));
+    for (const auto& [client, record] : records_) sights.push_back(record->status(now));
     return sights;
 }
 

@@ -51,7 +51,7 @@ public:
     std::optional<std::string> kicked() const;
 
     // Any thread.
-    ClientStatus look(Clock::time_point now) const;
+    ClientStatus status(Clock::time_point now) const;
     void kick(std::string reason);
 
 private:
@@ -73,7 +73,7 @@ public:
     std::shared_ptr<ConnectedClient> add(ClientIdentity who);
     void remove(ClientId client);
 
-    std::vector<ClientStatus> look(Clock::time_point now) const;  // in order of their ids
+    std::vector<ClientStatus> status(Clock::time_point now) const;  // in order of their ids
     // The client is told, and its stream ends within a moment. Not found: there is none of that id.
     Status kick(ClientId client, std::string reason);
 

@@ -83,7 +83,7 @@ Status AdminControl::list_clients(const v1::ListClientsRequest& request,
         if (!world.ok()) return world.error();
         world_id = (*world)->id();
     }
-    for (const ClientStatus& sight : context_.records.look(Clock::now()))
+    for (const ClientStatus& sight : context_.connected_clients.status(Clock::now()))
         if (world_id.empty() || sight.who.world_id == world_id)
             write(*response.add_clients(), sight);
     return {};
@@ -92,7 +92,7 @@ Status AdminControl::list_clients(const v1::ListClientsRequest& request,
 Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&) {
     if (Status s = check_reason(request.reason()); !s.ok()) return s;
     const std::string reason = request.reason().empty() ? "no reason given" : request.reason();
-    if (Status s = context_.records.kick(request.client(), reason); !s.ok()) return s;
+    if (Status s = context_.connected_clients.kick(request.client(), reason); !s.ok()) return s;
     log_info("client {} is removed by an operator", request.client());
     return {};
 }

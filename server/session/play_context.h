@@ -28,7 +28,7 @@ struct PlayContext {
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     DatagramServer* datagrams = nullptr;  // null: all goes by streams
     BroadcastCaches broadcast_caches{};
-    ConnectedClients records{};
+    ConnectedClients connected_clients{};
     ResumeRegistry resume_registry{};
     std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
     std::atomic<bool> draining{false};     // no new clients; those who play are told

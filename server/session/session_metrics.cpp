@@ -31,15 +31,15 @@ void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t
 void SessionMetrics::entered(ClientIdentity who, WorldHost& world) {
     client_ = who.id;
     who.subject = subject_;
-    record_ = context_.records.add(std::move(who));
+    connected_client_ = context_.connected_clients.add(std::move(who));
     world_ = world.watch().metrics();
     if (world_) world_->clients().Increment();
 }
 
 void SessionMetrics::left() {
     if (client_ == 0) return;
-    context_.records.remove(std::exchange(client_, 0));
-    record_ = nullptr;
+    context_.connected_clients.remove(std::exchange(client_, 0));
+    connected_client_ = nullptr;
     if (world_) world_->clients().Decrement();
     world_ = nullptr;
 }
@@ -55,7 +55,7 @@ void SessionMetrics::answered(std::span<const InputResult> results) {
 }
 
 void SessionMetrics::sent(const OutMessage& message, Clock::time_point now) {
-    if (record_) record_->count_sent(message.size(), now);
+    if (connected_client_) connected_client_->count_sent(message.size(), now);
 }
 
 void SessionMetrics::sent_snapshot(std::size_t bytes) {
@@ -65,7 +65,7 @@ void SessionMetrics::sent_snapshot(std::size_t bytes) {
 }
 
 void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
-    if (record_) record_->set_flow(flow.skipped() + pending, flow.round_trip_s());
+    if (connected_client_) connected_client_->set_flow(flow.skipped() + pending, flow.round_trip_s());
     if (!context_.metrics) return;
     const auto& skipped = context_.metrics->snapshots_skipped;
     count_more(skipped[SkipReason::window], flow.skipped(), counted_.window);
@@ -74,7 +74,7 @@ void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
 }
 
 std::optional<std::string> SessionMetrics::kicked() const {
-    return record_ ? record_->kicked() : std::nullopt;
+    return connected_client_ ? connected_client_->kicked() : std::nullopt;
 }
 
 }  // namespace jostle::server

@@ -47,7 +47,7 @@ private:
     };
 
     PlayContext& context_;
-    std::shared_ptr<ConnectedClient> record_;
+    std::shared_ptr<ConnectedClient> connected_client_;
     std::string subject_;
     ClientId client_ = 0;
     WorldMetrics* world_ = nullptr;

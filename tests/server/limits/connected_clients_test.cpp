@@ -27,40 +27,40 @@ ClientIdentity client(ClientId id) {
 // 60 messages of 250 bytes a second are 120 kbit/s, whenever one looks.
 TEST(ConnectedClientsTest, the_rate_is_that_of_the_last_second) {
     ConnectedClients records;
-    const auto record = records.add(client(7));
+    const auto record = connected_clients.add(client(7));
     Clock::time_point now = arrival;
     for (int i = 1; i <= 600; i++) {
         now = arrival + i * 16667us;
         record->count_sent(250, now);
         if (i < 30) continue;
-        EXPECT_NEAR(records.look(now)[0].kbit_per_second, 120, 6) << i;
+        EXPECT_NEAR(records.status(now)[0].kbit_per_second, 120, 6) << i;
     }
     // It is sent nothing any more: the rate falls to what it is.
-    EXPECT_LT(records.look(now + 60s)[0].kbit_per_second, 2);
-    EXPECT_NEAR(records.look(now + 60s)[0].connected_seconds, 70, 0.1);
+    EXPECT_LT(records.status(now + 60s)[0].kbit_per_second, 2);
+    EXPECT_NEAR(records.status(now + 60s)[0].connected_seconds, 70, 0.1);
 }
 
 TEST(ConnectedClientsTest, those_who_are_there_are_listed_by_id) {
     ConnectedClients records;
-    const auto nine = records.add(client(9)), two = records.add(client(2));
+    const auto nine = connected_clients.add(client(9)), two = connected_clients.add(client(2));
     nine->set_flow(14, 0.025);
-    const auto sights = records.look(arrival + 3s);
+    const auto sights = connected_clients.status(arrival + 3s);
     ASSERT_EQ(sights.size(), 2u);
     EXPECT_EQ(sights[0].who.id, 2u);
     EXPECT_EQ(sights[1].who.id, 9u);
     EXPECT_EQ(sights[1].skipped, 14u);
     EXPECT_DOUBLE_EQ(sights[1].round_trip_ms, 25);
-    records.remove(9);
-    EXPECT_EQ(records.look(arrival).size(), 1u);
+    connected_clients.remove(9);
+    EXPECT_EQ(records.status(arrival).size(), 1u);
 }
 
 TEST(ConnectedClientsTest, one_who_is_kicked_learns_why) {
     ConnectedClients records;
-    const auto record = records.add(client(3));
+    const auto record = connected_clients.add(client(3));
     EXPECT_FALSE(record->kicked());
     EXPECT_TRUE(records.kick(3, "flooding").ok());
     EXPECT_EQ(record->kicked(), "flooding");
-    records.remove(3);
+    connected_clients.remove(3);
     EXPECT_EQ(error_of(records.kick(3, "again")).code, ErrorCode::not_found);
 }
 

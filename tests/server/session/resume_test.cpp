@@ -66,7 +66,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
     EXPECT_EQ(bodies_of(*world, id), 3);
     cut(player);
     EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
-    EXPECT_EQ(server.context.records.look(server.now).size(), 0u) << "he is not connected";
+    EXPECT_EQ(server.context.connected_clients.look(server.now).size(), 0u) << "he is not connected";
     run_alone(120);
     remove_expired_clients(server.context, server.now);
     EXPECT_EQ(bodies_of(*world, id), 3) << "lost, and not left";

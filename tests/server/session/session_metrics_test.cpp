@@ -92,12 +92,12 @@ TEST_F(SessionMetricsTest, snapshots_clients_and_inputs_are_counted) {
         EXPECT_EQ(metrics.inputs[InputOutcome::applied].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::invalid].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::limit].Value(), 0);
-        const auto sights = context.records.look(Clock::now());
+        const auto sights = context.connected_clients.look(Clock::now());
         ASSERT_EQ(sights.size(), 1u);
         EXPECT_GT(sights[0].round_trip_ms, 0);
     }
     EXPECT_EQ(clients(), 0);
-    EXPECT_TRUE(context.records.look(Clock::now()).empty());
+    EXPECT_TRUE(context.connected_clients.look(Clock::now()).empty());
 }
 
 TEST_F(SessionMetricsTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {

@@ -78,9 +78,9 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_
     // An ack covers all that was sent before: the stream is ordered. A frame that is not in flight
     // says nothing.
     const auto at = std::find_if(flights_.begin(), flights_.end(),
-                                 [&](const Flight& f) { return f.frame == frame; });
+                                 [&](const SentSnapshot& f) { return f.frame == frame; });
     if (at == flights_.end()) return;
-    const Flight sent = *at;
+    const SentSnapshot sent = *at;
     const double rtt = std::max(0.0, seconds(now - sent.at - held));
     learn_round_trip(sent, rtt, now);
     int delivered = 0;
@@ -102,7 +102,7 @@ void FlowControl::forget_sent_before(Clock::time_point sent) {
 }
 
 // What was sent before the rate was lowered says nothing of the new one.
-void FlowControl::look_at_queue(const Flight& flight, double rtt, int delivered,
+void FlowControl::look_at_queue(const SentSnapshot& flight, double rtt, int delivered,
                                 Clock::time_point now) {
     if (round_.begun == Clock::time_point{} || flight.at <= lowered_) {
         round_ = {.begun = now};  // what came before took no time that is known
@@ -117,7 +117,7 @@ void FlowControl::look_at_queue(const Flight& flight, double rtt, int delivered,
 
 // Others on the way make a queue: only what was alone says how long the way is, and any how long it
 // is at most.
-void FlowControl::learn_round_trip(const Flight& flight, double rtt, Clock::time_point now) {
+void FlowControl::learn_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now) {
     rtt_s_ = rtt;
     if (flight.alone) alone_at_ = now;
     if (!measured_ || rtt < rtt_min_s_ || flight.alone) rtt_min_s_ = rtt;

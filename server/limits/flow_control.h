@@ -50,7 +50,7 @@ public:
     int divider() const { return divider_; }
 
 private:
-    struct Flight {
+    struct SentSnapshot {
         std::uint32_t frame;
         Clock::time_point at;
         int messages;  // with those that went before it and are no snapshots
@@ -62,8 +62,8 @@ private:
         int acks = 0, delivered = 0;
         double queue_s = 0;  // the shortest
     };
-    void learn_round_trip(const Flight& flight, double rtt, Clock::time_point now);
-    void look_at_queue(const Flight& flight, double rtt, int delivered, Clock::time_point now);
+    void learn_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
+    void look_at_queue(const SentSnapshot& flight, double rtt, int delivered, Clock::time_point now);
     void end_round(Clock::time_point now);
     void slow_down(Clock::time_point now);
     void speed_up();
@@ -73,7 +73,7 @@ private:
     const double full_rate_;
     double rate_, delivered_rate_ = 0;  // as of the last round
     int window_learned_;                // grows with what is acknowledged; for the first moments
-    Fifo<Flight> flights_;
+    Fifo<SentSnapshot> flights_;
     int in_flight_ = 0, others_ = 0;  // messages; since the last snapshot
     double rtt_s_ = 0, rtt_min_s_ = 0;
     bool measured_ = false;

@@ -49,24 +49,24 @@ int FlowControl::window() const {
 
 bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
     if (tick % static_cast<std::uint32_t>(divider_) != 0) return false;
-    if (flights_.empty() && emptying_) {
+    if (sent_snapshots_.empty() && emptying_) {
         emptying_ = false;
         probing_ = true;
     }
     if (limited_ && now < next_send_) {
-        slowed_++;
+        rate_skipped_++;
         return false;
     }
     // Only a snapshot is acknowledged: when none is on the way, one must go.
     const bool open = in_flight_ + others_ < window() && !emptying_ && !probing_;
-    if (flights_.empty() || open) return true;
+    if (sent_snapshots_.empty() || open) return true;
     skipped_++;
     return false;
 }
 
 void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
-    const bool alone = flights_.empty() && (others_ == 0 || probing_);
-    flights_.push_back({frame, now, others_ + 1, alone});
+    const bool alone = sent_snapshots_.empty() && (others_ == 0 || probing_);
+    sent_snapshots_.push_back({frame, now, others_ + 1, alone});
     in_flight_ += others_ + 1;
     others_ = 0;
     // An even pace; what was late by less than a step does not move those that follow.
@@ -77,32 +77,32 @@ void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
 void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now) {
     // An ack covers all that was sent before: the stream is ordered. A frame that is not in flight
     // says nothing.
-    const auto at = std::find_if(flights_.begin(), flights_.end(),
+    const auto at = std::find_if(sent_snapshots_.begin(), sent_snapshots_.end(),
                                  [&](const SentSnapshot& f) { return f.frame == frame; });
-    if (at == flights_.end()) return;
+    if (at == sent_snapshots_.end()) return;
     const SentSnapshot sent = *at;
     const double rtt = std::max(0.0, seconds(now - sent.at - held));
-    learn_round_trip(sent, rtt, now);
+    update_round_trip(sent, rtt, now);
     int delivered = 0;
-    for (auto flight = flights_.begin(); flight <= at; ++flight) delivered += flight->messages;
-    flights_.pop_front(static_cast<std::size_t>(at + 1 - flights_.begin()));
+    for (auto flight = sent_snapshots_.begin(); flight <= at; ++flight) delivered += flight->messages;
+    sent_snapshots_.pop_front(static_cast<std::size_t>(at + 1 - sent_snapshots_.begin()));
     in_flight_ -= delivered;
-    if (flights_.empty()) probing_ = false;
+    if (sent_snapshots_.empty()) probing_ = false;
 
     window_learned_ = std::min(window_learned_ + delivered, settings_.ack_window_max);
-    look_at_queue(sent, rtt, delivered, now);
+    update_queue_estimate(sent, rtt, delivered, now);
 }
 
-void FlowControl::forget_sent_before(Clock::time_point sent) {
-    while (!flights_.empty() && flights_.front().at < sent) {
-        in_flight_ -= flights_.front().messages;
-        flights_.pop_front();
+void FlowControl::drop_sent_before(Clock::time_point sent) {
+    while (!sent_snapshots_.empty() && sent_snapshots_.front().at < sent) {
+        in_flight_ -= sent_snapshots_.front().messages;
+        sent_snapshots_.pop_front();
     }
-    if (flights_.empty()) probing_ = false;
+    if (sent_snapshots_.empty()) probing_ = false;
 }
 
 // What was sent before the rate was lowered says nothing of the new one.
-void FlowControl::look_at_queue(const SentSnapshot& flight, double rtt, int delivered,
+void FlowControl::update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
                                 Clock::time_point now) {
     if (round_.begun == Clock::time_point{} || flight.at <= lowered_) {
         round_ = {.begun = now};  // what came before took no time that is known
@@ -117,7 +117,7 @@ void FlowControl::look_at_queue(const SentSnapshot& flight, double rtt, int deli
 
 // Others on the way make a queue: only what was alone says how long the way is, and any how long it
 // is at most.
-void FlowControl::learn_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now) {
+void FlowControl::update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now) {
     rtt_s_ = rtt;
     if (flight.alone) alone_at_ = now;
     if (!measured_ || rtt < rtt_min_s_ || flight.alone) rtt_min_s_ = rtt;

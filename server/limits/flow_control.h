@@ -36,7 +36,7 @@ public:
 
     // Of datagrams: what was sent before and not acknowledged since is lost, and no longer on the
     // way.
-    void forget_sent_before(Clock::time_point sent);
+    void drop_sent_before(Clock::time_point sent);
 
     // Messages that may be on the way.
     int window() const;
@@ -45,7 +45,7 @@ public:
     // Snapshots that the window held back.
     std::uint32_t skipped() const { return skipped_; }
     // Snapshots that were not even tried, because the client takes fewer.
-    std::uint32_t slowed() const { return slowed_; }
+    std::uint32_t rate_skipped() const { return rate_skipped_; }
     double round_trip_s() const { return rtt_s_; }  // of the last ack; 0: there was none
     int divider() const { return divider_; }
 
@@ -62,8 +62,8 @@ private:
         int acks = 0, delivered = 0;
         double queue_s = 0;  // the shortest
     };
-    void learn_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
-    void look_at_queue(const SentSnapshot& flight, double rtt, int delivered, Clock::time_point now);
+    void update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
+    void update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered, Clock::time_point now);
     void end_round(Clock::time_point now);
     void slow_down(Clock::time_point now);
     void speed_up();
@@ -73,7 +73,7 @@ private:
     const double full_rate_;
     double rate_, delivered_rate_ = 0;  // as of the last round
     int window_learned_;                // grows with what is acknowledged; for the first moments
-    Fifo<SentSnapshot> flights_;
+    Fifo<SentSnapshot> sent_snapshots_;
     int in_flight_ = 0, others_ = 0;  // messages; since the last snapshot
     double rtt_s_ = 0, rtt_min_s_ = 0;
     bool measured_ = false;
@@ -84,7 +84,7 @@ private:
     bool raised_ = false;    // since then
     Clock::time_point next_send_{}, raise_at_{}, lowered_{}, alone_at_{};
     Clock::duration pause_;  // before the rate is raised
-    std::uint32_t skipped_ = 0, slowed_ = 0;
+    std::uint32_t skipped_ = 0, rate_skipped_ = 0;
 };
 
 }  // namespace jostle::server

@@ -22,7 +22,7 @@ public:
     // with the one that comes next, after each that is given.
     void use_ids(ClientId first, std::function<void(ClientId next)> on_id);
     // A client of before, with its id.
-    void enter_again(ClientId client, const std::string& world_id, const std::string& network);
+    void restore_client(ClientId client, const std::string& world_id, const std::string& network);
     // A new client id; an error when the server is full, or full of clients of that network
     // (base/address.h).
     Result<ClientId> enter(const std::string& world_id, const std::string& network);

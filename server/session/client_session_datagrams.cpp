@@ -70,7 +70,7 @@ void ClientSession::send_datagram(Clock::time_point now) {
     const FramePtr frame = broadcast_->host().frame();
     if (datagrams_->sent_last()) {
         const Clock::duration two_ways = from_seconds(2 * flow_->round_trip_s());
-        flow_->forget_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
+        flow_->drop_sent_before(now - std::max<Clock::duration>(lost_after_min, two_ways));
     }
     if (!send_by_datagram(*frame, now)) return;
     if (frame->tick != last_frame_tick_) {

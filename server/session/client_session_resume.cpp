@@ -38,7 +38,7 @@ void release(PlayContext& context, const DisconnectedClient& lost) {
 
 void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until) {
-    context.sessions.enter_again(client, world->id(), {});
+    context.sessions.restore_client(client, world->id(), {});
     world->disconnect(client);
     context.resume_registry.expect({.client = client,
                             .broadcast = context.broadcast_caches.cache_for(world, context.config.stream.interest_cell_m),

@@ -70,7 +70,7 @@ void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
     const auto& skipped = context_.metrics->snapshots_skipped;
     count_more(skipped[SkipReason::window], flow.skipped(), counted_.window);
     count_more(skipped[SkipReason::pending], pending, counted_.pending);
-    count_more(skipped[SkipReason::rate], flow.slowed(), counted_.rate);
+    count_more(skipped[SkipReason::rate], flow.rate_skipped(), counted_.rate);
 }
 
 std::optional<std::string> SessionMetrics::kicked() const {

@@ -125,7 +125,7 @@ TEST(FlowControl, a_good_client_gets_every_tick_near_and_far) {
         Reader reader(way_s, at_once());
         reader.play_until(20);
         EXPECT_EQ(reader.read_between(2, 18), 16 * 60) << way_s << " s of way";
-        EXPECT_EQ(reader.flow().slowed(), 0u);
+        EXPECT_EQ(reader.flow().rate_skipped(), 0u);
     }
 }
 
@@ -205,7 +205,7 @@ TEST(FlowControl, a_stall_of_a_second_is_forgiven_at_once) {
     // At 10 s it reads nothing for a second.
     Reader reader(0.005, [](double t) { return t > 10 && t < 11 ? 11 - t : 0.0001; });
     reader.play_until(20);
-    EXPECT_EQ(reader.flow().slowed(), 0u);
+    EXPECT_EQ(reader.flow().rate_skipped(), 0u);
     EXPECT_EQ(reader.read_between(11.5, 19), 450);
 }
 
@@ -228,7 +228,7 @@ TEST(FlowControl, a_wanted_divider_is_kept) {
     Reader reader(0.01, at_once(), 3);
     reader.play_until(10);
     EXPECT_EQ(reader.read_between(2, 8), 120);
-    EXPECT_EQ(reader.flow().slowed() + reader.flow().skipped(), 0u) << "it is what it asked for";
+    EXPECT_EQ(reader.flow().rate_skipped() + reader.flow().skipped(), 0u) << "it is what it asked for";
 }
 
 TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
@@ -252,10 +252,10 @@ TEST(FlowControl, what_was_lost_does_not_fill_the_window_for_ever) {
     for (; flow.may_send(tick, begin + tick * 16ms); ++tick)
         flow.on_sent(tick, begin + tick * 16ms);
     EXPECT_EQ(flow.in_flight(), 4) << "nothing was acknowledged";
-    flow.forget_sent_before(begin + 3 * 16ms);
+    flow.drop_sent_before(begin + 3 * 16ms);
     EXPECT_EQ(flow.in_flight(), 2);
     EXPECT_TRUE(flow.may_send(tick, begin + tick * 16ms));
-    flow.forget_sent_before(begin + 1s);
+    flow.drop_sent_before(begin + 1s);
     EXPECT_EQ(flow.in_flight(), 0);
     flow.on_ack(2, {}, begin + 1s);
     EXPECT_EQ(flow.in_flight(), 0) << "an ack that comes late after all";

@@ -45,7 +45,7 @@ WorldMetrics::~WorldMetrics() {
     metrics_.clients.Remove(series_.clients);
 }
 
-void WorldMetrics::count_tick(const TickCount& tick) {
+void WorldMetrics::count_tick(const TickSample& tick) {
     series_.tick_seconds->Observe(tick.seconds);
     const std::size_t stages = std::min(tick.stage_ms.size(), metrics_.stages.size());
     for (std::size_t i = 0; i < stages; i++)

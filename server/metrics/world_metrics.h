@@ -15,7 +15,7 @@
 namespace jostle::server {
 
 // What one tick of a world was like.
-struct TickCount {
+struct TickSample {
     double seconds = 0;                     // the whole tick
     std::span<const double> stage_ms = {};  // of the step, by stage; empty: it took none
     std::size_t bodies = 0, awake = 0;
@@ -31,7 +31,7 @@ public:
     WorldMetrics& operator=(const WorldMetrics&) = delete;
 
     // The world's thread.
-    void count_tick(const TickCount& tick);
+    void count_tick(const TickSample& tick);
     // Any thread.
     prometheus::Gauge& clients() { return *series_.clients; }
 

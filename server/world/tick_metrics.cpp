@@ -10,7 +10,7 @@ void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profi
                          std::size_t inputs) {
     const Clock::time_point now = Clock::now();
     if (metrics_) {
-        TickCount count{.seconds = std::chrono::duration<double>(now - begun_).count(),
+        TickSample count{.seconds = std::chrono::duration<double>(now - begun_).count(),
                         .bodies = frame.entities.size(),
                         .awake = static_cast<std::size_t>(frame.awake),
                         .queued = inputs,

@@ -11,7 +11,7 @@
 namespace jostle::server {
 
 std::string metrics_text(Metrics& metrics) {
-    read_process(metrics);
+    read_process_metrics(metrics);
     std::ostringstream out;
     prometheus::TextSerializer().Serialize(out, metrics.registry.Collect());
     return std::move(out).str();

@@ -63,7 +63,7 @@ std::optional<double> count_open_fds() {
 
 }  // namespace
 
-void read_process(Metrics& metrics) {
+void read_process_metrics(Metrics& metrics) {
     if (const auto stat = read_stat()) {
         const auto ticks_per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
         metrics.virtual_bytes.Set(stat->virtual_bytes);

@@ -8,6 +8,6 @@ namespace jostle::server {
 struct Metrics;
 
 // Reads /proc/self into `metrics`; what cannot be read stays as it was.
-void read_process(Metrics& metrics);
+void read_process_metrics(Metrics& metrics);
 
 }  // namespace jostle::server

@@ -15,10 +15,10 @@ const prometheus::Histogram::BucketBoundaries tick_buckets = {
 }  // namespace
 
 WorldMetrics::WorldMetrics(Metrics& metrics, const std::string& world)
-    : metrics_(metrics), world_(world), series_(hold()) {}
+    : metrics_(metrics), world_(world), series_(acquire_series()) {}
 
 // Adding a series that is there gives the one that is there.
-WorldMetrics::Series WorldMetrics::hold() {
+WorldMetrics::Series WorldMetrics::acquire_series() {
     const std::lock_guard lock(metrics_.world_holders.mutex);
     metrics_.world_holders.count[world_]++;
     const prometheus::Labels labels{{"world", world_}};

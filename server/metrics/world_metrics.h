@@ -42,7 +42,7 @@ private:
         prometheus::Counter* late_ticks;
         prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *paused, *clients;
     };
-    Series hold();
+    Series acquire_series();
 
     Metrics& metrics_;
     const std::string world_;

@@ -21,7 +21,7 @@ Result<std::unique_ptr<CertificateStore>> CertificateStore::open(TlsSettings fil
     return store;
 }
 
-std::shared_ptr<const Material> CertificateStore::material() const {
+std::shared_ptr<const TlsMaterial> CertificateStore::material() const {
     const std::lock_guard lock(mutex_);
     return material_;
 }
@@ -50,12 +50,12 @@ CertificateStore::Stamps CertificateStore::stamps() const {
 Status CertificateStore::read(WallTime now) {
     stamps_ = stamps();
     last_read_ = now;
-    Result<Material> read = read_material(files_, now);
+    Result<TlsMaterial> read = read_material(files_, now);
     if (!read.ok()) return read.error();
     for (const std::string& warning : read->warnings) log_warn("{}", warning);
     log_info("the certificate of {} is in force", read->subject);
     const std::lock_guard lock(mutex_);
-    material_ = std::make_shared<const Material>(std::move(*read));
+    material_ = std::make_shared<const TlsMaterial>(std::move(*read));
     return {};
 }
 

@@ -28,7 +28,7 @@ public:
     // The files must be good the first time.
     static Result<std::unique_ptr<CertificateStore>> open(TlsSettings files, WallTime now);
 
-    std::shared_ptr<const Material> material() const;
+    std::shared_ptr<const TlsMaterial> material() const;
     // When the first certificate of the chain in force expires.
     WallTime expiry() const { return material()->expires; }
 
@@ -50,7 +50,7 @@ private:
 
     const TlsSettings files_;
     mutable std::mutex mutex_;  // of material_
-    std::shared_ptr<const Material> material_;
+    std::shared_ptr<const TlsMaterial> material_;
     std::mutex reading_;   // of what follows
     Stamps stamps_;        // of the files when they were last read, good or not
     std::string refusal_;  // why what was last read is not in force; empty: it is

@@ -172,7 +172,7 @@ WallTime first_end(const Chain& chain) {
 
 }  // namespace
 
-Result<Material> read_material(const TlsSettings& files, WallTime now) {
+Result<TlsMaterial> read_material(const TlsSettings& files, WallTime now) {
     const FaultCleaner cleaner;
     const Result<Chain> chain = read_certificates(files.certificate, chain_max);
     if (!chain.ok()) return chain.error();
@@ -181,7 +181,7 @@ Result<Material> read_material(const TlsSettings& files, WallTime now) {
     if (Status s = check_times(*chain, files.certificate, now); !s.ok()) return s.error();
     if (Status s = check_links(*chain, files.certificate); !s.ok()) return s.error();
     if (Status s = check_pair(*chain, *key, files); !s.ok()) return s.error();
-    Material material{.key_pem = to_pem(*key),
+    TlsMaterial material{.key_pem = to_pem(*key),
                       .chain_pem = to_pem(*chain),
                       .subject = name_in(X509_get_subject_name(chain->front().get())),
                       .expires = first_end(*chain)};

@@ -13,7 +13,7 @@
 
 namespace jostle::server {
 
-struct Material {
+struct TlsMaterial {
     std::string key_pem;                // PKCS #8
     std::string chain_pem;              // the server's own certificate first
     std::string client_ca_pem;          // whose certificates clients may show; empty: no one's
@@ -23,6 +23,6 @@ struct Material {
 };
 
 // Errors name the file and what is wrong with it.
-Result<Material> read_material(const TlsSettings& files, WallTime now);
+Result<TlsMaterial> read_material(const TlsSettings& files, WallTime now);
 
 }  // namespace jostle::server

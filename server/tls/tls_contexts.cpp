@@ -21,7 +21,7 @@ int choose_http2(SSL*, const unsigned char** chosen, unsigned char* size,
     return outcome == OPENSSL_NPN_NEGOTIATED ? SSL_TLSEXT_ERR_OK : SSL_TLSEXT_ERR_ALERT_FATAL;
 }
 
-std::shared_ptr<ssl::context> context_of(const Material& material,
+std::shared_ptr<ssl::context> context_of(const TlsMaterial& material,
                                          const TlsContexts::Demands& demands) {
     auto context = std::make_shared<ssl::context>(ssl::context::tls_server);
     context->set_options(ssl::context::default_workarounds | ssl::context::no_tlsv1 |
@@ -46,7 +46,7 @@ std::shared_ptr<ssl::context> context_of(const Material& material,
 
 std::shared_ptr<ssl::context> TlsContexts::present() {
     if (!store_) return nullptr;
-    std::shared_ptr<const Material> material = store_->material();
+    std::shared_ptr<const TlsMaterial> material = store_->material();
     if (material == material_) return context_;
     try {
         context_ = context_of(*material, demands_);

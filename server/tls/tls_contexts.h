@@ -29,7 +29,7 @@ public:
 private:
     const CertificateStore* store_;
     const Demands demands_;
-    std::shared_ptr<const Material> material_;
+    std::shared_ptr<const TlsMaterial> material_;
     std::shared_ptr<boost::asio::ssl::context> context_;
 };
 

@@ -63,7 +63,7 @@ TEST_F(CertificateStoreTest, the_first_files_must_be_good) {
 TEST_F(CertificateStoreTest, a_new_pair_is_taken_over_at_the_next_look) {
     put(issue("one"));
     const auto store = open();
-    const std::shared_ptr<const Material> first = store->material();
+    const std::shared_ptr<const TlsMaterial> first = store->material();
     EXPECT_EQ(store->poll(now), Change::none);
     put(issue("two"));
     EXPECT_EQ(store->poll(now + 900ms), Change::none) << "a look a second";
@@ -138,7 +138,7 @@ TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_i
         const test::TempFolder own;
         while (!done) {
             // A certificate and key of one pair at any moment.
-            const std::shared_ptr<const Material> seen = store->material();
+            const std::shared_ptr<const TlsMaterial> seen = store->material();
             const std::string file = own.write("pair.pem", seen->key_pem + seen->chain_pem);
             if (!read_material({.certificate = file, .key = file}, now).ok()) ++broken;
             ++looks;

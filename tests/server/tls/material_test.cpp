@@ -17,7 +17,7 @@ using test::TestCertificate;
 
 class MaterialTest : public testing::Test {
 protected:
-    Result<Material> read(const std::string& chain, const std::string& key,
+    Result<TlsMaterial> read(const std::string& chain, const std::string& key,
                           const std::string& client_ca = {}) const {
         TlsSettings files{.certificate = folder.write("chain.pem", chain),
                           .key = folder.write("key.pem", key)};
@@ -27,7 +27,7 @@ protected:
     // The message without the folder; "" when it is good.
     std::string fault_of(const std::string& chain, const std::string& key,
                          const std::string& client_ca = {}) const {
-        const Result<Material> material = read(chain, key, client_ca);
+        const Result<TlsMaterial> material = read(chain, key, client_ca);
         if (material.ok()) return "";
         std::string message = material.error().message;
         if (message.starts_with(folder / "")) message.erase(0, (folder / "").size());
@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(MaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
-    const Result<Material> material = read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
+    const Result<TlsMaterial> material = read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->subject, "CN=localhost");
     EXPECT_NEAR(std::chrono::duration<double>(material->expires - now).count(), 7200, 5)
@@ -103,7 +103,7 @@ TEST_F(MaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
 
 TEST_F(MaterialTest, a_certificate_without_an_end_is_good) {
     const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
-    const Result<Material> material = read(endless.pem(), endless.key_pem());
+    const Result<TlsMaterial> material = read(endless.pem(), endless.key_pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->expires, WallTime::max()) << "in the year 9948";
 }
@@ -162,7 +162,7 @@ TEST_F(MaterialTest, a_key_that_everybody_may_read_is_warned_of) {
     chmod(files.key.c_str(), 0640);
     EXPECT_TRUE(read_material(files, now)->warnings.empty()) << "a group may";
     chmod(files.key.c_str(), 0644);
-    const Result<Material> material = read_material(files, now);
+    const Result<TlsMaterial> material = read_material(files, now);
     ASSERT_TRUE(material.ok());
     ASSERT_EQ(material->warnings.size(), 1u);
     EXPECT_EQ(material->warnings[0], files.key + " may be read by everybody here; chmod o= it");

@@ -15,7 +15,7 @@ using test::make_authority;
 using test::make_certificate;
 using test::TestCertificate;
 
-class MaterialTest : public testing::Test {
+class TlsMaterialTest : public testing::Test {
 protected:
     Result<TlsMaterial> read(const std::string& chain, const std::string& key,
                           const std::string& client_ca = {}) const {
@@ -42,7 +42,7 @@ protected:
     const TestCertificate leaf = make_certificate({}, &middle);
 };
 
-TEST_F(MaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
+TEST_F(TlsMaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
     const Result<TlsMaterial> material = read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->subject, "CN=localhost");
@@ -53,7 +53,7 @@ TEST_F(MaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
     EXPECT_TRUE(material->warnings.empty());
 }
 
-TEST_F(MaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
+TEST_F(TlsMaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem()), "");
     EXPECT_EQ(fault_of(leaf.pem() + middle.pem() + root.pem(), leaf.key_pem()), "");
     const TestCertificate own = make_certificate({});
@@ -62,13 +62,13 @@ TEST_F(MaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
         << "what else is in a file is passed over";
 }
 
-TEST_F(MaterialTest, a_key_of_another_certificate_is_refused) {
+TEST_F(TlsMaterialTest, a_key_of_another_certificate_is_refused) {
     EXPECT_EQ(fault_of(leaf.pem(), middle.key_pem()),
               "key.pem: the key is not that of the certificate of CN=localhost in " +
                   folder / "chain.pem");
 }
 
-TEST_F(MaterialTest, a_chain_must_link_up) {
+TEST_F(TlsMaterialTest, a_chain_must_link_up) {
     const TestCertificate stranger = make_authority("Middle");
     EXPECT_EQ(
         fault_of(leaf.pem() + root.pem(), leaf.key_pem()),
@@ -84,7 +84,7 @@ TEST_F(MaterialTest, a_chain_must_link_up) {
               "chain.pem: the certificate of CN=localhost may not issue others");
 }
 
-TEST_F(MaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
+TEST_F(TlsMaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
     const TestCertificate old = make_certificate({.begins_in_s = -7200, .ends_in_s = -60}, &root),
                           early = make_certificate({.begins_in_s = 60}, &root),
                           old_middle = make_certificate(
@@ -101,14 +101,14 @@ TEST_F(MaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
               0u);
 }
 
-TEST_F(MaterialTest, a_certificate_without_an_end_is_good) {
+TEST_F(TlsMaterialTest, a_certificate_without_an_end_is_good) {
     const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
     const Result<TlsMaterial> material = read(endless.pem(), endless.key_pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->expires, WallTime::max()) << "in the year 9948";
 }
 
-TEST_F(MaterialTest, files_that_are_none_are_named) {
+TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
     EXPECT_EQ(fault_of("", leaf.key_pem()), "chain.pem: there is no certificate in PEM form");
     EXPECT_EQ(fault_of(leaf.pem(), ""), "key.pem: there is no private key in PEM form");
     EXPECT_EQ(fault_of(leaf.pem(), leaf.pem()), "key.pem: there is no private key in PEM form");
@@ -128,12 +128,12 @@ TEST_F(MaterialTest, files_that_are_none_are_named) {
               std::string::npos);
 }
 
-TEST_F(MaterialTest, nobody_is_asked_for_a_passphrase) {
+TEST_F(TlsMaterialTest, nobody_is_asked_for_a_passphrase) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem_with_passphrase("secret")),
               "key.pem: the key has a passphrase, and nobody can be asked for it");
 }
 
-TEST_F(MaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) {
+TEST_F(TlsMaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) {
     const TestCertificate client = make_certificate({.name = "anna", .usage = "clientAuth"}, &root);
     EXPECT_EQ(fault_of(client.pem(), client.key_pem()),
               "chain.pem: the certificate of CN=anna is not one for servers");
@@ -145,7 +145,7 @@ TEST_F(MaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) 
               "chain.pem: OpenSSL does not take it: ee key too small");
 }
 
-TEST_F(MaterialTest, authorities_of_clients_are_checked_as_well) {
+TEST_F(TlsMaterialTest, authorities_of_clients_are_checked_as_well) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), root.pem() + middle.pem()), "");
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), leaf.pem()),
               "client_ca.pem: the certificate of CN=localhost may not issue others");
@@ -156,7 +156,7 @@ TEST_F(MaterialTest, authorities_of_clients_are_checked_as_well) {
               0u);
 }
 
-TEST_F(MaterialTest, a_key_that_everybody_may_read_is_warned_of) {
+TEST_F(TlsMaterialTest, a_key_that_everybody_may_read_is_warned_of) {
     const TlsSettings files{.certificate = folder.write("chain.pem", leaf.pem()),
                             .key = folder.write("key.pem", leaf.key_pem())};
     chmod(files.key.c_str(), 0640);

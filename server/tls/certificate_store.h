@@ -2,7 +2,7 @@
 //
 // The certificates in force. An operator replaces files while the server runs (a new certificate, a
 // link that Kubernetes swaps), not always both at once and not always good ones. The store reads
-// what has changed, and takes it over only when all of it is good (material.h); else the old stays
+// what has changed, and takes it over only when all of it is good (tls_material.h); else the old stays
 // in force.
 //
 // Both listeners take it from here. (gRPC would read the files by itself, and break every handshake
@@ -16,7 +16,7 @@
 #include <mutex>
 #include <string>
 
-#include "server/tls/material.h"
+#include "server/tls/tls_material.h"
 #include "server/util/watched_file.h"
 
 namespace jostle::server {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/tls/material.h"
+#include "server/tls/tls_material.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

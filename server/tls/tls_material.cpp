@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/tls/material.h"
+#include "server/tls/tls_material.h"
 
 #include <openssl/bio.h>
 #include <openssl/err.h>

@@ -174,7 +174,7 @@ v1::Combine to_message(Combine rule) {
     return v1::COMBINE_MAXIMUM;
 }
 
-Material read_material(FieldReader& in, const std::string& path, const v1::Shape& m) {
+Material read_tls_material(FieldReader& in, const std::string& path, const v1::Shape& m) {
     Material out;
     if (m.has_friction()) out.friction = in.number(path + ".friction", m.friction(), 0, 100);
     if (m.has_restitution())
@@ -303,7 +303,7 @@ ShapeDef read_shape(FieldReader& in, const std::string& path, const v1::Shape& m
         def.density = in.number(path + ".density", m.density(), 1e-3, limits::max_density);
     if (m.has_mass())
         def.mass = in.number(path + ".mass", m.mass(), limits::min_mass, limits::max_mass);
-    def.material = read_material(in, path, m);
+    def.material = read_tls_material(in, path, m);
     if (m.filter().has_category()) def.filter.category = m.filter().category();
     if (m.filter().has_mask()) def.filter.mask = m.filter().mask();
     def.filter.group = m.filter().group();

@@ -50,7 +50,7 @@ CertificateStore::Stamps CertificateStore::stamps() const {
 Status CertificateStore::read(WallTime now) {
     stamps_ = stamps();
     last_read_ = now;
-    Result<TlsMaterial> read = read_material(files_, now);
+    Result<TlsMaterial> read = read_tls_material(files_, now);
     if (!read.ok()) return read.error();
     for (const std::string& warning : read->warnings) log_warn("{}", warning);
     log_info("the certificate of {} is in force", read->subject);

@@ -172,7 +172,7 @@ WallTime first_end(const Chain& chain) {
 
 }  // namespace
 
-Result<TlsMaterial> read_material(const TlsSettings& files, WallTime now) {
+Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now) {
     const FaultCleaner cleaner;
     const Result<Chain> chain = read_certificates(files.certificate, chain_max);
     if (!chain.ok()) return chain.error();

@@ -23,6 +23,6 @@ struct TlsMaterial {
 };
 
 // Errors name the file and what is wrong with it.
-Result<TlsMaterial> read_material(const TlsSettings& files, WallTime now);
+Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now);
 
 }  // namespace jostle::server

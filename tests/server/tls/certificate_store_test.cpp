@@ -140,7 +140,7 @@ TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_i
             // A certificate and key of one pair at any moment.
             const std::shared_ptr<const TlsMaterial> seen = store->material();
             const std::string file = own.write("pair.pem", seen->key_pem + seen->chain_pem);
-            if (!read_material({.certificate = file, .key = file}, now).ok()) ++broken;
+            if (!read_tls_material({.certificate = file, .key = file}, now).ok()) ++broken;
             ++looks;
         }
     });

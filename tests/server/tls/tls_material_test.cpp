@@ -22,7 +22,7 @@ protected:
         TlsSettings files{.certificate = folder.write("chain.pem", chain),
                           .key = folder.write("key.pem", key)};
         if (!client_ca.empty()) files.client_ca = folder.write("client_ca.pem", client_ca);
-        return read_material(files, now);
+        return read_tls_material(files, now);
     }
     // The message without the folder; "" when it is good.
     std::string fault_of(const std::string& chain, const std::string& key,
@@ -122,7 +122,7 @@ TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
     for (int i = 0; i < 11; ++i) many += leaf.pem();
     EXPECT_EQ(fault_of(many, leaf.key_pem()), "chain.pem: there are more than 10 certificates");
     EXPECT_NE(fault_of(std::string(2 << 20, 'a'), leaf.key_pem()), "");
-    EXPECT_NE(read_material({.certificate = folder / "none", .key = folder / "none"}, now)
+    EXPECT_NE(read_tls_material({.certificate = folder / "none", .key = folder / "none"}, now)
                   .error()
                   .message.find("cannot read " + (folder / "none")),
               std::string::npos);
@@ -160,9 +160,9 @@ TEST_F(TlsMaterialTest, a_key_that_everybody_may_read_is_warned_of) {
     const TlsSettings files{.certificate = folder.write("chain.pem", leaf.pem()),
                             .key = folder.write("key.pem", leaf.key_pem())};
     chmod(files.key.c_str(), 0640);
-    EXPECT_TRUE(read_material(files, now)->warnings.empty()) << "a group may";
+    EXPECT_TRUE(read_tls_material(files, now)->warnings.empty()) << "a group may";
     chmod(files.key.c_str(), 0644);
-    const Result<TlsMaterial> material = read_material(files, now);
+    const Result<TlsMaterial> material = read_tls_material(files, now);
     ASSERT_TRUE(material.ok());
     ASSERT_EQ(material->warnings.size(), 1u);
     EXPECT_EQ(material->warnings[0], files.key + " may be read by everybody here; chmod o= it");

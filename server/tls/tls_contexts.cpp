@@ -22,7 +22,7 @@ int choose_http2(SSL*, const unsigned char** chosen, unsigned char* size,
 }
 
 std::shared_ptr<ssl::context> context_of(const TlsMaterial& material,
-                                         const TlsContexts::Demands& demands) {
+                                         const TlsContexts::TlsRequirements& demands) {
     auto context = std::make_shared<ssl::context>(ssl::context::tls_server);
     context->set_options(ssl::context::default_workarounds | ssl::context::no_tlsv1 |
                          ssl::context::no_tlsv1_1);

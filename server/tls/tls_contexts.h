@@ -13,14 +13,14 @@ namespace jostle::server {
 
 class TlsContexts {
 public:
-    struct Demands {
+    struct TlsRequirements {
         bool require_certificates = false;
         bool only_http2 = false;  // clients must offer "h2" by ALPN, as those of gRPC do
     };
 
     // Null: no TLS. The store outlives the contexts. With a CA for clients in it, who shows a
     // certificate must show a good one; `require_certificates`: and everybody must.
-    TlsContexts(const CertificateStore* store, Demands demands)
+    TlsContexts(const CertificateStore* store, TlsRequirements demands)
         : store_(store), demands_(demands) {}
 
     // For the next connection; null: no TLS.
@@ -28,7 +28,7 @@ public:
 
 private:
     const CertificateStore* store_;
-    const Demands demands_;
+    const TlsRequirements demands_;
     std::shared_ptr<const TlsMaterial> material_;
     std::shared_ptr<boost::asio::ssl::context> context_;
 };

@@ -160,7 +160,7 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     }
     set_socket_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
     set_tcp_user_timeout(descriptor, tcp_user_timeout_);
-    const auto tls = tls_.present();
+    const auto tls = tls_.current();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);
     if (!tls) return hand_off(std::move(socket), connection);

@@ -132,7 +132,7 @@ void HttpServer::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     if (make_room(socket)) {
         socket.set_option(tcp::no_delay(true), error);
         const auto session =
-            std::make_shared<HttpSession>(SocketStream(std::move(socket), tls.present()), services);
+            std::make_shared<HttpSession>(SocketStream(std::move(socket), tls.current()), services);
         http_sessions.push_back(session);
         session->start();
     }

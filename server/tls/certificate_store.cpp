@@ -9,8 +9,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto between_looks = 1s;
-constexpr auto between_trials = 1min;  // of files that were refused and have not changed
+constexpr auto poll_interval = 1s;
+constexpr auto retry_interval = 1min;  // of files that were refused and have not changed
 
 }  // namespace
 
@@ -28,17 +28,17 @@ std::shared_ptr<const TlsMaterial> CertificateStore::material() const {
 
 CertificateStore::Change CertificateStore::poll(WallTime now) {
     const std::lock_guard reading(reading_);
-    if (now >= last_look_ && now < last_look_ + between_looks) return Change::none;  // clocks jump
-    last_look_ = now;
-    const bool try_again = !refusal_.empty() && now >= last_read_ + between_trials;
+    if (now >= last_poll_ && now < last_poll_ + poll_interval) return Change::none;  // clocks jump
+    last_poll_ = now;
+    const bool try_again = !refusal_.empty() && now >= last_read_ + retry_interval;
     if (stamps() == stamps_ && !try_again) return Change::none;
-    return read_and_say(now);
+    return read_and_log(now);
 }
 
 CertificateStore::Change CertificateStore::reload(WallTime now) {
     const std::lock_guard reading(reading_);
     refusal_.clear();  // who asks is told again
-    return read_and_say(now);
+    return read_and_log(now);
 }
 
 CertificateStore::Stamps CertificateStore::stamps() const {
@@ -59,7 +59,7 @@ Status CertificateStore::read(WallTime now) {
     return {};
 }
 
-CertificateStore::Change CertificateStore::read_and_say(WallTime now) {
+CertificateStore::Change CertificateStore::read_and_log(WallTime now) {
     const Stamps before = stamps_;
     const Status status = read(now);
     if (status.ok()) {

@@ -46,7 +46,7 @@ private:
 
     Stamps stamps() const;
     Status read(WallTime now);
-    Change read_and_say(WallTime now);
+    Change read_and_log(WallTime now);
 
     const TlsSettings files_;
     mutable std::mutex mutex_;  // of material_
@@ -54,7 +54,7 @@ private:
     std::mutex reading_;   // of what follows
     Stamps stamps_;        // of the files when they were last read, good or not
     std::string refusal_;  // why what was last read is not in force; empty: it is
-    WallTime last_look_, last_read_;
+    WallTime last_poll_, last_read_;
 };
 
 }  // namespace jostle::server

@@ -22,7 +22,7 @@ int choose_http2(SSL*, const unsigned char** chosen, unsigned char* size,
 }
 
 std::shared_ptr<ssl::context> context_of(const TlsMaterial& material,
-                                         const TlsContexts::TlsRequirements& demands) {
+                                         const TlsContexts::TlsRequirements& requirements) {
     auto context = std::make_shared<ssl::context>(ssl::context::tls_server);
     context->set_options(ssl::context::default_workarounds | ssl::context::no_tlsv1 |
                          ssl::context::no_tlsv1_1);
@@ -32,24 +32,24 @@ std::shared_ptr<ssl::context> context_of(const TlsMaterial& material,
         context->add_certificate_authority(boost::asio::buffer(material.client_ca_pem));
         context->set_verify_mode(
             ssl::verify_peer |
-            (demands.require_certificates ? ssl::verify_fail_if_no_peer_cert : 0));
+            (requirements.require_certificates ? ssl::verify_fail_if_no_peer_cert : 0));
         // Sessions may be resumed only where they were made.
         static constexpr unsigned char listener[] = "jostle";
         SSL_CTX_set_session_id_context(context->native_handle(), listener, sizeof listener - 1);
     }
-    if (demands.only_http2)
+    if (requirements.only_http2)
         SSL_CTX_set_alpn_select_cb(context->native_handle(), choose_http2, nullptr);
     return context;
 }
 
 }  // namespace
 
-std::shared_ptr<ssl::context> TlsContexts::present() {
+std::shared_ptr<ssl::context> TlsContexts::current() {
     if (!store_) return nullptr;
     std::shared_ptr<const TlsMaterial> material = store_->material();
     if (material == material_) return context_;
     try {
-        context_ = context_of(*material, demands_);
+        context_ = context_of(*material, requirements_);
         material_ = std::move(material);
     } catch (const std::exception& error) {
         // The store has checked it; whatever it is, the old one still works.

@@ -20,15 +20,15 @@ public:
 
     // Null: no TLS. The store outlives the contexts. With a CA for clients in it, who shows a
     // certificate must show a good one; `require_certificates`: and everybody must.
-    TlsContexts(const CertificateStore* store, TlsRequirements demands)
-        : store_(store), demands_(demands) {}
+    TlsContexts(const CertificateStore* store, TlsRequirements requirements)
+        : store_(store), requirements_(requirements) {}
 
     // For the next connection; null: no TLS.
-    std::shared_ptr<boost::asio::ssl::context> present();
+    std::shared_ptr<boost::asio::ssl::context> current();
 
 private:
     const CertificateStore* store_;
-    const TlsRequirements demands_;
+    const TlsRequirements requirements_;
     std::shared_ptr<const TlsMaterial> material_;
     std::shared_ptr<boost::asio::ssl::context> context_;
 };

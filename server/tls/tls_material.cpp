@@ -163,7 +163,7 @@ std::string to_pem(const Key& key) {
     return text_in(out.get());
 }
 
-WallTime first_end(const Chain& chain) {
+WallTime earliest_expiry(const Chain& chain) {
     WallTime first = WallTime::max();
     for (const Certificate& one : chain)
         first = std::min(first, to_wall(X509_get0_notAfter(one.get())));
@@ -184,7 +184,7 @@ Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now) {
     TlsMaterial material{.key_pem = to_pem(*key),
                       .chain_pem = to_pem(*chain),
                       .subject = name_in(X509_get_subject_name(chain->front().get())),
-                      .expires = first_end(*chain)};
+                      .expires = earliest_expiry(*chain)};
     // A group of its own is how containers and service managers hand a key over.
     if ((stamp_of(files.key).mode & S_IRWXO) != 0)
         material.warnings.push_back(files.key + " may be read by everybody here; chmod o= it");

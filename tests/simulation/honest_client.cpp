@@ -42,7 +42,7 @@ HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, C
       conversation_(options_of(name_, chance_.one_in(3))),
       behaviour_(some_line(chance_), static_cast<std::uint32_t>(chance_.bits())) {}
 
-void HonestClient::connect(std::shared_ptr<Line> line, Clock::time_point now) {
+void HonestClient::connect(std::shared_ptr<NetworkLine> line, Clock::time_point now) {
     tally_.connections++;
     line_ = std::move(line);
     connected_at_ = now;

@@ -14,7 +14,7 @@
 #include "clients/bot/behaviour.h"
 #include "clients/cpp/core/src/conversation.h"
 #include "server/world/world_host.h"
-#include "tests/simulation/line.h"
+#include "tests/simulation/network_line.h"
 
 namespace jostle::simulation {
 
@@ -35,7 +35,7 @@ public:
     // The frame of a tick not long ago; null: not known any more.
     using FrameOf = std::function<server::FramePtr(std::uint32_t tick)>;
 
-    void connect(std::shared_ptr<Line> line, Clock::time_point now);
+    void connect(std::shared_ptr<NetworkLine> line, Clock::time_point now);
     // Hears, thinks and speaks.
     void act(Clock::time_point now, const FrameOf& frame_of);
     void leave() { conversation_.leave(); }
@@ -57,7 +57,7 @@ private:
     const Complaint complain_;
     client::Conversation conversation_;
     bots::Behaviour behaviour_;
-    std::shared_ptr<Line> line_;
+    std::shared_ptr<NetworkLine> line_;
     Clock::time_point connected_at_{};
     bool is_new_line_ = false;  // on which no Welcome has come
     std::uint64_t resumed_ = 0;

@@ -10,7 +10,7 @@ HostileClient::HostileClient(std::uint64_t seed, Tally& tally)
       tally_(tally),
       kind_(static_cast<Kind>(chance_.below(static_cast<std::uint64_t>(Kind::count)))) {}
 
-void HostileClient::connect(std::shared_ptr<Line> line) {
+void HostileClient::connect(std::shared_ptr<NetworkLine> line) {
     line_ = std::move(line);
     sequence_ = 1;
     ticks_ = 0;

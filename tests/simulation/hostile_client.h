@@ -27,7 +27,7 @@ public:
 
     HostileClient(std::uint64_t seed, Tally& tally);
 
-    void connect(std::shared_ptr<Line> line);
+    void connect(std::shared_ptr<NetworkLine> line);
     void act(Clock::time_point now);
     bool is_connected() const { return line_ != nullptr; }
 
@@ -42,7 +42,7 @@ private:
     Chance chance_;
     Tally& tally_;
     const Kind kind_;
-    std::shared_ptr<Line> line_;
+    std::shared_ptr<NetworkLine> line_;
     std::uint32_t sequence_ = 1, frame_ = 0;
     int ticks_ = 0, patience_ = 0;
 };

@@ -49,7 +49,7 @@ private:
     void night();
     bool everybody_left() const;
     void check_that_nothing_is_left();
-    std::shared_ptr<Line> new_line(const std::string& name, bool is_honest);
+    std::shared_ptr<NetworkLine> new_line(const std::string& name, bool is_honest);
     void serve_lines();
     void act_honest(Seat& seat);
     void act_hostile();
@@ -61,7 +61,7 @@ private:
     std::uint64_t ticks_ = 0, lines_made_ = 0;
     Clock::time_point now_ = Clock::time_point() + std::chrono::seconds(1000);
     std::unique_ptr<Server> server_;
-    std::vector<std::shared_ptr<Line>> lines_;
+    std::vector<std::shared_ptr<NetworkLine>> lines_;
     std::deque<server::FramePtr> frames_;  // the last seconds of the world in which people play
     std::array<Seat, 3> seats_;
     std::unique_ptr<HostileClient> hostile_;

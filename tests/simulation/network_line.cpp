@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/simulation/line.h"
+#include "tests/simulation/network_line.h"
 
 #include <utility>
 
@@ -21,47 +21,47 @@ server::Peer peer(server::PlayContext& context, const std::string& name,
 
 }  // namespace
 
-Line::Line(server::PlayContext& context, const std::string& name, const std::string& address,
+NetworkLine::NetworkLine(server::PlayContext& context, const std::string& name, const std::string& address,
            LineQuality quality, std::uint64_t seed, Clock::time_point now)
     : chance_(seed), quality_(quality), session_(context, peer(context, name, address), now) {}
 
-Clock::time_point Line::arrival(Clock::time_point now) {
+Clock::time_point NetworkLine::arrival(Clock::time_point now) {
     return now + quality_.delay +
            std::chrono::duration_cast<Clock::duration>(quality_.delay * chance_.in(0, 1));
 }
 
-void Line::send(std::string bytes, Clock::time_point now) {
+void NetworkLine::send(std::string bytes, Clock::time_point now) {
     if (hung_up_ || over_ || up_.bytes() > up_max) return;
     if (chance_.one_in(quality_.cuts_after)) return cut(now, "the line broke");
     up_.put(std::move(bytes), arrival(now));
 }
 
-std::optional<std::string> Line::receive(Clock::time_point now) {
+std::optional<std::string> NetworkLine::receive(Clock::time_point now) {
     if (over_) return std::nullopt;
     std::optional<std::string> out = down_.take(now);
     if (!out && closed_ && down_.bytes() == 0) over_ = true;
     return out;
 }
 
-void Line::hang_up(Clock::time_point now) {
+void NetworkLine::hang_up(Clock::time_point now) {
     if (hung_up_) return;
     hung_up_ = true;
     if (!closed_) session_.on_peer_closed(now);
 }
 
-void Line::cut(Clock::time_point now, const std::string& why) {
+void NetworkLine::cut(Clock::time_point now, const std::string& why) {
     hang_up(now);
     over_ = true;
     end_ = Error{ErrorCode::unavailable, why};
 }
 
-void Line::serve(Clock::time_point now) {
+void NetworkLine::serve(Clock::time_point now) {
     if (closed_) return;
     deliver(now);
     write(now);
 }
 
-void Line::deliver(Clock::time_point now) {
+void NetworkLine::deliver(Clock::time_point now) {
     for (int i = 0; i < messages_of_turn && !hung_up_; i++) {
         const std::optional<std::string> message = up_.take(now);
         if (!message) return;
@@ -69,7 +69,7 @@ void Line::deliver(Clock::time_point now) {
     }
 }
 
-void Line::write(Clock::time_point now) {
+void NetworkLine::write(Clock::time_point now) {
     while (!down_.is_full()) {
         const std::optional<server::OutMessage> out = session_.take_message(now);
         if (!out) {

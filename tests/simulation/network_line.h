@@ -18,9 +18,9 @@ struct LineQuality {
     double cuts_after = 1e9;  // messages, on average: then the connection breaks
 };
 
-class Line {
+class NetworkLine {
 public:
-    Line(server::PlayContext& context, const std::string& name, const std::string& address,
+    NetworkLine(server::PlayContext& context, const std::string& name, const std::string& address,
          LineQuality quality, std::uint64_t seed, Clock::time_point now);
 
     // --- the client's end ---

@@ -13,7 +13,7 @@
 
 namespace jostle::simulation {
 
-struct LineQuality {
+struct NetworkConditions {
     Clock::duration delay = std::chrono::milliseconds(20);  // of one way, and up to as much again
     double cuts_after = 1e9;  // messages, on average: then the connection breaks
 };
@@ -21,7 +21,7 @@ struct LineQuality {
 class NetworkLine {
 public:
     NetworkLine(server::PlayContext& context, const std::string& name, const std::string& address,
-         LineQuality quality, std::uint64_t seed, Clock::time_point now);
+         NetworkConditions quality, std::uint64_t seed, Clock::time_point now);
 
     // --- the client's end ---
     void send(std::string bytes, Clock::time_point now);
@@ -42,7 +42,7 @@ private:
     Clock::time_point arrival(Clock::time_point now);
 
     Chance chance_;
-    const LineQuality quality_;
+    const NetworkConditions quality_;
     server::ClientSession session_;
     Pipe up_, down_;
     bool hung_up_ = false, closed_ = false, over_ = false;

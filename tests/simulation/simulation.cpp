@@ -156,7 +156,7 @@ void Simulation::pause_of_machine() {
 // ---- who plays ----
 
 std::shared_ptr<NetworkLine> Simulation::new_line(const std::string& name, bool is_honest) {
-    LineQuality quality{.delay = std::chrono::milliseconds(1 + chance_.below(80))};
+    NetworkConditions quality{.delay = std::chrono::milliseconds(1 + chance_.below(80))};
     if (chance_.one_in(3)) quality.cuts_after = 500;
     const std::string address =
         (is_honest ? "192.0.2." : "198.51.100.") + std::to_string(1 + chance_.below(200));

@@ -14,7 +14,7 @@ constexpr std::size_t frames_between_comparisons = 8;
 // Answers go out thirty times a second, snapshots as often as the world ticks. In ticks.
 constexpr std::uint64_t answer_comes_within = 60;
 
-bots::ScriptLine some_line(Chance& chance) {
+bots::ScriptLine random_conditions(Chance& chance) {
     bots::Script script = bots::default_script();
     return script[chance.below(script.size())];
 }
@@ -40,7 +40,7 @@ HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, C
       tally_(tally),
       complain_(std::move(complain)),
       conversation_(options_of(name_, chance_.one_in(3))),
-      behaviour_(some_line(chance_), static_cast<std::uint32_t>(chance_.bits())) {}
+      behaviour_(random_conditions(chance_), static_cast<std::uint32_t>(chance_.bits())) {}
 
 void HonestClient::connect(std::shared_ptr<NetworkLine> line, Clock::time_point now) {
     tally_.connections++;
@@ -71,7 +71,7 @@ void HonestClient::on_welcome() {
 void HonestClient::act(Clock::time_point now, const FrameOf& frame_of) {
     if (!line_) return;
     acts_++;
-    hear(now, frame_of);
+    receive_messages(now, frame_of);
     if (line_->is_over()) return end();
     if (conversation_.stats().connected && !conversation_.leaving()) {
         const double seconds = std::chrono::duration<double>(now - connected_at_).count();
@@ -86,10 +86,10 @@ void HonestClient::act(Clock::time_point now, const FrameOf& frame_of) {
             if (is_spawn) spawns_asked_.insert(sequence);
         }
     }
-    speak(now);
+    send_messages(now);
 }
 
-void HonestClient::hear(Clock::time_point now, const FrameOf& frame_of) {
+void HonestClient::receive_messages(Clock::time_point now, const FrameOf& frame_of) {
     while (const std::optional<std::string> message = line_->receive(now))
         conversation_.receive(*message, now);
     if (is_new_line_ && conversation_.stats().connected) on_welcome();
@@ -164,14 +164,14 @@ void HonestClient::check_spawn(const v1::InputResult& result, const FrameOf& fra
     if (!has_it(result.tick()).value_or(true)) complain_(what + " is not there");
 }
 
-void HonestClient::speak(Clock::time_point now) {
+void HonestClient::send_messages(Clock::time_point now) {
     while (const std::optional<std::string> message = conversation_.take_message(now))
         line_->send(*message, now);
-    if (conversation_.leave_sent()) line_->hang_up(now);
+    if (conversation_.leave_sent()) line_->close_by_client(now);
 }
 
 void HonestClient::end() {
-    conversation_.ended(line_->how_it_ended());
+    conversation_.ended(line_->end_status());
     conversation_.take_events();
     conversation_.take_ages_ms();
     line_ = nullptr;

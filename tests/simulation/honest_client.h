@@ -44,8 +44,8 @@ public:
 
 private:
     void on_welcome();
-    void hear(Clock::time_point now, const FrameOf& frame_of);
-    void speak(Clock::time_point now);
+    void receive_messages(Clock::time_point now, const FrameOf& frame_of);
+    void send_messages(Clock::time_point now);
     void check_results(const FrameOf& frame_of);
     void check_spawn(const v1::InputResult& result, const FrameOf& frame_of);
     void compare(const server::Frame& truth);

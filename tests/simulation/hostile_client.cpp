@@ -27,11 +27,11 @@ void HostileClient::act(Clock::time_point now) {
         line_ = nullptr;
         return;
     }
-    if (ticks_ == 0 && !(kind_ == Kind::silent && chance_.one_in(2))) say(hello(), now);
+    if (ticks_ == 0 && !(kind_ == Kind::silent && chance_.one_in(2))) send_message(hello(), now);
     ticks_++;
     misbehave(now);
     if (ticks_ > patience_) {
-        line_->hang_up(now);
+        line_->close_by_client(now);
         line_ = nullptr;
     }
 }
@@ -39,7 +39,7 @@ void HostileClient::act(Clock::time_point now) {
 void HostileClient::misbehave(Clock::time_point now) {
     switch (kind_) {
         case Kind::garbage:
-            if (chance_.one_in(4)) say(chance_.bytes(chance_.below(400)), now);
+            if (chance_.one_in(4)) send_message(chance_.bytes(chance_.below(400)), now);
             return;
         case Kind::mutant: {
             std::string bytes =
@@ -47,21 +47,21 @@ void HostileClient::misbehave(Clock::time_point now) {
                     .SerializeAsString();
             for (std::uint64_t changes = chance_.below(3); changes > 0 && !bytes.empty(); changes--)
                 bytes[chance_.below(bytes.size())] ^= static_cast<char>(1 << chance_.below(8));
-            return say(std::move(bytes), now);
+            return send_message(std::move(bytes), now);
         }
         case Kind::flooder:
             if (chance_.one_in(50)) sequence_ = static_cast<std::uint32_t>(chance_.bits());
-            for (int i = 0; i < 3; i++) say(inputs(20), now);
+            for (int i = 0; i < 3; i++) send_message(inputs(20), now);
             return;
         case Kind::hoarder:
-            return say(inputs(4), now);
+            return send_message(inputs(4), now);
         case Kind::deaf:
         case Kind::liar: {
             v1::ClientMessage ack;
             ack.mutable_ack()->set_frame(
                 chance_.one_in(20) ? static_cast<std::uint32_t>(chance_.bits()) : ++frame_);
             ack.mutable_ack()->set_need_keyframe(chance_.one_in(3));
-            return say(ack, now);
+            return send_message(ack, now);
         }
         case Kind::silent:
         case Kind::count:
@@ -69,11 +69,11 @@ void HostileClient::misbehave(Clock::time_point now) {
     }
 }
 
-void HostileClient::say(const google::protobuf::Message& message, Clock::time_point now) {
-    say(message.SerializeAsString(), now);
+void HostileClient::send_message(const google::protobuf::Message& message, Clock::time_point now) {
+    send_message(message.SerializeAsString(), now);
 }
 
-void HostileClient::say(std::string bytes, Clock::time_point now) {
+void HostileClient::send_message(std::string bytes, Clock::time_point now) {
     tally_.hostile_messages++;
     line_->send(std::move(bytes), now);
 }

@@ -32,8 +32,8 @@ public:
     bool is_connected() const { return line_ != nullptr; }
 
 private:
-    void say(const google::protobuf::Message& message, Clock::time_point now);
-    void say(std::string bytes, Clock::time_point now);
+    void send_message(const google::protobuf::Message& message, Clock::time_point now);
+    void send_message(std::string bytes, Clock::time_point now);
     v1::ClientMessage hello() const;
     v1::ClientMessage inputs(int count);
     v1::Input some_input();

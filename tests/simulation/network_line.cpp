@@ -43,14 +43,14 @@ std::optional<std::string> NetworkLine::receive(Clock::time_point now) {
     return out;
 }
 
-void NetworkLine::hang_up(Clock::time_point now) {
+void NetworkLine::close_by_client(Clock::time_point now) {
     if (hung_up_) return;
     hung_up_ = true;
     if (!closed_) session_.on_peer_closed(now);
 }
 
 void NetworkLine::cut(Clock::time_point now, const std::string& why) {
-    hang_up(now);
+    close_by_client(now);
     over_ = true;
     end_ = Error{ErrorCode::unavailable, why};
 }

@@ -26,10 +26,10 @@ public:
     // --- the client's end ---
     void send(std::string bytes, Clock::time_point now);
     std::optional<std::string> receive(Clock::time_point now);
-    void hang_up(Clock::time_point now);
+    void close_by_client(Clock::time_point now);
     // The server has ended it and all it said was heard, or it broke.
     bool is_over() const { return over_; }
-    const Status& how_it_ended() const { return end_; }
+    const Status& end_status() const { return end_; }
 
     // --- the server's end, once a tick and when a frame came: as a transport would ---
     void serve(Clock::time_point now);

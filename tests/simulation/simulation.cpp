@@ -141,7 +141,7 @@ void Simulation::faults() {
         // Who is still there is told, and then the process ends.
         server_->context.closing = true;
         serve_lines();
-        for (const auto& line : lines_) line->hang_up(now_);
+        for (const auto& line : lines_) line->close_by_client(now_);
         restart_at_ = resume_at_ = {};
         start_server();
     }

@@ -62,13 +62,13 @@ struct Simulation::Server {
 
 Simulation::Simulation(std::uint64_t seed) : chance_(seed) {
     start_server();
-    for (Seat& seat : seats_) seat.again = now_ + std::chrono::milliseconds(chance_.below(3000));
+    for (ClientSlot& seat : seats_) seat.again = now_ + std::chrono::milliseconds(chance_.below(3000));
     hostile_again_ = now_;
 }
 
 Simulation::~Simulation() {
     hostile_.reset();
-    for (Seat& seat : seats_) seat.client.reset();
+    for (ClientSlot& seat : seats_) seat.client.reset();
     lines_.clear();
 }
 
@@ -98,7 +98,7 @@ void Simulation::tick() {
     frames_.push_back(server_->world->frame());
     if (frames_.size() > frames_kept) frames_.pop_front();
     serve_lines();
-    for (Seat& seat : seats_) act_honest(seat);
+    for (ClientSlot& seat : seats_) act_honest(seat);
     act_hostile();
     serve_lines();
     if (ticks_ % day == 0) night_ = true;
@@ -171,7 +171,7 @@ void Simulation::serve_lines() {
     std::erase_if(lines_, [](const auto& line) { return line->is_closed(); });
 }
 
-void Simulation::act_honest(Seat& seat) {
+void Simulation::act_honest(ClientSlot& seat) {
     if (!seat.client) {
         if (night_ || now_ < seat.again) return;
         seat.client = std::make_unique<HonestClient>(
@@ -207,7 +207,7 @@ void Simulation::act_hostile() {
 
 bool Simulation::everybody_left() const {
     return server_->context.resume_registry.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
-           std::ranges::all_of(seats_, [](const Seat& seat) { return !seat.client; });
+           std::ranges::all_of(seats_, [](const ClientSlot& seat) { return !seat.client; });
 }
 
 void Simulation::night() {

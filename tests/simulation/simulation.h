@@ -36,7 +36,7 @@ public:
 
 private:
     struct Server;
-    struct Seat {  // for one honest client after the other
+    struct ClientSlot {  // for one honest client after the other
         std::unique_ptr<HonestClient> client;
         Clock::time_point again{};  // comes, or comes again
     };
@@ -51,7 +51,7 @@ private:
     void check_that_nothing_is_left();
     std::shared_ptr<NetworkLine> new_line(const std::string& name, bool is_honest);
     void serve_lines();
-    void act_honest(Seat& seat);
+    void act_honest(ClientSlot& seat);
     void act_hostile();
     server::FramePtr frame_of(std::uint32_t tick) const;
 
@@ -63,7 +63,7 @@ private:
     std::unique_ptr<Server> server_;
     std::vector<std::shared_ptr<NetworkLine>> lines_;
     std::deque<server::FramePtr> frames_;  // the last seconds of the world in which people play
-    std::array<Seat, 3> seats_;
+    std::array<ClientSlot, 3> seats_;
     std::unique_ptr<HostileClient> hostile_;
     Clock::time_point hostile_again_{}, resume_at_{}, restart_at_{};
     bool night_ = false;

@@ -34,7 +34,7 @@ wire::Pose pose_of(const server::EntityPose& entity) {
 
 }  // namespace
 
-HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, Complaint complain)
+HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler complain)
     : name_(std::move(name)),
       chance_(seed),
       tally_(tally),

@@ -19,7 +19,7 @@
 namespace jostle::simulation {
 
 // What is told of a promise that was broken: ends the run.
-using Complaint = std::function<void(const std::string&)>;
+using FailureHandler = std::function<void(const std::string&)>;
 
 // Counted over a run.
 struct Tally {
@@ -30,7 +30,7 @@ struct Tally {
 
 class HonestClient {
 public:
-    HonestClient(std::string name, std::uint64_t seed, Tally& tally, Complaint complain);
+    HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler complain);
 
     // The frame of a tick not long ago; null: not known any more.
     using FrameOf = std::function<server::FramePtr(std::uint32_t tick)>;
@@ -54,7 +54,7 @@ private:
     const std::string name_;
     Chance chance_;
     Tally& tally_;
-    const Complaint complain_;
+    const FailureHandler complain_;
     client::Conversation conversation_;
     bots::Behaviour behaviour_;
     std::shared_ptr<NetworkLine> line_;

@@ -34,11 +34,11 @@ wire::Pose pose_of(const server::EntityPose& entity) {
 
 }  // namespace
 
-HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler complain)
+HonestClient::HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler fail)
     : name_(std::move(name)),
       chance_(seed),
       tally_(tally),
-      complain_(std::move(complain)),
+      complain_(std::move(fail)),
       conversation_(options_of(name_, chance_.one_in(3))),
       behaviour_(random_conditions(chance_), static_cast<std::uint32_t>(chance_.bits())) {}
 

@@ -30,7 +30,7 @@ struct Tally {
 
 class HonestClient {
 public:
-    HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler complain);
+    HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler fail);
 
     // The frame of a tick not long ago; null: not known any more.
     using FrameOf = std::function<server::FramePtr(std::uint32_t tick)>;

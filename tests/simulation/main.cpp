@@ -49,7 +49,7 @@ int run(const Flags& flags) {
     const bool live = isatty(STDERR_FILENO) != 0;
     double half_mb = 0;
     constexpr std::uint64_t part = 10'000;
-    while (simulation.ticks() < flags.ticks && simulation.complaint().empty()) {
+    while (simulation.ticks() < flags.ticks && simulation.failure().empty()) {
         simulation.run(std::min(part, flags.ticks - simulation.ticks()));
         if (half_mb == 0 && 2 * simulation.ticks() >= flags.ticks) half_mb = resident_mb();
         if (live)
@@ -74,8 +74,8 @@ int run(const Flags& flags) {
         n(t.applied), n(t.refused), n(t.spawned));
     std::printf("  %llu hostile messages, %llu faults; %.0f MB at half of it, %.0f MB at the end\n",
                 n(t.hostile_messages), n(t.faults), half_mb, resident_mb());
-    if (!simulation.complaint().empty()) {
-        std::printf("BROKEN: %s\n", simulation.complaint().c_str());
+    if (!simulation.failure().empty()) {
+        std::printf("BROKEN: %s\n", simulation.failure().c_str());
         return 1;
     }
     if (resident_mb() > half_mb + growth_mb_max) {

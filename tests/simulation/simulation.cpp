@@ -72,7 +72,7 @@ Simulation::~Simulation() {
     lines_.clear();
 }
 
-void Simulation::complain(const std::string& what) {
+void Simulation::fail(const std::string& what) {
     if (complaint_.empty()) complaint_ = "tick " + std::to_string(ticks_) + ": " + what;
 }
 
@@ -102,7 +102,7 @@ void Simulation::tick() {
     act_hostile();
     serve_lines();
     if (ticks_ % day == 0) night_ = true;
-    if (night_) night();
+    if (night_) restart_server();
 }
 
 server::FramePtr Simulation::frame_of(std::uint32_t tick) const {
@@ -175,7 +175,7 @@ void Simulation::act_honest(ClientSlot& seat) {
     if (!seat.client) {
         if (night_ || now_ < seat.again) return;
         seat.client = std::make_unique<HonestClient>(
-            "honest", chance_.bits(), tally_, [this](const std::string& what) { complain(what); });
+            "honest", chance_.bits(), tally_, [this](const std::string& what) { fail(what); });
     }
     HonestClient& client = *seat.client;
     if (!client.is_connected()) {
@@ -205,31 +205,31 @@ void Simulation::act_hostile() {
 
 // ---- what must be so when nobody is there ----
 
-bool Simulation::everybody_left() const {
+bool Simulation::all_clients_left() const {
     return server_->context.resume_registry.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
            std::ranges::all_of(seats_, [](const ClientSlot& seat) { return !seat.client; });
 }
 
-void Simulation::night() {
-    if (ticks_ % day == static_cast<std::uint64_t>(60 * 60)) complain("somebody does not leave");
-    if (!everybody_left() || !lines_.empty() || restart_at_ != Clock::time_point{} ||
+void Simulation::restart_server() {
+    if (ticks_ % day == static_cast<std::uint64_t>(60 * 60)) fail("somebody does not leave");
+    if (!all_clients_left() || !lines_.empty() || restart_at_ != Clock::time_point{} ||
         resume_at_ != Clock::time_point{})
         return;
     // The world hears of those who left with its next tick.
     server_->world->tick(now_);
-    check_that_nothing_is_left();
+    check_no_leaks();
     frames_.clear();
     night_ = false;
 }
 
-void Simulation::check_that_nothing_is_left() {
+void Simulation::check_no_leaks() {
     if (server_->sessions.clients() != 0)
-        complain(std::to_string(server_->sessions.clients()) + " clients are still counted");
+        fail(std::to_string(server_->sessions.clients()) + " clients are still counted");
     if (const auto sights = server_->context.records.check(now_); !sights.empty())
-        complain("there is still a record of client " + std::to_string(sights.front().who.id));
+        fail("there is still a record of client " + std::to_string(sights.front().who.id));
     for (const auto& entity : *server_->world->frame()->entity_list)
         if (entity->owner != 0)
-            complain("entity " + std::to_string(entity->id) + " of client " +
+            fail("entity " + std::to_string(entity->id) + " of client " +
                      std::to_string(entity->owner) + " is still there");
 }
 

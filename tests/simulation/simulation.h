@@ -28,7 +28,7 @@ public:
     // So many ticks more, or until a promise is broken.
     void run(std::uint64_t ticks);
     // The first promise that was broken; empty: none.
-    const std::string& complaint() const { return complaint_; }
+    const std::string& failure() const { return complaint_; }
     const Tally& tally() const { return tally_; }
     std::uint64_t ticks() const { return ticks_; }
     // A word for the state of the worlds and of all that was counted: the same seed, the same word.
@@ -41,14 +41,14 @@ private:
         Clock::time_point again{};  // comes, or comes again
     };
 
-    void complain(const std::string& what);
+    void fail(const std::string& what);
     void start_server();
     void tick();
     void faults();
     void pause_of_machine();
-    void night();
-    bool everybody_left() const;
-    void check_that_nothing_is_left();
+    void restart_server();
+    bool all_clients_left() const;
+    void check_no_leaks();
     std::shared_ptr<NetworkLine> new_line(const std::string& name, bool is_honest);
     void serve_lines();
     void act_honest(ClientSlot& seat);

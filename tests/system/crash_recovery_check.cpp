@@ -65,7 +65,7 @@ public:
         if (random_() % 4 != 0) return;
         client_->send(any_input());
     }
-    bool was_told() const { return !told_.empty(); }
+    bool was_acknowledged() const { return !told_.empty(); }
     bool is_connected() const { return client_->stats().connected; }
     const std::set<Numbered>& told() const { return told_; }
     int strangers() const { return strangers_; }
@@ -195,7 +195,7 @@ public:
         for (int k = 0; k < plan_.bots; k++)
             bots_.push_back(
                 std::make_unique<Bot>(loop_, target, plan_.seed * 1000 + static_cast<unsigned>(k)));
-        if (!play_until(20s, [&] { return all([](const Bot& bot) { return bot.was_told(); }); }))
+        if (!play_until(20s, [&] { return all([](const Bot& bot) { return bot.was_acknowledged(); }); }))
             return fail("not every bot could play at first");
         for (int kill = 1; kill <= plan_.kills; kill++) {
             // Every fourth time while it may still be busy with what the kill before left.

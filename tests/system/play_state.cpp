@@ -128,7 +128,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     const wire::Baselines baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
                             base_of(told_bases->baseline3)};
     const auto frame =
-        welcome.cells() ? seen_by_cells(snapshot, name)
+        welcome.cells() ? assemble_cells(snapshot, name)
                         : decoded(name, snapshot.frame(), snapshot.packed(), baselines, snapshot.crc());
     if (!frame) return;
     expect(std::ranges::all_of(frame->entities,
@@ -160,7 +160,7 @@ std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
 }
 
 // As WIRE.md tells of cells: all of them together, each entity once.
-std::optional<wire::QuantizedFrame> PlayState::seen_by_cells(const v1::Snapshot& snapshot,
+std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot& snapshot,
                                                              const std::string& name) {
     expect(snapshot.packed().empty(), name + " has cells and a frame");
     for (const std::uint32_t cell : snapshot.cells_left())

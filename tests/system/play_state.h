@@ -58,7 +58,7 @@ private:
     std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
                                                 const std::string& packed, const wire::Baselines& baselines,
                                                 std::uint32_t crc);
-    std::optional<wire::QuantizedFrame> seen_by_cells(const v1::Snapshot& snapshot,
+    std::optional<wire::QuantizedFrame> assemble_cells(const v1::Snapshot& snapshot,
                                                       const std::string& name);
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;

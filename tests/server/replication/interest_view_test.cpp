@@ -69,8 +69,8 @@ std::string put_cell(const EncodedCell& cell) {
 }
 
 // What it was sent, decoded.
-struct Eyes {
-    explicit Eyes(double bytes_per_second) : view(bytes_per_second) {}
+struct TestView {
+    explicit TestView(double bytes_per_second) : view(bytes_per_second) {}
 
     void tick(Field& field, std::uint32_t number) {
         const FramePtr frame = field.frame(number);
@@ -133,7 +133,7 @@ struct Eyes {
 
 TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
     Field field(false);
-    Eyes eyes(0);
+    TestView eyes(0);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 50});
     for (std::uint32_t tick = 1; tick < 60; tick++) eyes.tick(field, tick);
     std::size_t expected = 0;
@@ -147,7 +147,7 @@ TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
 
 TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
     Field field(true);
-    Eyes eyes(0);
+    TestView eyes(0);
     for (std::uint32_t tick = 1; tick < 600; tick++) {
         eyes.view.set_interest({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
         eyes.tick(field, tick);
@@ -159,7 +159,7 @@ TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
 
 TEST(InterestView, what_is_far_comes_less_often) {
     Field field(true);
-    Eyes eyes(0);
+    TestView eyes(0);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 200});
     for (std::uint32_t tick = 1; tick <= 240; tick++) eyes.tick(field, tick);
     const auto count = [&](int x) {
@@ -173,11 +173,11 @@ TEST(InterestView, what_is_far_comes_less_often) {
 
 TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first) {
     Field field(true);
-    Eyes all(0);
+    TestView all(0);
     for (std::uint32_t tick = 1; tick <= 300; tick++) all.tick(field, tick);
     const std::size_t wants = all.most_bytes_of_a_second();
     const double rate = 0.3 * static_cast<double>(wants);
-    Eyes eyes(rate);
+    TestView eyes(rate);
     eyes.view.set_interest({.x_m = 16, .z_m = 16});
     for (std::uint32_t tick = 1; tick <= 900; tick++) eyes.tick(field, tick);
     RecordProperty("bytes_of_worst_second", static_cast<int>(eyes.most_bytes_of_a_second()));
@@ -196,7 +196,7 @@ TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first
 
 TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
     Field field(true);
-    Eyes eyes(20'000);
+    TestView eyes(20'000);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 20});
     std::uint32_t tick = 1;
     for (; tick <= 120; tick++) eyes.tick(field, tick);
@@ -210,7 +210,7 @@ TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
 
 // Somebody who flies leaves cells behind: they are forgotten, and clients are told.
 TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
-    Eyes eyes(0);
+    TestView eyes(0);
     const auto fly = [&](std::uint32_t tick) {
         auto list = std::make_shared<EntityList>();
         auto flier = std::make_shared<EntityDescription>();
@@ -239,7 +239,7 @@ TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
 
 TEST(CellSnapshotCache, clients_share_the_bytes_of_a_cell) {
     Field field(true);
-    Eyes one(0);
+    TestView one(0);
     const FramePtr frame = field.frame(1);
     one.tick(field, 1);
     const auto cells = one.feed.cells(frame, [] { return wire::QuantizedFrame(); });

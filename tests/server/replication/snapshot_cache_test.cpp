@@ -202,7 +202,7 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
 }
 
 // What a client that names kinds is sent of channels, frame by frame.
-struct ChannelTeller {
+struct ChannelPublisher {
     wire::PackedChannels told;
     SnapshotCache cache{{}, [this](const EncodedSnapshot& s) {
                             told = s.channels;
@@ -232,8 +232,8 @@ struct ChannelTeller {
 };
 
 TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that_changed) {
-    ChannelTeller teller;
-    const auto channel = ChannelTeller::channel;
+    ChannelPublisher teller;
+    const auto channel = ChannelPublisher::channel;
     const Channel unchanged_ticks = channel(0, 7);
     teller.frame(1, {still, channel(1, 1)});
     teller.frame(2, {still, channel(1, 2)});
@@ -255,8 +255,8 @@ TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that
 }
 
 TEST(SnapshotCache, clients_that_name_the_same_kinds_share_their_bytes) {
-    ChannelTeller teller;
-    const auto channel = ChannelTeller::channel;
+    ChannelPublisher teller;
+    const auto channel = ChannelPublisher::channel;
     teller.frame(1, {channel(0, 1), channel(1, 1)});
     teller.frame(2, {channel(0, 1), channel(1, 2)});
     const SharedBytes both = teller.encode(1, {}, 3), none = teller.encode(1, {}, 0);
@@ -269,12 +269,12 @@ TEST(SnapshotCache, clients_that_name_the_same_kinds_share_their_bytes) {
 }
 
 TEST(SnapshotCache, channels_against_a_base_that_fell_off_the_ring_are_all_there) {
-    ChannelTeller teller;
+    ChannelPublisher teller;
     for (std::uint32_t tick = 1; tick < 2 + SnapshotCache::ring; ++tick) {
-        teller.frame(tick, {ChannelTeller::channel(0, 7)});
+        teller.frame(tick, {ChannelPublisher::channel(0, 7)});
         teller.encode(tick, {}, 1);
     }
-    teller.frame(60, {ChannelTeller::channel(0, 7)});
+    teller.frame(60, {ChannelPublisher::channel(0, 7)});
     teller.encode(60, {1, 0, 0}, 1);
     EXPECT_EQ(teller.decoded({}).size(), 1u);
 }

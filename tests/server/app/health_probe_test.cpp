@@ -36,13 +36,13 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 // Both doors of a server without worlds.
-class Doors {
+class FakeServer {
 public:
-    Doors() {
+    FakeServer() {
         EXPECT_TRUE(grpc_.start().ok());
         EXPECT_TRUE(http_server_.start().ok());
     }
-    ~Doors() {
+    ~FakeServer() {
         http_server_.stop();
         grpc_.stop();
     }
@@ -124,7 +124,7 @@ std::string text(const HostPort& address) {
 }
 
 TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
-    const Doors doors;
+    const FakeServer doors;
     const HealthTarget target = doors.target();
     const Result<std::string> found = probe_health(target, 2s);
     ASSERT_TRUE(found.ok()) << found.error().message;
@@ -133,7 +133,7 @@ TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
 }
 
 TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
-    Doors doors;
+    FakeServer doors;
     const std::string grpc = "gRPC on " + text(doors.target().grpc) + ": ";
     doors.fall_ill();
     EXPECT_EQ(error_of(doors.target()), grpc + "NOT_SERVING");
@@ -142,12 +142,12 @@ TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
 }
 
 TEST(HealthProbe, a_shut_door_is_told_at_once) {
-    HealthTarget target = Doors().target();  // it was there, and is gone
+    HealthTarget target = FakeServer().target();  // it was there, and is gone
     const auto began = Clock::now();
     EXPECT_THAT(error_of(target), HasSubstr("gRPC on " + text(target.grpc)));
     EXPECT_LT(Clock::now() - began, 1s);
 
-    const Doors doors;
+    const FakeServer doors;
     target.grpc = doors.target().grpc;
     EXPECT_THAT(error_of(target),
                 HasSubstr("http://" + text(target.http) + "/healthz: Connection refused"));
@@ -155,7 +155,7 @@ TEST(HealthProbe, a_shut_door_is_told_at_once) {
 
 // As a process that is stopped or hangs: the kernel still takes the connection.
 TEST(HealthProbe, a_mute_door_is_waited_for_no_longer_than_told) {
-    const Doors doors;
+    const FakeServer doors;
     const Answer mute("");
     const HealthTarget mute_grpc{.grpc = mute.address(), .http = doors.target().http};
     const HealthTarget mute_http{.grpc = doors.target().grpc, .http = mute.address()};
@@ -168,7 +168,7 @@ TEST(HealthProbe, a_mute_door_is_waited_for_no_longer_than_told) {
 }
 
 TEST(HealthProbe, what_http_says_instead_is_told) {
-    const Doors doors;
+    const FakeServer doors;
     const auto error = [&](std::string answer) {
         const Answer door(std::move(answer));
         return error_of({.grpc = doors.target().grpc, .http = door.address()});

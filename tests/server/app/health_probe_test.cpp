@@ -46,7 +46,7 @@ public:
         http_server_.stop();
         grpc_.stop();
     }
-    void fall_ill() { healthy_ = false; }
+    void become_unhealthy() { healthy_ = false; }
     void drain() { grpc_.drain(1s); }
     HealthTarget target() const {
         return {.grpc = {"127.0.0.1", grpc_.port()},
@@ -135,7 +135,7 @@ TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
 TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
     FakeServer doors;
     const std::string grpc = "gRPC on " + text(doors.target().grpc) + ": ";
-    doors.fall_ill();
+    doors.become_unhealthy();
     EXPECT_EQ(error_of(doors.target()), grpc + "NOT_SERVING");
     doors.drain();
     EXPECT_THAT(error_of(doors.target()), StartsWith(grpc));

@@ -27,11 +27,11 @@ struct Driver {
     client::Predictor predictor;
     EntityId own = 0;
     std::map<std::uint32_t, Vec3> truth;  // by tick
-    struct Picture {
+    struct RenderedPose {
         double position;  // in ticks
         Vec3 shown, interpolated;
     };
-    std::vector<Picture> pictures;
+    std::vector<RenderedPose> pictures;
     std::set<std::uint32_t> held;  // ticks in which the controls become others
     std::size_t driven_bytes = 0;
     double kbit() const { return 8e-3 * static_cast<double>(driven_bytes); }
@@ -83,7 +83,7 @@ struct Driver {
         predictor.on_frame(link.conversation.view());
         const auto poses = session.draw();
         const double position = session.conversation.input_clock().position(now_us());
-        Picture picture{.position = position};
+        RenderedPose picture{.position = position};
         for (const client::SmoothPose& pose : poses)
             if (pose.entity == own) picture.interpolated = at(pose);
         bool drawn = false;

@@ -57,7 +57,7 @@ protected:
                                       .events = events,
                                       .datagrams = true});
     }
-    static bool goes_by_datagrams(const Client& client) {
+    static bool uses_datagrams(const Client& client) {
         const std::uint64_t before = client.stats().datagram_snapshots;
         return wait_until([&] { return client.stats().datagram_snapshots > before + 20; });
     }
@@ -96,7 +96,7 @@ protected:
 
 TEST_F(DatagramsTest, snapshots_come_by_datagrams_and_each_input_is_applied_once) {
     const auto player = join();
-    ASSERT_TRUE(goes_by_datagrams(*player));
+    ASSERT_TRUE(uses_datagrams(*player));
     const auto results = spawn(*player, 20);
     ASSERT_EQ(results.size(), 20u);
     for (std::size_t k = 0; k < results.size(); k++) {
@@ -115,7 +115,7 @@ TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
     options.channels = {client::motion_channel};
     options.timed_inputs = options.datagrams = true;
     const auto walker = Client::connect(loop, options);
-    ASSERT_TRUE(goes_by_datagrams(*walker));
+    ASSERT_TRUE(uses_datagrams(*walker));
     client::Predictor predictor;
     v1::Welcome welcome;
     welcome.set_tick_hz(60);
@@ -154,7 +154,7 @@ TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots
     proxy.up_loss_percent = proxy.down_loss_percent = 20;
     const auto player = join(true);
     const auto results = spawn(*player, 40);
-    EXPECT_TRUE(goes_by_datagrams(*player));
+    EXPECT_TRUE(uses_datagrams(*player));
     ASSERT_EQ(results.size(), 40u);
     std::uint32_t tick = 0;
     for (std::size_t k = 0; k < results.size(); k++) {
@@ -216,7 +216,7 @@ TEST_F(DatagramsTest, a_way_that_is_blocked_costs_nothing_and_is_told_of) {
 
 TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) {
     const auto player = join();
-    ASSERT_TRUE(goes_by_datagrams(*player));
+    ASSERT_TRUE(uses_datagrams(*player));
     const auto without_datagrams_within = [&](Clock::duration timeout) {
         const auto cut = Clock::now();
         const auto comes_by_stream = [&] {
@@ -231,7 +231,7 @@ TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) 
     proxy.down_loss_percent = 100;
     EXPECT_TRUE(without_datagrams_within(10s)) << "there";
     proxy.down_loss_percent = 0;
-    ASSERT_TRUE(goes_by_datagrams(*player)) << "again";
+    ASSERT_TRUE(uses_datagrams(*player)) << "again";
     proxy.up_loss_percent = 100;
     EXPECT_TRUE(without_datagrams_within(10s)) << "back";
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;

@@ -103,7 +103,7 @@ struct Ended {
     std::uint64_t hash = 0;
 };
 // Of a world as it is in the store, gone on with to that tick.
-Ended kept_in(const std::string& path, std::uint32_t tick) {
+Ended persisted_worlds_in(const std::string& path, std::uint32_t tick) {
     auto store = SqliteStorage::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldDefinition record = decode_world_definition(stored.settings).value();
@@ -135,7 +135,7 @@ TEST(WorldArchive, a_world_goes_on_to_the_bit_after_its_process_was_killed_three
         process.die();
     }
     const std::uint32_t tick = alone->frame()->tick;
-    EXPECT_EQ(kept_in(folder / "worlds.db", tick).hash, hash_of(*alone));
+    EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash_of(*alone));
 }
 
 TEST(WorldArchive, an_orderly_end_leaves_a_checkpoint_and_nothing_to_do_again) {
@@ -301,7 +301,7 @@ TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
         ASSERT_TRUE(process.archive->flush(5s));
         process.die();
     }
-    EXPECT_EQ(kept_in(folder / "worlds.db", tick).hash, hash);
+    EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash);
     Process process(folder / "worlds.db");
     EXPECT_NE(process.worlds->find(id), nullptr);
 }
@@ -352,7 +352,7 @@ TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
         tick = world->frame()->tick;
         process.die();
     }
-    const Ended whole = kept_in(folder / "worlds.db", tick);
+    const Ended whole = persisted_worlds_in(folder / "worlds.db", tick);
     EXPECT_EQ(whole.tick, tick);
     {
         auto store = SqliteStorage::open(folder / "worlds.db", {}).value();

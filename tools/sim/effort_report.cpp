@@ -10,7 +10,7 @@
 namespace jostle::sim {
 namespace {
 
-using physics::IslandEffort;
+using physics::IslandSubsteps;
 
 constexpr std::size_t shown_islands = 8;
 
@@ -19,9 +19,9 @@ struct Sum {
     double error = 0;
 };
 
-std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
+std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& efforts) {
     std::map<int, Sum> sums;
-    for (const IslandEffort& e : efforts) {
+    for (const IslandSubsteps& e : efforts) {
         Sum& sum = sums[e.substeps];
         sum.islands++;
         sum.bodies += e.bodies;
@@ -36,7 +36,7 @@ std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
 
 }  // namespace
 
-std::string to_text(const std::vector<IslandEffort>& efforts) {
+std::string to_text(const std::vector<IslandSubsteps>& efforts) {
     if (efforts.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
     std::string out =
         "islands by sub-steps; error: m in a second, the worst; short: want more than the "
@@ -45,23 +45,23 @@ std::string to_text(const std::vector<IslandEffort>& efforts) {
     for (const auto& [substeps, s] : sums_of(efforts))
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
                            s.contacts, s.joints, s.direct, s.short_of, s.error);
-    std::vector<IslandEffort> worst = efforts;
-    std::stable_sort(worst.begin(), worst.end(), [](const IslandEffort& x, const IslandEffort& y) {
+    std::vector<IslandSubsteps> worst = efforts;
+    std::stable_sort(worst.begin(), worst.end(), [](const IslandSubsteps& x, const IslandSubsteps& y) {
         return x.error > y.error;
     });
     worst.resize(std::min(worst.size(), shown_islands));
     if (worst.front().error == 0) return out;
     out += "furthest off:\n";
-    for (const IslandEffort& e : worst)
+    for (const IslandSubsteps& e : worst)
         out += format_text("  body %u with %d others: %.2g m, %d sub-steps%s\n", e.body.index,
                            e.bodies - 1, e.error, e.substeps,
                            e.wanted_substeps > e.substeps ? ", wants more" : "");
     return out;
 }
 
-std::string to_json(const std::vector<IslandEffort>& efforts) {
+std::string to_json(const std::vector<IslandSubsteps>& efforts) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const IslandEffort& e : efforts)
+    for (const IslandSubsteps& e : efforts)
         all.push_back({{"body", e.body.index},
                        {"bodies", e.bodies},
                        {"contacts", e.contacts},

@@ -15,7 +15,7 @@
 #include "jostle/physics/hull.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/instruction_set.h"
-#include "jostle/physics/island_effort.h"
+#include "jostle/physics/island_substeps.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/joint_solver.h"
 #include "jostle/physics/limits.h"

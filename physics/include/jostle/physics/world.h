@@ -26,7 +26,7 @@
 #include "jostle/physics/events.h"
 #include "jostle/physics/force_fields.h"
 #include "jostle/physics/ids.h"
-#include "jostle/physics/island_effort.h"
+#include "jostle/physics/island_substeps.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/profile.h"
 #include "jostle/physics/queries.h"
@@ -261,7 +261,7 @@ public:
     Result<std::vector<BodyId>> touching_bodies(BodyId body) const;
 
     // What each awake island that is not alone takes, by body; after a step.
-    std::vector<IslandEffort> island_efforts() const;
+    std::vector<IslandSubsteps> island_efforts() const;
 
     // --- what a step has to solve: constraint_system.h ---
     // Of all that joints and touching contacts hang together with a dynamic body, awake or asleep.

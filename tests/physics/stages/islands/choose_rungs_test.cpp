@@ -32,9 +32,9 @@ std::vector<BodyId> add_chain(World& world, double x, int links, double ratio) {
     return chain;
 }
 
-const IslandEffort& of(const std::vector<IslandEffort>& efforts, BodyId body) {
+const IslandSubsteps& of(const std::vector<IslandSubsteps>& efforts, BodyId body) {
     return *std::find_if(efforts.begin(), efforts.end(),
-                         [&](const IslandEffort& e) { return e.body == body; });
+                         [&](const IslandSubsteps& e) { return e.body == body; });
 }
 
 World make_mixed_world(double tolerance, std::int64_t budget = 0, int threads = 1) {
@@ -50,7 +50,7 @@ TEST(Rungs,
     for (int k = 0; k < 20; k++) boxes.push_back(add(world, {.position = {-2.0 * k, 0.5, 0}}));
     const BodyId link = add_chain(world, 10, 10, 100).front();
     run(world, 1);
-    const std::vector<IslandEffort> efforts = world.island_efforts();
+    const std::vector<IslandSubsteps> efforts = world.island_efforts();
     ASSERT_EQ(efforts.size(), 21u);
     for (const BodyId box : boxes) {
         EXPECT_EQ(of(efforts, box).substeps, 2);
@@ -111,9 +111,9 @@ TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
         if (k >= 20 && world.profile().body_substeps <= 400) kept++;
     }
     EXPECT_EQ(kept, 100);
-    const std::vector<IslandEffort> efforts = world.island_efforts();
+    const std::vector<IslandSubsteps> efforts = world.island_efforts();
     EXPECT_GE(of(efforts, heavy).wanted_substeps, of(efforts, heavy).substeps);
-    for (const IslandEffort& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
+    for (const IslandSubsteps& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
 }
 
 TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {

@@ -11,9 +11,9 @@
 namespace jostle::physics {
 namespace {
 
-IslandEffort effort_of(const WorldState& world, const Island& island) {
+IslandSubsteps effort_of(const WorldState& world, const Island& island) {
     const ColourSetKey set = island.colour_set;
-    IslandEffort effort{.body = body_id(world, island.first),
+    IslandSubsteps effort{.body = body_id(world, island.first),
                         .bodies = static_cast<int>(island.bodies),
                         .substeps = substeps_of(set, world),
                         .error = island.error.estimate};
@@ -28,7 +28,7 @@ bool counts_here(const WorldState& world, std::uint32_t body, std::uint32_t a, s
     return (is_dynamic(world, a) ? a : b) == body;
 }
 
-void count_at(const WorldState& world, std::uint32_t body, IslandEffort& effort) {
+void count_at(const WorldState& world, std::uint32_t body, IslandSubsteps& effort) {
     const BodyCold& cold = world.bodies.cold[body];
     effort.body = std::min(effort.body, body_id(world, body));
     for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
@@ -44,10 +44,10 @@ void count_at(const WorldState& world, std::uint32_t body, IslandEffort& effort)
 
 }  // namespace
 
-std::vector<IslandEffort> World::island_efforts() const {
+std::vector<IslandSubsteps> World::island_efforts() const {
     const WorldState& world = *state_;
     const std::vector<std::uint32_t>& direct = scratch_->solver.groups.active;
-    std::map<std::uint32_t, IslandEffort> found;
+    std::map<std::uint32_t, IslandSubsteps> found;
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.type != BodyType::dynamic || cold.asleep_in_place) continue;
@@ -56,11 +56,11 @@ std::vector<IslandEffort> World::island_efforts() const {
         count_at(world, warm.body, effort);
         effort.direct = std::binary_search(direct.begin(), direct.end(), cold.island);
     }
-    std::vector<IslandEffort> efforts;
+    std::vector<IslandSubsteps> efforts;
     for (const auto& [island, effort] : found)
         if (effort.contacts + effort.joints > 0) efforts.push_back(effort);
     std::sort(efforts.begin(), efforts.end(),
-              [](const IslandEffort& x, const IslandEffort& y) { return x.body < y.body; });
+              [](const IslandSubsteps& x, const IslandSubsteps& y) { return x.body < y.body; });
     return efforts;
 }
 

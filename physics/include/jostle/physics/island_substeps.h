@@ -8,7 +8,7 @@
 namespace jostle::physics {
 
 // An awake island whose bodies have contacts or joints.
-struct IslandEffort {
+struct IslandSubsteps {
     BodyId body;                               // the first of its bodies, by id
     int bodies = 0, contacts = 0, joints = 0;  // contacts: manifolds that touch
     bool direct = false;      // its joints were solved at once, as nothing touches it

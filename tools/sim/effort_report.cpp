@@ -28,7 +28,7 @@ std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& efforts) {
         sum.contacts += e.contacts;
         sum.joints += e.joints;
         sum.direct += e.direct ? 1 : 0;
-        sum.short_of += e.wanted_substeps > e.substeps ? 1 : 0;
+        sum.short_of += e.target_substeps > e.substeps ? 1 : 0;
         sum.error = std::max(sum.error, e.error);
     }
     return sums;
@@ -55,7 +55,7 @@ std::string to_text(const std::vector<IslandSubsteps>& efforts) {
     for (const IslandSubsteps& e : worst)
         out += format_text("  body %u with %d others: %.2g m, %d sub-steps%s\n", e.body.index,
                            e.bodies - 1, e.error, e.substeps,
-                           e.wanted_substeps > e.substeps ? ", wants more" : "");
+                           e.target_substeps > e.substeps ? ", wants more" : "");
     return out;
 }
 
@@ -68,7 +68,7 @@ std::string to_json(const std::vector<IslandSubsteps>& efforts) {
                        {"joints", e.joints},
                        {"direct", e.direct},
                        {"substeps", e.substeps},
-                       {"wanted_substeps", e.wanted_substeps},
+                       {"target_substeps", e.target_substeps},
                        {"error_m", e.error}});
     return all.dump(2) + "\n";
 }

@@ -386,9 +386,9 @@ int run(const Flags& flags) {
         if (!out) return fail(1, "cannot write " + flags.json);
     }
     if (flags.efforts == "-")
-        std::fputs(jostle::sim::to_text(built->world.island_efforts()).c_str(), stdout);
+        std::fputs(jostle::sim::to_text(built->world.island_substeps()).c_str(), stdout);
     else if (!flags.efforts.empty() &&
-             !write_text(flags.efforts, jostle::sim::to_json(built->world.island_efforts())))
+             !write_text(flags.efforts, jostle::sim::to_json(built->world.island_substeps())))
         return fail(1, "cannot write " + flags.efforts);
     if (!flags.save.empty() && !save_world(built->world, flags.save))
         return fail(1, "cannot write " + flags.save);

@@ -20,7 +20,7 @@ void Meter::add(const physics::StepProfile& profile) {
     const auto work = static_cast<double>(profile.work);
     work_ += work;
     if (step_ms_.size() > 1) worst_work_ = std::max(worst_work_, work);
-    steps_at_strain_.at(static_cast<std::size_t>(profile.strain))++;
+    steps_at_overload_level_.at(static_cast<std::size_t>(profile.strain))++;
     for (std::size_t k = 0; k < stage_count; k++) {
         stage_ms_[k] += profile.stage_ms[k];
         stage_skipped_[k] = profile.stage_skipped[k];
@@ -45,7 +45,7 @@ void Meter::fill(Report& report, const physics::World& world) const {
     report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
     report.work_mean = work_ / n;
     report.work_worst = worst_work_;
-    report.steps_at_strain = steps_at_strain_;
+    report.steps_at_strain = steps_at_overload_level_;
     report.worst_step = worst_step_;
     report.worst_step_ms = worst_.step_ms;
     report.worst_stage = worst_.worst_stage;

@@ -45,7 +45,7 @@ private:
     physics::StepProfile worst_;  // of all steps but the first
     std::uint64_t worst_step_ = 0;
     double work_ = 0, worst_work_ = 0;
-    std::array<std::uint64_t, physics::most_strain + 1> steps_at_strain_{};
+    std::array<std::uint64_t, physics::most_strain + 1> steps_at_overload_level_{};
     std::array<double, physics::stage_count> stage_ms_{};
     std::array<bool, physics::stage_count> stage_ran_{};
     std::array<const char*, physics::stage_count> stage_skipped_{};

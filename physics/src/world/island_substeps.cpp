@@ -11,16 +11,16 @@
 namespace jostle::physics {
 namespace {
 
-IslandSubsteps effort_of(const WorldState& world, const Island& island) {
+IslandSubsteps describe_island(const WorldState& world, const Island& island) {
     const ColourSetKey set = island.colour_set;
-    IslandSubsteps effort{.body = body_id(world, island.first),
+    IslandSubsteps result{.body = body_id(world, island.first),
                         .bodies = static_cast<int>(island.bodies),
                         .substeps = substeps_of(set, world),
                         .error = island.error.estimate};
-    effort.wanted_substeps = controls_error(world.def)
+    result.target_substeps = controls_error(world.def)
                                  ? substeps_of({set.tier, island.error.wanted}, world)
-                                 : effort.substeps;
-    return effort;
+                                 : result.substeps;
+    return result;
 }
 
 // Counted at its first dynamic body.
@@ -28,23 +28,23 @@ bool counts_here(const WorldState& world, std::uint32_t body, std::uint32_t a, s
     return (is_dynamic(world, a) ? a : b) == body;
 }
 
-void count_at(const WorldState& world, std::uint32_t body, IslandSubsteps& effort) {
+void count_at(const WorldState& world, std::uint32_t body, IslandSubsteps& result) {
     const BodyCold& cold = world.bodies.cold[body];
-    effort.body = std::min(effort.body, body_id(world, body));
+    result.body = std::min(result.body, body_id(world, body));
     for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (c.colour >= 0 && c.touching && counts_here(world, body, c.body_a, c.body_b))
-            effort.contacts++;
+            result.contacts++;
     });
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& j = world.joints.joints[index];
-        if (counts_here(world, body, j.body_a, j.body_b)) effort.joints++;
+        if (counts_here(world, body, j.body_a, j.body_b)) result.joints++;
     });
 }
 
 }  // namespace
 
-std::vector<IslandSubsteps> World::island_efforts() const {
+std::vector<IslandSubsteps> World::island_substeps() const {
     const WorldState& world = *state_;
     const std::vector<std::uint32_t>& direct = scratch_->solver.groups.active;
     std::map<std::uint32_t, IslandSubsteps> found;
@@ -52,16 +52,16 @@ std::vector<IslandSubsteps> World::island_efforts() const {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.type != BodyType::dynamic || cold.asleep_in_place) continue;
         const Island& island = world.islands.islands[cold.island];
-        auto& effort = found.try_emplace(cold.island, effort_of(world, island)).first->second;
-        count_at(world, warm.body, effort);
-        effort.direct = std::binary_search(direct.begin(), direct.end(), cold.island);
+        auto& result = found.try_emplace(cold.island, describe_island(world, island)).first->second;
+        count_at(world, warm.body, result);
+        result.direct = std::binary_search(direct.begin(), direct.end(), cold.island);
     }
-    std::vector<IslandSubsteps> efforts;
-    for (const auto& [island, effort] : found)
-        if (effort.contacts + effort.joints > 0) efforts.push_back(effort);
-    std::sort(efforts.begin(), efforts.end(),
+    std::vector<IslandSubsteps> results;
+    for (const auto& [island, result] : found)
+        if (result.contacts + result.joints > 0) results.push_back(result);
+    std::sort(results.begin(), results.end(),
               [](const IslandSubsteps& x, const IslandSubsteps& y) { return x.body < y.body; });
-    return efforts;
+    return results;
 }
 
 }  // namespace jostle::physics

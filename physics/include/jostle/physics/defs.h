@@ -150,7 +150,7 @@ struct WorldDef {
     // eight times as many where it is slender or carries what is heavy, at most 64; `substeps` is
     // not read. What the length of the step itself does to the motion is not part of it. Every
     // eighth step of an island is then taken twice, with half of its sub-steps first: that measures
-    // it. Not where a listener hears of sub-steps. World::island_efforts() says what was found and
+    // it. Not where a listener hears of sub-steps. World::island_substeps() says what was found and
     // spent.
     double tolerance = 0;
     // With a tolerance: sub-steps that a step may take, summed over the bodies with contacts or

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How hard the solver works on each island, and how exact that is: World::island_efforts().
+// How hard the solver works on each island, and how exact that is: World::island_substeps().
 #pragma once
 
 #include "jostle/physics/ids.h"
@@ -13,7 +13,7 @@ struct IslandSubsteps {
     int bodies = 0, contacts = 0, joints = 0;  // contacts: manifolds that touch
     bool direct = false;      // its joints were solved at once, as nothing touches it
     int substeps = 0;         // in the next step, but for what that finds first
-    int wanted_substeps = 0;  // more than that only where the budget falls short
+    int target_substeps = 0;  // more than that only where the budget falls short
     // m: how far, in a second of steps like the last that was measured, it leads from where
     // endlessly many sub-steps would: an estimate. 0: not known, as in a world without a tolerance.
     double error = 0;

@@ -261,7 +261,7 @@ public:
     Result<std::vector<BodyId>> touching_bodies(BodyId body) const;
 
     // What each awake island that is not alone takes, by body; after a step.
-    std::vector<IslandSubsteps> island_efforts() const;
+    std::vector<IslandSubsteps> island_substeps() const;
 
     // --- what a step has to solve: constraint_system.h ---
     // Of all that joints and touching contacts hang together with a dynamic body, awake or asleep.

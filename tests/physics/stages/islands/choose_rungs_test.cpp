@@ -50,7 +50,7 @@ TEST(Rungs,
     for (int k = 0; k < 20; k++) boxes.push_back(add(world, {.position = {-2.0 * k, 0.5, 0}}));
     const BodyId link = add_chain(world, 10, 10, 100).front();
     run(world, 1);
-    const std::vector<IslandSubsteps> efforts = world.island_efforts();
+    const std::vector<IslandSubsteps> efforts = world.island_substeps();
     ASSERT_EQ(efforts.size(), 21u);
     for (const BodyId box : boxes) {
         EXPECT_EQ(of(efforts, box).substeps, 2);
@@ -94,7 +94,7 @@ TEST(Rungs, a_stack_of_ten_does_not_sway_at_any_tolerance) {
         const BodyState top = must(world.body(boxes.back()));
         EXPECT_LT(length(top.pose.position - Vec3{0, 9.5, 0}), 0.002) << tolerance;
         EXPECT_LT(length(top.linear_velocity), 1e-3) << tolerance;
-        EXPECT_EQ(world.island_efforts()[0].substeps, 6) << tolerance;
+        EXPECT_EQ(world.island_substeps()[0].substeps, 6) << tolerance;
     }
 }
 
@@ -111,8 +111,8 @@ TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
         if (k >= 20 && world.profile().body_substeps <= 400) kept++;
     }
     EXPECT_EQ(kept, 100);
-    const std::vector<IslandSubsteps> efforts = world.island_efforts();
-    EXPECT_GE(of(efforts, heavy).wanted_substeps, of(efforts, heavy).substeps);
+    const std::vector<IslandSubsteps> efforts = world.island_substeps();
+    EXPECT_GE(of(efforts, heavy).target_substeps, of(efforts, heavy).substeps);
     for (const IslandSubsteps& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
 }
 
@@ -124,9 +124,9 @@ TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {
         must(world.step(1.0 / 60));
         EXPECT_EQ(world.profile().trial_substeps, 0);
     }
-    ASSERT_EQ(world.island_efforts().size(), 1u);
-    EXPECT_EQ(world.island_efforts()[0].error, 0);
-    EXPECT_EQ(world.island_efforts()[0].substeps, 8);
+    ASSERT_EQ(world.island_substeps().size(), 1u);
+    EXPECT_EQ(world.island_substeps()[0].error, 0);
+    EXPECT_EQ(world.island_substeps()[0].substeps, 8);
     EXPECT_EQ(world.profile().body_substeps, 8);
 }
 

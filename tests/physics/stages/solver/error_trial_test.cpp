@@ -32,7 +32,7 @@ TEST(ErrorTrial, changes_no_bit_of_the_motion) {
                              .frame_b = {{-0.55, 0, 0}, {}},
                              .kind = HingeJoint{}}));
     run(world, 1);
-    for (const IslandSubsteps& e : world.island_efforts()) EXPECT_EQ(e.substeps, 2);
+    for (const IslandSubsteps& e : world.island_substeps()) EXPECT_EQ(e.substeps, 2);
     World alone = must(load(save(world)));
     Listener listener;
     must(alone.add_listener(listener));

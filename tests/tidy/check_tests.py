@@ -112,7 +112,7 @@ COVERED_BY = {
         (["behaviour/planar_test.cpp"], "discs, beams and pyramids in planar worlds against closed forms"),
     "geometry/def_checks.cpp":
         (["physics/world/checks_test.cpp", "physics/state/validate_test.cpp"], "what calls and saved worlds may not hold"),
-    "state/strain.h":
+    "state/overload_state.h":
         (["physics/stages/follow_budget_test.cpp"], "worlds that climb all levels, and what each leaves out"),
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-Strain next_strain(Strain strain, std::int64_t work, std::int64_t budget) {
+OverloadState next_strain(OverloadState strain, std::int64_t work, std::int64_t budget) {
     ASSERT(budget > 0 && strain.level <= most_strain);
     if (work > budget) {
         strain.easy = 0;
@@ -22,7 +22,7 @@ Strain next_strain(Strain strain, std::int64_t work, std::int64_t budget) {
 }
 
 // What sleeps follows when it wakes.
-void change_strain(WorldState& world, Strain to) {
+void change_strain(WorldState& world, OverloadState to) {
     std::array<double, solved_set_count> scale{};
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {

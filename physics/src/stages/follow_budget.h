@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The end of a step: what it did is added up, and in a world with a budget the strain of the next
-// step follows from that (state/strain.h). It rises by one after a step of more work than the
+// step follows from that (state/overload_state.h). It rises by one after a step of more work than the
 // budget, so no step is ever cut short, and falls by one after many cheap ones in a row.
 #pragma once
 

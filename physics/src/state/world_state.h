@@ -21,7 +21,7 @@
 #include "physics/src/state/joint_store.h"
 #include "physics/src/state/listener_store.h"
 #include "physics/src/state/shape_store.h"
-#include "physics/src/state/strain.h"
+#include "physics/src/state/overload_state.h"
 #include "physics/src/state/trigger_store.h"
 #include "physics/src/state/wake_requests.h"
 
@@ -34,7 +34,7 @@ struct WorldStores {
     std::uint64_t steps = 0;
     double last_dt = 0;  // s; 0 before the first step
     double time = 0;     // s: the sum of all steps
-    Strain strain;       // of the next step
+    OverloadState strain;       // of the next step
 
     BodyStore bodies;
     ShapeStore shapes;

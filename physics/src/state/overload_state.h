@@ -12,23 +12,23 @@
 
 namespace jostle::physics {
 
-struct Strain {
+struct OverloadState {
     std::uint8_t level = 0;  // 0 to most_strain
     std::uint8_t easy = 0;   // steps in a row that cost so little that the next level down may do
 };
 
 // Level 1: manifolds are used again over more motion.
-inline bool reuses_manifolds_longer(const Strain& strain) {
+inline bool reuses_manifolds_longer(const OverloadState& strain) {
     return strain.level >= 1;
 }
 // Level 2: what moves passes its impacts on what moves to the contact solver. Sweeps against static
 // and kinematic bodies stay: nothing passes through the scenery.
-inline bool leaves_impacts_to_contacts(const Strain& strain) {
+inline bool leaves_impacts_to_contacts(const OverloadState& strain) {
     return strain.level >= 2;
 }
 // Level 3: islands take half of their sub-steps, where that leaves two; not what is slender, tall
 // or heavily loaded, which would fall.
-inline bool halves_substeps(const Strain& strain) {
+inline bool halves_substeps(const OverloadState& strain) {
     return strain.level >= 3;
 }
 

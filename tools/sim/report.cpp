@@ -20,7 +20,7 @@ void Meter::add(const physics::StepProfile& profile) {
     const auto work = static_cast<double>(profile.work);
     work_ += work;
     if (step_ms_.size() > 1) worst_work_ = std::max(worst_work_, work);
-    steps_at_overload_level_.at(static_cast<std::size_t>(profile.strain))++;
+    steps_at_overload_level_.at(static_cast<std::size_t>(profile.overload_level))++;
     for (std::size_t k = 0; k < stage_count; k++) {
         stage_ms_[k] += profile.stage_ms[k];
         stage_skipped_[k] = profile.stage_skipped[k];

@@ -24,7 +24,7 @@ struct Report {
     double worst_step_ms = 0, worst_stage_ms = 0;
     physics::Stage worst_stage = physics::Stage::update_pairs;
     double work_mean = 0, work_worst = 0;  // StepProfile::work, the worst of all but the first
-    std::array<std::uint64_t, physics::most_strain + 1> steps_at_strain{};
+    std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_strain{};
     double cpu_ms_per_step_mean = 0;  // of all threads of the process
     std::uint64_t state_hash = 0;
     double energy_joules = 0;      // kinetic + potential, zero at the origin
@@ -45,7 +45,7 @@ private:
     physics::StepProfile worst_;  // of all steps but the first
     std::uint64_t worst_step_ = 0;
     double work_ = 0, worst_work_ = 0;
-    std::array<std::uint64_t, physics::most_strain + 1> steps_at_overload_level_{};
+    std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_overload_level_{};
     std::array<double, physics::stage_count> stage_ms_{};
     std::array<bool, physics::stage_count> stage_ran_{};
     std::array<const char*, physics::stage_count> stage_skipped_{};

@@ -259,12 +259,12 @@ inline constexpr std::int64_t work_unit = 100;
 // Strain falls by a level after so many steps in a row below this share of the budget. Half a
 // second: what just gave way does not come and go with every other step. What a level saves is at
 // most half of the work where it was measured, so below this share the next level down mostly fits.
-inline constexpr int strain_patience = 30;
-inline constexpr double easy_work = 0.6;
+inline constexpr int overload_patience = 30;
+inline constexpr double cheap_step_ratio = 0.6;
 // Under strain a manifold is kept over so many times the drift, however fast its bodies are: 16 mm,
 // less than the margin within which points were looked for. Of a drum in which 8000 cubes tumble it
 // takes 28 % of the step, as much as no bound of drift but one of four times the speed takes 3 %.
-inline constexpr float strained_drift = 4;
+inline constexpr float overload_drift = 4;
 inline constexpr float any_motion = 1e6f;  // m in a step
 
 // --- sleep ---

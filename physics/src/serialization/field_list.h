@@ -559,8 +559,8 @@ void visit_stores(V& v, WorldStores& world) {
     v.optional("tolerance", world.def.tolerance, 13);
     v.optional("substep_budget", world.def.substep_budget, 13);
     v.optional("step_budget", world.def.step_budget, 15);
-    v.optional("strain", world.strain.level, 15);
-    v.optional("easy_steps", world.strain.easy, 15);
+    v.optional("strain", world.overload_level.level, 15);
+    v.optional("easy_steps", world.overload_level.easy, 15);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.leave();

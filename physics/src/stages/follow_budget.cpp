@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/follow_budget.h"
+#include "physics/src/stages/update_step_budget.h"
 
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
@@ -8,29 +8,29 @@
 namespace jostle::physics {
 namespace {
 
-OverloadState next_strain(OverloadState strain, std::int64_t work, std::int64_t budget) {
-    ASSERT(budget > 0 && strain.level <= most_strain);
+OverloadState next_overload_level(OverloadState overload_level, std::int64_t work, std::int64_t budget) {
+    ASSERT(budget > 0 && overload_level.level <= max_overload_level);
     if (work > budget) {
-        strain.easy = 0;
-        if (strain.level < most_strain) strain.level++;
-        return strain;
+        overload_level.easy = 0;
+        if (overload_level.level < max_overload_level) overload_level.level++;
+        return overload_level;
     }
-    const bool easy = static_cast<double>(work) < tuning::easy_work * static_cast<double>(budget);
-    strain.easy = easy && strain.level > 0 ? static_cast<std::uint8_t>(strain.easy + 1) : 0;
-    if (strain.easy < tuning::strain_patience) return strain;
-    return {.level = static_cast<std::uint8_t>(strain.level - 1)};
+    const bool easy = static_cast<double>(work) < tuning::cheap_step_ratio * static_cast<double>(budget);
+    overload_level.easy = easy && overload_level.level > 0 ? static_cast<std::uint8_t>(overload_level.easy + 1) : 0;
+    if (overload_level.easy < tuning::overload_patience) return overload_level;
+    return {.level = static_cast<std::uint8_t>(overload_level.level - 1)};
 }
 
 // What sleeps follows when it wakes.
-void change_strain(WorldState& world, OverloadState to) {
+void update_overload_level(WorldState& world, OverloadState to) {
     std::array<double, solved_set_count> scale{};
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
             const ColourSetKey set{tier, batch};
             scale[index_of(set)] = substeps_of(set, world);
         }
-    const bool other_substeps = halves_substeps(world.strain) != halves_substeps(to);
-    world.strain = to;
+    const bool other_substeps = halves_substeps(world.overload_level) != halves_substeps(to);
+    world.overload_level = to;
     if (!other_substeps) return;
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
@@ -51,10 +51,10 @@ std::int64_t work_of(const StepProfile& profile) {
            tuning::work_unit;
 }
 
-void follow_budget(WorldState& world) {
+void update_step_budget(WorldState& world) {
     world.profile.work = work_of(world.profile);
     if (world.def.step_budget == 0) return;
-    change_strain(world, next_strain(world.strain, world.profile.work, world.def.step_budget));
+    update_overload_level(world, next_overload_level(world.overload_level, world.profile.work, world.def.step_budget));
 }
 
 }  // namespace jostle::physics

@@ -15,6 +15,6 @@ std::int64_t work_of(const StepProfile& profile);
 // Reads: the profile's counters, WorldDef::step_budget. Writes: StepProfile::work, Strain, and the
 // impulses that warm-start the next step where its sub-steps are of another length. After all else:
 // events tell of the sub-steps that were.
-void follow_budget(WorldState& world);
+void update_step_budget(WorldState& world);
 
 }  // namespace jostle::physics

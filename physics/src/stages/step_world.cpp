@@ -10,7 +10,7 @@
 #include "physics/src/stages/finalize/finalize.h"
 #include "physics/src/stages/finalize/integrate_free.h"
 #include "physics/src/stages/finalize/quarantine.h"
-#include "physics/src/stages/follow_budget.h"
+#include "physics/src/stages/update_step_budget.h"
 #include "physics/src/stages/islands/link_islands.h"
 #include "physics/src/stages/islands/prepare_islands.h"
 #include "physics/src/stages/pairs/update_pairs.h"
@@ -31,7 +31,7 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.team->stay_alone(!world.team_trial.shares(world.team_use.step_ms));
     if (world.team_use.solver_tasks > 1) world.team->wake();
     world.profile = {};
-    world.profile.strain = world.strain.level;
+    world.profile.overload_level = world.overload_level.level;
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     if (dt != world.last_dt && world.last_dt > 0) scale_awake(world, dt / world.last_dt);
@@ -41,7 +41,7 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
 
 // Manifolds are kept over more motion, however fast that is.
 void reuse_longer(ContactSettings& set) {
-    set.rebuild_drift *= tuning::strained_drift;
+    set.rebuild_drift *= tuning::overload_drift;
     set.rebuild_motion = set.single_rebuild_motion = tuning::any_motion;
 }
 
@@ -60,7 +60,7 @@ void set_contact_settings(StepContext& step) {
                 continue;
             }
             set = contact_settings(step.dt, substeps_of(key, world), tier);
-            if (reuses_manifolds_longer(world.strain)) reuse_longer(set);
+            if (reuses_manifolds_longer(world.overload_level)) reuse_longer(set);
             set.planar = world.def.planar;
             set.gravity_ratio = gravity_ratio;
         }
@@ -122,7 +122,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
     ASSERT(scratch.contacts.begins.empty());
-    follow_budget(world);
+    update_step_budget(world);
     world.steps++;
     world.time += dt;
     add_up_times(world.profile);

@@ -437,9 +437,9 @@ std::optional<std::string> find_fault(const WorldState& world) {
         return "world.step_budget is out of range";
     if (world.def.step_budget > 0 && tolerance != 0)
         return "world.step_budget is set beside a tolerance";
-    if (world.strain.level > most_strain || world.strain.easy >= tuning::strain_patience)
+    if (world.overload_level.level > max_overload_level || world.overload_level.easy >= tuning::overload_patience)
         return "world.strain is out of range";
-    if (world.def.step_budget == 0 && (world.strain.level > 0 || world.strain.easy > 0))
+    if (world.def.step_budget == 0 && (world.overload_level.level > 0 || world.overload_level.easy > 0))
         return "world.strain is above 0 without a budget";
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";

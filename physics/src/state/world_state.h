@@ -34,7 +34,7 @@ struct WorldStores {
     std::uint64_t steps = 0;
     double last_dt = 0;  // s; 0 before the first step
     double time = 0;     // s: the sum of all steps
-    OverloadState strain;       // of the next step
+    OverloadState overload_level;       // of the next step
 
     BodyStore bodies;
     ShapeStore shapes;
@@ -71,7 +71,7 @@ struct WorldState : WorldStores {
 
 // Sub-steps of the islands of a set in the next step, or in the one that runs.
 inline int substeps_of(ColourSetKey set, const WorldStores& world) {
-    return substeps_of(set, world.def, halves_substeps(world.strain));
+    return substeps_of(set, world.def, halves_substeps(world.overload_level));
 }
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {

@@ -103,8 +103,8 @@ std::int64_t World::step_budget() const {
     return state_->def.step_budget;
 }
 
-int World::strain() const {
-    return state_->strain.level;
+int World::overload_level() const {
+    return state_->overload_level.level;
 }
 
 int World::substeps() const {

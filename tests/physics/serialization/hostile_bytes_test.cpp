@@ -192,15 +192,15 @@ TEST(HostileBytes, strain_is_read_or_refused) {
     World world = make_world({.step_budget = budget});
     add(world, {.position = {0, 3, 0}});
     const Bytes bytes = save(world);
-    const std::size_t strain = after(bytes, static_cast<std::uint64_t>(budget));
+    const std::size_t overload_level = after(bytes, static_cast<std::uint64_t>(budget));
     for (const auto& [value, refused] : {std::tuple{3, false}, {4, true}}) {
         Bytes forged = bytes;
-        forged[strain] = static_cast<std::byte>(value);
+        forged[overload_level] = static_cast<std::byte>(value);
         restamp(forged);
         if (refused)
             expect_refused(forged, "world.strain");
         else
-            EXPECT_EQ(must(load(forged)).strain(), value);
+            EXPECT_EQ(must(load(forged)).overload_level(), value);
     }
 }
 

@@ -44,8 +44,8 @@ TEST(StepBudget, a_world_without_one_is_never_strained) {
     World world = make_tumbling_world(0);
     for (int k = 0; k < 60; k++) {
         step(world);
-        EXPECT_EQ(world.strain(), 0);
-        EXPECT_EQ(world.profile().strain, 0);
+        EXPECT_EQ(world.overload_level(), 0);
+        EXPECT_EQ(world.profile().overload_level, 0);
         EXPECT_GT(world.profile().work, 0);
     }
 }
@@ -54,7 +54,7 @@ TEST(StepBudget, one_that_is_never_reached_changes_no_bit_of_the_motion) {
     World world = make_tumbling_world(4294967295), free = make_tumbling_world(0);
     step(world, 120);
     step(free, 120);
-    EXPECT_EQ(world.strain(), 0);
+    EXPECT_EQ(world.overload_level(), 0);
     EXPECT_EQ(world.summary().kinetic_energy, free.summary().kinetic_energy);
     EXPECT_EQ(world.summary().angular_momentum, free.summary().angular_momentum);
 }
@@ -64,8 +64,8 @@ TEST(StepBudget, an_overloaded_world_gives_up_one_level_a_step_and_works_less) {
     int before = 0;
     for (const int level : {1, 2, 3, 3, 3}) {
         step(world);
-        EXPECT_EQ(world.profile().strain, before);
-        EXPECT_EQ(world.strain(), level);
+        EXPECT_EQ(world.profile().overload_level, before);
+        EXPECT_EQ(world.overload_level(), level);
         before = level;
     }
     const std::int64_t all = work_of_a_second(make_tumbling_world(0)),
@@ -81,15 +81,15 @@ TEST(StepBudget, has_the_same_bits_at_one_and_at_three_threads) {
         ASSERT_EQ(one.profile().work, three.profile().work) << k;
         ASSERT_EQ(state_hash(one), state_hash(three)) << k;
     }
-    EXPECT_GT(one.strain(), 0);
+    EXPECT_GT(one.overload_level(), 0);
 }
 
 TEST(StepBudget, a_world_saved_or_kept_under_strain_goes_on_as_if_it_had_not_been) {
     World world = make_tumbling_world(1);
     step(world, 2);
-    ASSERT_EQ(world.strain(), 2);
+    ASSERT_EQ(world.overload_level(), 2);
     World copy = must(load(save(world)));
-    EXPECT_EQ(copy.strain(), 2);
+    EXPECT_EQ(copy.overload_level(), 2);
     EXPECT_EQ(copy.step_budget(), 1);
     RestorePoint kept;
     kept.keep(world);
@@ -119,7 +119,7 @@ TEST(StepBudget, at_the_highest_strain_nothing_passes_a_plate_at_100_metres_a_se
                                      0.5 * (k / 10 % 10) - 2.5},
                         .velocity = {0, -100, 0}}));
     step(world, 60);
-    EXPECT_EQ(world.strain(), 3);
+    EXPECT_EQ(world.overload_level(), 3);
     for (const BodyId ball : balls) EXPECT_GT(position_of(world, ball).y, 0.05);
 }
 
@@ -130,16 +130,16 @@ TEST(StepBudget, what_was_given_up_comes_back_level_by_level_when_the_load_is_go
     std::vector<BodyId> load;
     for (int k = 0; k < 100; k++) load.push_back(add(world, {.position = {0, 0.5 + k, 0}}));
     step(world, 10);
-    ASSERT_EQ(world.strain(), 3);
+    ASSERT_EQ(world.overload_level(), 3);
     for (const BodyId body : load) must(world.destroy_body(body));
     for (const int level : {3, 2, 1}) {
         step(world, 29);
-        EXPECT_EQ(world.strain(), level);
+        EXPECT_EQ(world.overload_level(), level);
         step(world);
-        EXPECT_EQ(world.strain(), level - 1);
+        EXPECT_EQ(world.overload_level(), level - 1);
     }
     step(world, 60);
-    EXPECT_EQ(world.strain(), 0);
+    EXPECT_EQ(world.overload_level(), 0);
     EXPECT_NEAR(position_of(world, box).y, 0.5, 1e-4);
 }
 
@@ -155,7 +155,7 @@ TEST(StepBudget, loads_and_heights_stay_when_substeps_change_their_length) {
         return impulse;
     };
     step(world, 120);
-    ASSERT_EQ(world.strain(), 0);
+    ASSERT_EQ(world.overload_level(), 0);
     const double height = position_of(world, high).y, both = 2 * 1000 * 9.81 / 60;
     EXPECT_NEAR(load(), both, 0.01 * both);
     std::vector<BodyId> others;
@@ -166,14 +166,14 @@ TEST(StepBudget, loads_and_heights_stay_when_substeps_change_their_length) {
         EXPECT_NEAR(position_of(world, high).y, height, 2e-5) << k;
         EXPECT_NEAR(load(), both, 0.05 * both) << k;
     }
-    ASSERT_EQ(world.strain(), 3);
+    ASSERT_EQ(world.overload_level(), 3);
     for (const BodyId body : others) must(world.destroy_body(body));
     for (int k = 0; k < 40; k++) {
         step(world);
         EXPECT_NEAR(position_of(world, high).y, height, 2e-5) << k;
         EXPECT_NEAR(load(), both, 0.05 * both) << k;
     }
-    EXPECT_EQ(world.strain(), 2);
+    EXPECT_EQ(world.overload_level(), 2);
 }
 
 TEST(StepBudget, what_fell_asleep_under_strain_bears_its_load_when_it_wakes_without) {
@@ -182,11 +182,11 @@ TEST(StepBudget, what_fell_asleep_under_strain_bears_its_load_when_it_wakes_with
     BodyId top;
     for (int k = 0; k < 5; k++) top = add(world, {.position = {0, 0.5 + k, 0}});
     step(world, 50);
-    ASSERT_EQ(world.strain(), 3);
+    ASSERT_EQ(world.overload_level(), 3);
     ASSERT_EQ(world.profile().bodies_awake, 0);
     const double height = position_of(world, top).y;
     step(world, 100);
-    ASSERT_EQ(world.strain(), 0);
+    ASSERT_EQ(world.overload_level(), 0);
     must(world.wake(top));
     for (int k = 0; k < 3; k++) {
         step(world);
@@ -203,7 +203,7 @@ TEST(StepBudget, a_pyramid_of_fifteen_rows_stands_at_the_highest_strain) {
         for (int k = 0; k < 15 - row; k++)
             top = add(world, {.position = {k + 0.5 * row, 0.5 + row, 0}});
     step(world, 600);
-    EXPECT_EQ(world.strain(), 3);
+    EXPECT_EQ(world.overload_level(), 3);
     EXPECT_NEAR(position_of(world, top).y, 14.5, 0.02);
     EXPECT_LT(length(velocity_of(world, top)), 0.01);
 }
@@ -216,7 +216,7 @@ TEST(StepBudget, a_tower_and_a_load_on_light_boxes_keep_their_substeps_and_stand
     for (int k = 0; k < 5; k++) add(world, {.position = {20, 0.5 + k, 0}, .density = 10});
     const BodyId heavy = add(world, {.position = {20, 5.5, 0}, .density = 5000});
     step(world, 600);
-    EXPECT_EQ(world.strain(), 3);
+    EXPECT_EQ(world.overload_level(), 3);
     EXPECT_LT(length(position_of(world, top) - Vec3{0, 19.5, 0}), 0.02);
     EXPECT_LT(length(position_of(world, heavy) - Vec3{20, 5.5, 0}), 0.02);
 }

@@ -171,10 +171,10 @@ TEST(Validate, names_what_only_forged_bytes_can_hold) {
              w.islands.islands[left] = {};
          },
          "on no island's list"},
-        {[](WorldState& w) { w.strain.level = 1; }, "strain is above 0 without a budget"},
+        {[](WorldState& w) { w.overload_level.level = 1; }, "strain is above 0 without a budget"},
         {[](WorldState& w) {
              w.def.step_budget = 100;
-             w.strain.level = most_strain + 1;
+             w.overload_level.level = max_overload_level + 1;
          },
          "strain is out of range"},
         {[](WorldState& w) { w.def.step_budget = -1; }, "step_budget is out of range"},

@@ -137,7 +137,7 @@ enum class BroadPhase : std::uint8_t {
 };
 
 // The highest level of World::strain().
-inline constexpr int most_strain = 3;
+inline constexpr int max_overload_level = 3;
 
 struct WorldDef {
     Vec3 gravity{0, -9.81, 0};  // m/s^2, each component within 1e4

@@ -71,7 +71,7 @@ struct StepProfile {
     // (.6 to 2 times in the scenes of the laboratory), but counted, so the same for any machine and
     // any number of threads. WorldDef::step_budget.
     std::int64_t work = 0;
-    int strain = 0;        // at which the step was taken: World::strain()
+    int overload_level = 0;        // at which the step was taken: World::strain()
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 

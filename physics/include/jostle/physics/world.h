@@ -245,7 +245,7 @@ public:
     std::int64_t substep_budget() const;
     std::int64_t step_budget() const;  // 0: none
     // What the next step will give up to keep to the step's budget: WorldDef::step_budget.
-    int strain() const;
+    int overload_level() const;
     JointSolver joint_solver() const;
     Status set_joint_solver(JointSolver solver);  // from the next step on; wakes nobody
     Status set_threads(

@@ -21,7 +21,7 @@ inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
 // Whether strain leaves the impacts of two bodies on each other to the contact solver, however
 // fast.
 inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b) {
-    return leaves_impacts_to_contacts(world.strain) && a.type == BodyType::dynamic &&
+    return leaves_impacts_to_contacts(world.overload_level) && a.type == BodyType::dynamic &&
            b.type == BodyType::dynamic;
 }
 

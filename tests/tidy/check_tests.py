@@ -113,7 +113,7 @@ COVERED_BY = {
     "geometry/def_checks.cpp":
         (["physics/world/checks_test.cpp", "physics/state/validate_test.cpp"], "what calls and saved worlds may not hold"),
     "state/overload_state.h":
-        (["physics/stages/follow_budget_test.cpp"], "worlds that climb all levels, and what each leaves out"),
+        (["physics/stages/update_step_budget_test.cpp"], "worlds that climb all levels, and what each leaves out"),
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
     "foundation/threads.h":

@@ -42,7 +42,7 @@ void update_overload_level(WorldState& world, OverloadState to) {
 
 }  // namespace
 
-std::int64_t work_of(const StepProfile& profile) {
+std::int64_t step_work(const StepProfile& profile) {
     return (tuning::body_work * profile.bodies_awake + tuning::look_work * profile.pairs_checked +
             tuning::composite_work * profile.composites_checked +
             tuning::contact_work * profile.contact_substeps +
@@ -52,7 +52,7 @@ std::int64_t work_of(const StepProfile& profile) {
 }
 
 void update_step_budget(WorldState& world) {
-    world.profile.work = work_of(world.profile);
+    world.profile.work = step_work(world.profile);
     if (world.def.step_budget == 0) return;
     update_overload_level(world, next_overload_level(world.overload_level, world.profile.work, world.def.step_budget));
 }

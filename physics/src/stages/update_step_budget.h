@@ -10,7 +10,7 @@
 namespace jostle::physics {
 
 // Of the step's own counters; the same for any number of threads.
-std::int64_t work_of(const StepProfile& profile);
+std::int64_t step_work(const StepProfile& profile);
 
 // Reads: the profile's counters, WorldDef::step_budget. Writes: StepProfile::work, Strain, and the
 // impulses that warm-start the next step where its sub-steps are of another length. After all else:

@@ -6,7 +6,7 @@
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/islands/overload.h"
+#include "physics/src/stages/islands/heavy_load.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"

@@ -10,7 +10,7 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/islands/assign_batches.h"
 #include "physics/src/stages/islands/choose_rungs.h"
-#include "physics/src/stages/islands/overload.h"
+#include "physics/src/stages/islands/heavy_load.h"
 #include "physics/src/stages/islands/sort_constraints.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"

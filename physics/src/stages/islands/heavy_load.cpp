@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/overload.h"
+#include "physics/src/stages/islands/heavy_load.h"
 
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"

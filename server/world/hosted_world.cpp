@@ -210,9 +210,9 @@ void HostedWorld::copy_into(Frame& frame) {
     std::vector<BodyId> awake;
     awake.reserve(bodies_.size());
     for (const BodyState& body : bodies_) awake.push_back(body.id);
-    copy_poses(list_changed || static_revision_ != world.changes_at_rest());
+    copy_poses(list_changed || static_revision_ != world.static_revision());
     awake_ = std::move(awake);
-    static_revision_ = world.changes_at_rest();
+    static_revision_ = world.static_revision();
 
     bool moved = false;
     frame.entities = poses_.take(moved);

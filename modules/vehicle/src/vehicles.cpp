@@ -204,7 +204,7 @@ void Vehicles::before_step(World& world, double dt) {
     }
     cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
     const Queries queries = world.queries();
-    world.share_out(static_cast<int>(cars_.size()), cars_at_once, [&](int first, int last) {
+    world.parallel_for(static_cast<int>(cars_.size()), cars_at_once, [&](int first, int last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++)
             if (cars_[k].active) begin_step(world, queries, bodies[k], dt, cars_[k]);
     });

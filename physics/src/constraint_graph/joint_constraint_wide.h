@@ -117,7 +117,7 @@ struct JointConstraintWideMeta {
     std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
     std::uint8_t in_batch = 0;    // how many of them are in batches (joint_batches.h)
-    std::uint8_t overloaded = 0;  // by lane, at the end of the step
+    std::uint8_t broken_lanes = 0;  // by lane, at the end of the step
 };
 
 }  // namespace jostle::physics

@@ -42,7 +42,7 @@ TaskTeam::~TaskTeam() {
 }
 #endif
 
-void TaskTeam::share_out(int total, int grain, Split split, Call call, void* context) {
+void TaskTeam::parallel_for(int total, int grain, Split split, Call call, void* context) {
     call_ = call;
     context_ = context;
     grain_ = grain;

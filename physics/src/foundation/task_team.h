@@ -49,7 +49,7 @@ public:
             return;
         }
         using Fn = std::remove_reference_t<F>;
-        share_out(
+        parallel_for(
             total, grain, split,
             [](void* context, int begin, int end) { (*static_cast<Fn*>(context))(begin, end); },
             const_cast<void*>(static_cast<const void*>(&fn)));
@@ -63,7 +63,7 @@ public:
             for (int k = begin; k < end; k++) fn(k);
         };
         if (size() == 1 || count < 2) return each(0, count);
-        share_out(
+        parallel_for(
             count, 1, Split::free,
             [](void* context, int begin, int end) {
                 (*static_cast<decltype(&each)>(context))(begin, end);
@@ -90,7 +90,7 @@ private:
     };
 
     // In grains, each thread its own part of the range first.
-    void share_out(int total, int grain, Split split, Call call, void* context);
+    void parallel_for(int total, int grain, Split split, Call call, void* context);
     void take_grains(int self);
     void take_grains_of(Cursor& cursor, bool leave_to_owner);
     void work(int self);

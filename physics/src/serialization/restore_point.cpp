@@ -67,7 +67,7 @@ Status RestorePoint::restore(World& world) const {
     state.events.clear_published();
     state.events.pending = kept_->pending;
     state.wake_requests.clear();
-    state.changes_at_rest++;
+    state.static_revision++;
     return restore_modules(world, std::move(missing));
 }
 

@@ -59,7 +59,7 @@ struct WorldState : WorldStores {
     // Not part of the state.
     EventStore events;
     WakeRequests wake_requests;
-    std::uint64_t changes_at_rest = 0;  // World::changes_at_rest()
+    std::uint64_t static_revision = 0;  // World::static_revision()
     StepProfile profile;
     // Composite pairs of which a part began or ended to touch: link_islands reports them.
     std::vector<std::uint32_t> changed_pairs;

@@ -190,8 +190,8 @@ void World::copy_awake_bodies(std::vector<BodyState>& out) const {
         out.push_back(state_of_body(*state_, warm.body));
 }
 
-std::uint64_t World::changes_at_rest() const {
-    return state_->changes_at_rest;
+std::uint64_t World::static_revision() const {
+    return state_->static_revision;
 }
 
 std::uint32_t World::body_index_end() const {

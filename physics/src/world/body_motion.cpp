@@ -24,7 +24,7 @@ Status World::set_pose(BodyId body, const Transform& pose) {
     warm.rotation = unit(pose.rotation);
     warm.axes = to_matrix(warm.rotation);
     warm.center = pose.position + warm.axes * world.bodies.cold[body.index].local_center;
-    if (world.bodies.cold[body.index].type == BodyType::static_body) world.changes_at_rest++;
+    if (world.bodies.cold[body.index].type == BodyType::static_body) world.static_revision++;
     after_move(world, body.index);
     return {};
 }

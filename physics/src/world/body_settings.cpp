@@ -131,7 +131,7 @@ Status World::set_awake(BodyId body, bool awake) {
         wake_in_place(world, b);
     }
     put_island_to_sleep(world, island, world.events.pending.ended);
-    world.changes_at_rest++;  // it may have woken to be moved
+    world.static_revision++;  // it may have woken to be moved
     return {};
 }
 

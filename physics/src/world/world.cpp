@@ -69,7 +69,7 @@ Status World::step(double dt) {
     if (scratch_->stopped) return stopped();
     return {};
 }
-void World::share_out(int count, int grain,
+void World::parallel_for(int count, int grain,
                       const std::function<void(int first, int last)>& part) const {
     TaskTeam& team = *state_->team;
     if (team.size() > 1 && count >= 4 * grain) team.wake();

@@ -70,16 +70,16 @@ TEST(ChangesAtRest, tell_when_a_call_moved_what_no_step_moves) {
     const BodyId floor = add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
     run(world, 2);
-    const std::uint64_t before = world.changes_at_rest();
+    const std::uint64_t before = world.static_revision();
     must(world.set_pose(box, {{5, 0.5, 0}, {}}));
     run(world, 1);
-    EXPECT_EQ(world.changes_at_rest(), before) << "it woke, and is among the awake";
+    EXPECT_EQ(world.static_revision(), before) << "it woke, and is among the awake";
     must(world.set_pose(floor, {{0, -1, 0}, {}}));
-    EXPECT_NE(world.changes_at_rest(), before);
-    const std::uint64_t moved = world.changes_at_rest();
+    EXPECT_NE(world.static_revision(), before);
+    const std::uint64_t moved = world.static_revision();
     must(world.set_pose(box, {{7, -0.5, 0}, {}}));
     must(world.set_awake(box, false));
-    EXPECT_NE(world.changes_at_rest(), moved) << "moved and put to sleep between two steps";
+    EXPECT_NE(world.static_revision(), moved) << "moved and put to sleep between two steps";
 }
 
 // A body on the floor with a joint to another and a trigger: nothing of it is left.

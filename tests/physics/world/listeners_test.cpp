@@ -37,7 +37,7 @@ TEST(ListenerCalls, what_is_shared_out_is_done_once) {
         World world = make_world({.threads = threads});
         for (const int count : {0, 1, 63, 1000}) {
             std::vector<int> done(static_cast<std::size_t>(count));
-            world.share_out(count, 16, [&](int first, int last) {
+            world.parallel_for(count, 16, [&](int first, int last) {
                 for (int k = first; k < last; k++) done[static_cast<std::size_t>(k)]++;
             });
             EXPECT_EQ(std::count(done.begin(), done.end(), 1), count);

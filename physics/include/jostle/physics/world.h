@@ -151,7 +151,7 @@ public:
     void copy_awake_bodies(std::vector<BodyState>& out) const;
     // Another number when a call may have moved what is static or sleeps: all may be elsewhere,
     // then. Not saved.
-    std::uint64_t changes_at_rest() const;
+    std::uint64_t static_revision() const;
     // Above the index of every body that there is: for lists by index.
     std::uint32_t body_index_end() const;
     std::vector<BodyId> bodies() const;
@@ -283,7 +283,7 @@ public:
     // world, and returns when all are done; too few stay on this one. Parts come at once and in any
     // order: each writes what is its own and no other reads, and of the world it only reads. Then
     // the bits are the same for any number of threads.
-    void share_out(int count, int grain,
+    void parallel_for(int count, int grain,
                    const std::function<void(int first, int last)>& part) const;
 
     // --- for debug views ---

@@ -187,10 +187,10 @@ bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, i
         joint.motor = lane.get(angular->motor);
         joint.torque = lane.get3(angular->torque) * (1 / dt);
     }
-    return is_overloaded(joint);
+    return exceeds_break_limit(joint);
 }
 
-bool is_overloaded(const Joint& joint) {
+bool exceeds_break_limit(const Joint& joint) {
     return (joint.break_force > 0 && length(joint.force) > joint.break_force) ||
            (joint.break_torque > 0 && length(joint.torque) > joint.break_torque);
 }

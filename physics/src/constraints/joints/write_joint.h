@@ -32,7 +32,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
 // of its carrier at the start of the step, or none. Returns whether it is loaded more than it
 // bears.
 // Whether what acted in the last step is more than it bears.
-bool is_overloaded(const Joint& joint);
+bool exceeds_break_limit(const Joint& joint);
 bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane);
 
 }  // namespace jostle::physics

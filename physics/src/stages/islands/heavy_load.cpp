@@ -9,7 +9,7 @@ namespace jostle::physics {
 namespace {
 
 // Whether the body rests on nothing but what is a hundred times lighter.
-bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
+bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
     const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
     bool on_light = false, on_firm = false;
     for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
@@ -29,20 +29,20 @@ bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
 
 }  // namespace
 
-bool has_overload(WorldState& world, const Island& island, Vec3 up) {
+bool has_heavy_load(WorldState& world, const Island& island, Vec3 up) {
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
-        if (is_overload(world, body, up)) return true;
+        if (is_heavy_load(world, body, up)) return true;
     return false;
 }
 
-void raise_overloaded(WorldState& world, std::span<const std::uint32_t> bodies) {
+void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodies) {
     if (world.def.gravity == Vec3{}) return;
     const Vec3 up = -normalized(world.def.gravity);
     for (const std::uint32_t body : bodies) {
         const std::uint32_t island = world.bodies.cold[body].island;
         const ColourSetKey set = world.islands.islands[island].colour_set;
-        if (set.tier == SolverTier::heavy || !is_overload(world, body, up)) continue;
+        if (set.tier == SolverTier::heavy || !is_heavy_load(world, body, up)) continue;
         move_to_set(world, tied_islands(world, island), {SolverTier::heavy, set.batch});
     }
 }

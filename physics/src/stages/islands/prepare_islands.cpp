@@ -79,7 +79,7 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
                    Vec3 up) {
     const Island& island = world.islands.islands[index];
     ASSERT(world.islands.ids.alive(index) && !island.asleep);
-    if (island.uneven && has_overload(world, island, up)) return SolverTier::heavy;
+    if (island.uneven && has_heavy_load(world, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = extents[index];
     if (!is_slender(extent)) {
         const auto bodies = static_cast<int>(island.bodies);

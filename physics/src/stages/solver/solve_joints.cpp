@@ -224,7 +224,7 @@ void finish_joints(StepContext& step, const JointTask& task) {
                             row_of(levels, meta.row), axes_of(levels, meta.axes),
                             couple_of(levels, meta.couple), meta},
                            lane))
-                meta.overloaded |= static_cast<std::uint8_t>(1u << lane);
+                meta.broken_lanes |= static_cast<std::uint8_t>(1u << lane);
         }
     });
 }
@@ -239,7 +239,7 @@ void break_joints(StepContext& step) {
         if (joints > 0) world.profile.joint_substeps += joints * step.contacts[set].substeps;
         for (const JointConstraintWideMeta& meta : levels.metas) {
             world.profile.joints_together += meta.in_batch;
-            for (unsigned bits = meta.overloaded; bits != 0; bits &= bits - 1)
+            for (unsigned bits = meta.broken_lanes; bits != 0; bits &= bits - 1)
                 broken.push_back(meta.joint[std::countr_zero(bits)]);
         }
         levels.joints.clear();
@@ -255,7 +255,7 @@ void break_joints(StepContext& step) {
         world.profile.joint_substeps +=
             static_cast<std::int64_t>(group.joints.size()) * group.substeps;
         for (const std::uint32_t index : group.joints)
-            if (is_overloaded(world.joints.joints[index])) broken.push_back(index);
+            if (exceeds_break_limit(world.joints.joints[index])) broken.push_back(index);
     }
     ASSERT(world.profile.joints <= static_cast<int>(world.joints.ids.alive_count()));
     // In their own order, whichever part they were in.

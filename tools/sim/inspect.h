@@ -17,7 +17,7 @@ namespace jostle::sim {
 
 struct InspectQuestion {
     std::string body = "all";  // a name, a place in the scene, or "all"
-    physics::ConstraintQuestion rows;
+    physics::ConstraintSystemOptions rows;
     linear_systems::Effort effort;
 };
 

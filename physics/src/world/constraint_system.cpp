@@ -24,7 +24,7 @@
 namespace jostle::physics {
 namespace {
 
-Status check_question(const ConstraintQuestion& question) {
+Status check_question(const ConstraintSystemOptions& question) {
     if (question.h != 0)
         if (Status s = check_range("h", question.h, 1e-6, 0.25); !s.ok()) return s;
     return check_range("mend", question.mend, 0, 1);
@@ -80,7 +80,7 @@ Carrier carrier_now(const WorldState& world, std::uint32_t body) {
 }
 
 SystemBody system_body(const WorldState& world, std::uint32_t index,
-                       const ConstraintQuestion& question, double h) {
+                       const ConstraintSystemOptions& question, double h) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
     SystemBody body{.id = body_id(world, index),
@@ -110,7 +110,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
 // Rows and the bodies that they name, in the order in which they come.
 struct RowGathering {
     const WorldState& world;
-    const ConstraintQuestion& question;
+    const ConstraintSystemOptions& question;
     double h;
     ConstraintSystem system = {};
     std::vector<std::uint32_t> bodies = {};    // by number
@@ -290,7 +290,7 @@ std::vector<ContactView> contacts_between(const WorldState& world,
 }
 
 Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
-                                   const ConstraintQuestion& question) {
+                                   const ConstraintSystemOptions& question) {
     const Island& island = world.islands.islands[world.bodies.cold[body].island];
     const double dt = expected_dt(world);
     const ContactSettings settings =
@@ -330,7 +330,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
 }  // namespace
 
 Result<ConstraintSystem> World::constraint_system(BodyId body,
-                                                  const ConstraintQuestion& question) const {
+                                                  const ConstraintSystemOptions& question) const {
     const WorldState& world = *state_;
     if (Status s = check_question(question); !s.ok()) return s.error();
     if (Status s = check_id(world, body); !s.ok()) return s.error();
@@ -343,7 +343,7 @@ Result<ConstraintSystem> World::constraint_system(BodyId body,
 }
 
 Result<ConstraintSystem> World::constraint_system(JointId joint,
-                                                  const ConstraintQuestion& question) const {
+                                                  const ConstraintSystemOptions& question) const {
     const WorldState& world = *state_;
     if (Status s = check_question(question); !s.ok()) return s.error();
     if (Status s = check_id(world, joint); !s.ok()) return s.error();

@@ -24,7 +24,7 @@ namespace jostle::physics {
 
 inline constexpr int constraint_rows_max = 1500;
 
-struct ConstraintQuestion {
+struct ConstraintSystemOptions {
     // s, 1e-6 to 0.25, over which the impulses act; 0: a sub-step, as the body's island takes them
     // (of a step of 1/60 s before the first).
     double h = 0;

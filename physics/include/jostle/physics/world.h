@@ -268,9 +268,9 @@ public:
     // Contacts are as the last step left them. Errors: not_found; failed_precondition when the body
     // is not dynamic, or no row of it can act; resource_exhausted beyond constraint_rows_max rows.
     Result<ConstraintSystem> constraint_system(BodyId body,
-                                               const ConstraintQuestion& question = {}) const;
+                                               const ConstraintSystemOptions& question = {}) const;
     Result<ConstraintSystem> constraint_system(JointId joint,
-                                               const ConstraintQuestion& question = {}) const;
+                                               const ConstraintSystemOptions& question = {}) const;
 
     // --- queries ---
     // About the present moment: good until the world changes.

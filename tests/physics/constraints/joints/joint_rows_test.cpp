@@ -97,7 +97,7 @@ struct Pair {
                                          .frame_b = {.position = in(b, at + off)},
                                          .kind = kind}));
     }
-    ConstraintSystem system(const ConstraintQuestion& question = {}) const {
+    ConstraintSystem system(const ConstraintSystemOptions& question = {}) const {
         return must(world.constraint_system(joint, question));
     }
     void move(double dt) {

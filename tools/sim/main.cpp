@@ -69,7 +69,7 @@ struct Flags {
     std::string inspect;  // empty: not asked for
     std::string plot;
     std::uint64_t at = 60;
-    double mend = 0;
+    double position_correction = 0;
     int iterations = 1000;
     bool solver_softness = false;
 };
@@ -155,7 +155,7 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
     only_there(app.add_option("--at", flags.at, "After this step of the world")
                    ->capture_default_str()
                    ->check(CLI::Range(0, 100000000)));
-    only_there(app.add_option("--mend", flags.mend,
+    only_there(app.add_option("--mend", flags.position_correction,
                               "Share of each error of position that is to be gone after a sub-step")
                    ->capture_default_str()
                    ->check(between(0, 1)));
@@ -305,7 +305,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
     const auto found = jostle::sim::inspect(
         scene, built,
         {.body = flags.inspect,
-         .rows = {.mend = flags.mend, .solver_softness = flags.solver_softness},
+         .rows = {.position_correction = flags.position_correction, .solver_softness = flags.solver_softness},
          .effort = {.iterations_max = flags.iterations}});
     if (!found.ok())
         return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,

@@ -24,10 +24,10 @@
 namespace jostle::physics {
 namespace {
 
-Status check_question(const ConstraintSystemOptions& question) {
-    if (question.h != 0)
-        if (Status s = check_range("h", question.h, 1e-6, 0.25); !s.ok()) return s;
-    return check_range("mend", question.mend, 0, 1);
+Status check_options(const ConstraintSystemOptions& options) {
+    if (options.h != 0)
+        if (Status s = check_range("h", options.h, 1e-6, 0.25); !s.ok()) return s;
+    return check_range("mend", options.position_correction, 0, 1);
 }
 
 // By joints and touching contacts, through what can be pushed. Rising by index.
@@ -80,7 +80,7 @@ Carrier carrier_now(const WorldState& world, std::uint32_t body) {
 }
 
 SystemBody system_body(const WorldState& world, std::uint32_t index,
-                       const ConstraintSystemOptions& question, double h) {
+                       const ConstraintSystemOptions& options, double h) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
     SystemBody body{.id = body_id(world, index),
@@ -93,7 +93,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
     if (!body.moves) return body;
     body.inverse_mass = free_directions(cold) * cold.inverse_mass;
     body.inverse_inertia = world_inverse_inertia(warm, cold);
-    if (!question.forces) return body;
+    if (!options.forces) return body;
     FieldPush push;
     if (!world.fields.empty()) push = field_push(world, warm, cold, world.time, h);
     const Vec3 acceleration =
@@ -110,7 +110,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
 // Rows and the bodies that they name, in the order in which they come.
 struct RowGathering {
     const WorldState& world;
-    const ConstraintSystemOptions& question;
+    const ConstraintSystemOptions& options;
     double h;
     ConstraintSystem system = {};
     std::vector<std::uint32_t> bodies = {};    // by number
@@ -123,7 +123,7 @@ struct RowGathering {
         if (number < 0) {
             number = static_cast<std::int32_t>(bodies.size());
             bodies.push_back(index);
-            system.bodies.push_back(system_body(world, index, question, h));
+            system.bodies.push_back(system_body(world, index, options, h));
         }
         return number;
     }
@@ -172,13 +172,13 @@ struct RowGathering {
         row.error = from.error;
         row.rate = rate_now(row, system.bodies);
         if (from.block >= 0) row.block = first_block + from.block;
-        row.bias = from.holds() ? bias_of(from.error, from.one_sided, question.mend) : from.speed;
+        row.bias = from.holds() ? bias_of(from.error, from.one_sided, options.position_correction) : from.speed;
         row.softness = from.compliance / h;
         if (from.spring.hertz > 0)
             soften(row, soft(from.spring.hertz, from.spring.damping_ratio, h), response);
         else if (from.damper > 0)
             soften(row, damper(from.damper, h), response);
-        else if (question.solver_softness && from.rigid() && from.holds() &&
+        else if (options.solver_softness && from.rigid() && from.holds() &&
                  !(from.one_sided && from.error > 0))
             soften(row, soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h),
                    response);
@@ -218,8 +218,8 @@ struct RowGathering {
             if (!(response > 0) || !acts(normal, info.gap[k] - tuning::contact_slop)) continue;
             normal.upper = 1e300;
             const double beyond = minimum(info.gap[k] + tuning::contact_slop, 0);
-            normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -question.mend * beyond / h;
-            if (question.solver_softness && info.gap[k] <= 0) {
+            normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -question.position_correction * beyond / h;
+            if (options.solver_softness && info.gap[k] <= 0) {
                 const double kept = double{settings.mass_scale};
                 normal.softness = response * double{settings.impulse_scale} / kept;
                 normal.bias = -double{settings.bias_rate} * beyond;
@@ -290,13 +290,13 @@ std::vector<ContactView> contacts_between(const WorldState& world,
 }
 
 Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
-                                   const ConstraintSystemOptions& question) {
+                                   const ConstraintSystemOptions& options) {
     const Island& island = world.islands.islands[world.bodies.cold[body].island];
     const double dt = expected_dt(world);
     const ContactSettings settings =
         contact_settings(dt, substeps_of(island.colour_set, world), island.colour_set.tier);
-    const double h = question.h != 0 ? question.h : dt / settings.substeps;
-    RowGathering all{world, question, h};
+    const double h = options.h != 0 ? options.h : dt / settings.substeps;
+    RowGathering all{world, options, h};
     all.number_of.assign(world.bodies.cold.size(), -1);
     const std::vector<std::uint32_t> bodies = hanging_together(world, body);
     const auto too_many = [&] {
@@ -330,26 +330,26 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
 }  // namespace
 
 Result<ConstraintSystem> World::constraint_system(BodyId body,
-                                                  const ConstraintSystemOptions& question) const {
+                                                  const ConstraintSystemOptions& options) const {
     const WorldState& world = *state_;
-    if (Status s = check_question(question); !s.ok()) return s.error();
+    if (Status s = check_options(options); !s.ok()) return s.error();
     if (Status s = check_id(world, body); !s.ok()) return s.error();
     if (!is_dynamic(world, body.index))
         return Error{ErrorCode::failed_precondition,
                      "body {" + std::to_string(body.index) + ", " +
                          std::to_string(body.generation) +
                          "} is not dynamic: nothing is solved for it; name a dynamic body"};
-    return system_of(world, body.index, question);
+    return system_of(world, body.index, options);
 }
 
 Result<ConstraintSystem> World::constraint_system(JointId joint,
-                                                  const ConstraintSystemOptions& question) const {
+                                                  const ConstraintSystemOptions& options) const {
     const WorldState& world = *state_;
-    if (Status s = check_question(question); !s.ok()) return s.error();
+    if (Status s = check_options(options); !s.ok()) return s.error();
     if (Status s = check_id(world, joint); !s.ok()) return s.error();
     const Joint& named = world.joints.joints[joint.index];
     return system_of(world, is_dynamic(world, named.body_b) ? named.body_b : named.body_a,
-                     question);
+                     options);
 }
 
 }  // namespace jostle::physics

@@ -33,7 +33,7 @@ struct ConstraintSystemOptions {
     bool forces = true;
     // The share of each error of position that is to be gone after h, 0..1 (Baumgarte). 0:
     // velocities alone, so that impulses are what forces and velocities need.
-    double mend = 0;
+    double position_correction = 0;
     // true: what is rigid is as soft as the sweeps of the solver make it, which mends errors at
     // their rate instead of the above. false: rigid.
     bool solver_softness = false;

@@ -268,9 +268,9 @@ public:
     // Contacts are as the last step left them. Errors: not_found; failed_precondition when the body
     // is not dynamic, or no row of it can act; resource_exhausted beyond constraint_rows_max rows.
     Result<ConstraintSystem> constraint_system(BodyId body,
-                                               const ConstraintSystemOptions& question = {}) const;
+                                               const ConstraintSystemOptions& options = {}) const;
     Result<ConstraintSystem> constraint_system(JointId joint,
-                                               const ConstraintSystemOptions& question = {}) const;
+                                               const ConstraintSystemOptions& options = {}) const;
 
     // --- queries ---
     // About the present moment: good until the world changes.

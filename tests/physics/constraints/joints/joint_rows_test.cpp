@@ -183,7 +183,7 @@ TEST(JointRows, impulses_are_those_of_a_step) {
             continue;  // errors of position, which the solver mends at a rate of its own
         // Sweeps go on from what they found before.
         for (int step = 0; step < 8; step++) must(pair.world.step(dt));
-        const ConstraintSystem s = pair.system({.h = dt, .mend = 0});
+        const ConstraintSystem s = pair.system({.h = dt, .position_correction = 0});
         EXPECT_GE(s.rows.size(), kind.rows);
         const std::vector<double> x = swept(s);
         must(pair.world.step(dt));

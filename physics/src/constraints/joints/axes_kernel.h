@@ -25,7 +25,7 @@ JOSTLE_INLINE void hold_locked(JointPair& pair, const WideSoft& s, const Wide3* 
                           dot(rows[0], ky) * locked.x * locked.y,
                           dot(rows[0], kz) * locked.x * locked.z,
                           dot(rows[1], kz) * locked.y * locked.z};
-    const Mend mended = position_correction(masked(error), s, most);
+    const PositionCorrection mended = position_correction(masked(error), s, most);
     const Wide3 speed = kAngular ? pair.spin() : pair.anchor_velocity();
     const Wide3 along{dot(rows[0], speed), dot(rows[1], speed), dot(rows[2], speed)};
     const Wide3 want = masked(along) * mended.velocity_scale + mended.push;

@@ -221,11 +221,11 @@ JOSTLE_INLINE Wide most_push(const WideSoft& s, Wide most) {
 }
 // What an error adds to a row's speed. Where that would be more than `most`, it is that, and the
 // row is rigid: what is soft gives up a part of its load, for which a capped speed may not make up.
-struct Mend {
+struct PositionCorrection {
     Wide3 push;
     Wide velocity_scale, impulse_scale;
 };
-JOSTLE_INLINE Mend position_correction(Wide3 error, const WideSoft& s, Wide most) {
+JOSTLE_INLINE PositionCorrection position_correction(Wide3 error, const WideSoft& s, Wide most) {
     const Wide3 push = error * s.position_rate;
     const Wide size2 = dot(push, push), limit = most_push(s, most);
     const WideMask over = size2 > limit * limit;
@@ -237,7 +237,7 @@ JOSTLE_INLINE Mend position_correction(Wide3 error, const WideSoft& s, Wide most
 
 // The point row: the anchors stay together. `impulse` accumulates, in world axes.
 JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impulse) {
-    const Mend m = position_correction(pair.apart, s, s.push_speed + pair.pace());
+    const PositionCorrection m = position_correction(pair.apart, s, s.push_speed + pair.pace());
     const Wide3 want = pair.anchor_velocity() * m.velocity_scale + m.push;
     const Wide3 d = -solve3(pair.point_matrix(), want) - impulse * m.impulse_scale;
     impulse = impulse + d;
@@ -246,7 +246,7 @@ JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impuls
 
 // All three turns: `error` is the rotation vector from where b should be to where it is.
 JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
-    const Mend m = position_correction(error, s, s.push_spin);
+    const PositionCorrection m = position_correction(error, s, s.push_spin);
     const Wide3 want = pair.spin() * m.velocity_scale + m.push;
     const Wide3 d = -solve3(pair.turn_matrix(), want) - impulse * m.impulse_scale;
     impulse = impulse + d;
@@ -264,7 +264,7 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
     const Wide3 kp = k * p, kq = k * q;
     const Wide pp = dot(p, kp), pq = dot(p, kq), qq = dot(q, kq);
     const Wide scale = inverse_above(pp * qq - pq * pq, pp * qq * splat(1e-6f));
-    const Mend m = position_correction(error, s, s.push_spin);
+    const PositionCorrection m = position_correction(error, s, s.push_spin);
     const Wide3 want = pair.spin() * m.velocity_scale + m.push;
     const Wide ep = dot(p, want), eq = dot(q, want);
     // What accumulated in the step before lies across the axis as it was then.

@@ -25,11 +25,11 @@ JOSTLE_INLINE void hold_locked(JointPair& pair, const WideSoft& s, const Wide3* 
                           dot(rows[0], ky) * locked.x * locked.y,
                           dot(rows[0], kz) * locked.x * locked.z,
                           dot(rows[1], kz) * locked.y * locked.z};
-    const PositionCorrection mended = position_correction(masked(error), s, most);
+    const PositionCorrection correction = position_correction(masked(error), s, most);
     const Wide3 speed = kAngular ? pair.spin() : pair.anchor_velocity();
     const Wide3 along{dot(rows[0], speed), dot(rows[1], speed), dot(rows[2], speed)};
-    const Wide3 want = masked(along) * mended.velocity_scale + mended.push;
-    const Wide3 d = -masked(solve3(m, want)) - impulse * mended.impulse_scale;
+    const Wide3 want = masked(along) * correction.velocity_scale + correction.push;
+    const Wide3 d = -masked(solve3(m, want)) - impulse * correction.impulse_scale;
     impulse = impulse + d;
     const Wide3 total = rows[0] * d.x + rows[1] * d.y + rows[2] * d.z;
     if constexpr (kAngular)

@@ -12,7 +12,7 @@ struct UnitChange {
     Vec3 v, w;
 };
 // Of a body, by a unit impulse along the row.
-UnitChange change_of(const RowPart& part, const SystemBody& body) {
+UnitChange change_of(const RowJacobian& part, const SystemBody& body) {
     return {scaled(part.linear, body.inverse_mass), body.inverse_inertia * part.angular};
 }
 
@@ -21,12 +21,12 @@ void add_responses(ConstraintSystem& system) {
     const std::size_t count = system.rows.size();
     struct Use {
         std::size_t row;
-        const RowPart* part;
+        const RowJacobian* part;
     };
     std::vector<std::vector<Use>> uses(system.bodies.size());
     for (std::size_t k = 0; k < count; k++)
         for (int p = 0; p < system.rows[k].part_count; p++) {
-            const RowPart& part = system.rows[k].parts[p];
+            const RowJacobian& part = system.rows[k].parts[p];
             if (system.bodies[place_of(part.body)].moves)
                 uses[place_of(part.body)].push_back({k, &part});
         }
@@ -117,7 +117,7 @@ double rate_by_forces(const ConstraintRow& row, const std::vector<SystemBody>& b
 double response_of(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double response = 0;
     for (int p = 0; p < row.part_count; p++) {
-        const RowPart& part = row.parts[p];
+        const RowJacobian& part = row.parts[p];
         const UnitChange change = change_of(part, bodies[place_of(part.body)]);
         response += dot(part.linear, change.v) + dot(part.angular, change.w);
     }
@@ -151,7 +151,7 @@ std::vector<double> ConstraintSystem::jacobian() const {
     std::vector<double> dense(rows.size() * columns);
     for (std::size_t k = 0; k < rows.size(); k++)
         for (int p = 0; p < rows[k].part_count; p++) {
-            const RowPart& part = rows[k].parts[p];
+            const RowJacobian& part = rows[k].parts[p];
             const std::size_t first = k * columns + 6 * place_of(part.body);
             add_vector(dense, first, part.linear);
             add_vector(dense, first + 3, part.angular);

@@ -32,7 +32,7 @@ TEST(Problem, stacked_boxes_weigh_on_what_is_below) {
     for (std::size_t k = 0; k < problem.count; k++) {
         if (system.rows[k].role != RowRole::normal) continue;
         bool names_high = false;
-        for (const RowPart& part : system.rows[k].parts)
+        for (const RowJacobian& part : system.rows[k].parts)
             names_high =
                 names_high ||
                 (part.body >= 0 && system.bodies[static_cast<std::size_t>(part.body)].id == high);

@@ -55,7 +55,7 @@ enum class RowRole : std::uint8_t {
 
 // What a row has to do with one body: the row's rate is the sum of linear . v + angular . w, and an
 // impulse along it pushes along linear and turns about angular.
-struct RowPart {
+struct RowJacobian {
     int body = -1;         // of ConstraintSystem::bodies
     Vec3 linear, angular;  // v is that of the centre of mass
 };
@@ -68,7 +68,7 @@ struct ConstraintRow {
     JointId joint;             // of a joint's row
     ShapeId shape_a, shape_b;  // of a contact's
     int point = 0;             // which of its points
-    RowPart parts[4];
+    RowJacobian parts[4];
     int part_count = 0;
 
     // N s or N m s. Of friction at contacts they are those of now, which the normal's impulse

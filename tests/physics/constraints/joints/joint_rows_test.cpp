@@ -191,7 +191,7 @@ TEST(JointRows, impulses_are_those_of_a_step) {
             Vec3 v = s.bodies[k].free_velocity, w = s.bodies[k].free_spin;
             for (std::size_t i = 0; i < x.size(); i++)
                 for (int p = 0; p < s.rows[i].part_count; p++) {
-                    const RowPart& part = s.rows[i].parts[p];
+                    const RowJacobian& part = s.rows[i].parts[p];
                     if (part.body != static_cast<int>(k)) continue;
                     v += scaled(part.linear, s.bodies[k].inverse_mass) * x[i];
                     w += s.bodies[k].inverse_inertia * part.angular * x[i];

@@ -58,7 +58,7 @@ struct JointRowWriter {
         upper.role = RowRole::limit;
         upper.one_sided = true;
         upper.error = limit.upper - value;
-        for (JointRowPart& part : upper.parts)
+        for (JointRowJacobian& part : upper.parts)
             part.linear = -part.linear, part.angular = -part.angular;
     }
     void spring(const JointRow& row, const JointSpring& spring, double error, double most = 0) {
@@ -272,7 +272,7 @@ struct JointRowWriter {
         JointRow row{.role = RowRole::couple, .error = terms.sum - terms.wanted};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;
-            JointRowPart& part = row.parts[row.part_count++];
+            JointRowJacobian& part = row.parts[row.part_count++];
             part.body = terms.body[k];
             for (int end = 0; end < 2; end++) {
                 const CoupleTerms::End& e = terms.ends[end];
@@ -282,7 +282,7 @@ struct JointRowWriter {
             }
         }
         if (std::holds_alternative<PulleyJoint>(joint.kind)) {  // never pushes
-            for (JointRowPart& part : row.parts)
+            for (JointRowJacobian& part : row.parts)
                 part.linear = -part.linear, part.angular = -part.angular;
             row.one_sided = true;
             row.error = -row.error;

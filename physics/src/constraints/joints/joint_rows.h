@@ -14,7 +14,7 @@
 
 namespace jostle::physics {
 
-struct JointRowPart {
+struct JointRowJacobian {
     std::uint32_t body = none;  // index; none: the world
     Vec3 linear, angular;
 };
@@ -22,7 +22,7 @@ struct JointRowPart {
 struct JointRow {
     RowRole role = RowRole::point;
     int axis = -1;
-    JointRowPart parts[4];
+    JointRowJacobian parts[4];
     int part_count = 0;
     double error = 0;                      // m or rad; of what is one-sided: what is left
     bool one_sided = false;                // pushes along the row alone, once nothing is left

@@ -200,7 +200,7 @@ json rows_json(const InspectedGroup& group) {
     for (std::size_t k = 0; k < group.problem.count; k++) {
         const physics::ConstraintRow& row = group.system.rows[k];
         json parts = json::array();
-        for (int p = 0; p < row.part_count; p++) {
+        for (int p = 0; p < row.jacobian_count; p++) {
             const physics::RowJacobian& part = row.parts[p];
             parts.push_back({{"body", part.body},
                              {"linear", {part.linear.x, part.linear.y, part.linear.z}},

@@ -12,8 +12,8 @@ struct UnitChange {
     Vec3 v, w;
 };
 // Of a body, by a unit impulse along the row.
-UnitChange change_of(const RowJacobian& part, const SystemBody& body) {
-    return {scaled(part.linear, body.inverse_mass), body.inverse_inertia * part.angular};
+UnitChange change_of(const RowJacobian& row_jacobian, const SystemBody& body) {
+    return {scaled(row_jacobian.linear, body.inverse_mass), body.inverse_inertia * row_jacobian.angular};
 }
 
 // J M^-1 J^T: only rows that share a body that moves meet.
@@ -21,21 +21,21 @@ void add_responses(ConstraintSystem& system) {
     const std::size_t count = system.rows.size();
     struct Use {
         std::size_t row;
-        const RowJacobian* part;
+        const RowJacobian* row_jacobian;
     };
     std::vector<std::vector<Use>> uses(system.bodies.size());
     for (std::size_t k = 0; k < count; k++)
-        for (int p = 0; p < system.rows[k].part_count; p++) {
-            const RowJacobian& part = system.rows[k].parts[p];
-            if (system.bodies[place_of(part.body)].moves)
-                uses[place_of(part.body)].push_back({k, &part});
+        for (int p = 0; p < system.rows[k].jacobian_count; p++) {
+            const RowJacobian& row_jacobian = system.rows[k].jacobians[p];
+            if (system.bodies[place_of(row_jacobian.body)].moves)
+                uses[place_of(row_jacobian.body)].push_back({k, &row_jacobian});
         }
     for (std::size_t body = 0; body < uses.size(); body++)
         for (const Use& from : uses[body]) {
-            const UnitChange change = change_of(*from.part, system.bodies[body]);
+            const UnitChange change = change_of(*from.row_jacobian, system.bodies[body]);
             for (const Use& to : uses[body])
                 system.matrix[to.row * count + from.row] +=
-                    dot(to.part->linear, change.v) + dot(to.part->angular, change.w);
+                    dot(to.row_jacobian->linear, change.v) + dot(to.row_jacobian->angular, change.w);
         }
     // The two halves differ by rounding.
     for (std::size_t i = 0; i < count; i++)
@@ -97,29 +97,29 @@ const char* word_of_role(RowRole role) {
 
 double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double rate = 0;
-    for (int p = 0; p < row.part_count; p++) {
-        const SystemBody& body = bodies[place_of(row.parts[p].body)];
-        rate += dot(row.parts[p].linear, body.velocity) + dot(row.parts[p].angular, body.spin);
+    for (int p = 0; p < row.jacobian_count; p++) {
+        const SystemBody& body = bodies[place_of(row.jacobians[p].body)];
+        rate += dot(row.jacobians[p].linear, body.velocity) + dot(row.jacobians[p].angular, body.spin);
     }
     return rate;
 }
 
 double rate_by_forces(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double rate = 0;
-    for (int p = 0; p < row.part_count; p++) {
-        const SystemBody& body = bodies[place_of(row.parts[p].body)];
-        rate += dot(row.parts[p].linear, body.free_velocity) +
-                dot(row.parts[p].angular, body.free_spin);
+    for (int p = 0; p < row.jacobian_count; p++) {
+        const SystemBody& body = bodies[place_of(row.jacobians[p].body)];
+        rate += dot(row.jacobians[p].linear, body.free_velocity) +
+                dot(row.jacobians[p].angular, body.free_spin);
     }
     return rate;
 }
 
 double response_of(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double response = 0;
-    for (int p = 0; p < row.part_count; p++) {
-        const RowJacobian& part = row.parts[p];
-        const UnitChange change = change_of(part, bodies[place_of(part.body)]);
-        response += dot(part.linear, change.v) + dot(part.angular, change.w);
+    for (int p = 0; p < row.jacobian_count; p++) {
+        const RowJacobian& row_jacobian = row.jacobians[p];
+        const UnitChange change = change_of(row_jacobian, bodies[place_of(row_jacobian.body)]);
+        response += dot(row_jacobian.linear, change.v) + dot(row_jacobian.angular, change.w);
     }
     return response;
 }
@@ -150,11 +150,11 @@ std::vector<double> ConstraintSystem::jacobian() const {
     const std::size_t columns = 6 * bodies.size();
     std::vector<double> dense(rows.size() * columns);
     for (std::size_t k = 0; k < rows.size(); k++)
-        for (int p = 0; p < rows[k].part_count; p++) {
-            const RowJacobian& part = rows[k].parts[p];
-            const std::size_t first = k * columns + 6 * place_of(part.body);
-            add_vector(dense, first, part.linear);
-            add_vector(dense, first + 3, part.angular);
+        for (int p = 0; p < rows[k].jacobian_count; p++) {
+            const RowJacobian& row_jacobian = rows[k].jacobians[p];
+            const std::size_t first = k * columns + 6 * place_of(row_jacobian.body);
+            add_vector(dense, first, row_jacobian.linear);
+            add_vector(dense, first + 3, row_jacobian.angular);
         }
     return dense;
 }

@@ -160,9 +160,9 @@ struct RowGathering {
     void add_joint_row(std::uint32_t index, const JointRow& from) {
         ConstraintRow row{
             .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .parts = {}};
-        for (int p = 0; p < from.part_count; p++)
+        for (int p = 0; p < from.jacobian_count; p++)
             if (from.parts[p].body != none)
-                row.parts[row.part_count++] = {number(from.parts[p].body), from.parts[p].linear,
+                row.parts[row.jacobian_count++] = {number(from.parts[p].body), from.parts[p].linear,
                                                from.parts[p].angular};
         const double response = response_of(row, system.bodies);
         if (!(response > 0)) return;
@@ -208,7 +208,7 @@ struct RowGathering {
                                   .point = k,
                                   .parts = {{a, -direction, -cross(arm_a, direction)},
                                             {b, direction, cross(arm_b, direction)}},
-                                  .part_count = 2};
+                                  .jacobian_count = 2};
                 row.rate = rate_now(row, system.bodies);
                 return row;
             };
@@ -252,7 +252,7 @@ struct RowGathering {
             sorted.push_back(system.bodies[number]);
         }
         for (ConstraintRow& row : system.rows)
-            for (int p = 0; p < row.part_count; p++)
+            for (int p = 0; p < row.jacobian_count; p++)
                 row.parts[p].body = place[static_cast<std::size_t>(row.parts[p].body)];
         system.bodies = std::move(sorted);
     }

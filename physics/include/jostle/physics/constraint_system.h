@@ -68,8 +68,8 @@ struct ConstraintRow {
     JointId joint;             // of a joint's row
     ShapeId shape_a, shape_b;  // of a contact's
     int point = 0;             // which of its points
-    RowJacobian parts[4];
-    int part_count = 0;
+    RowJacobian jacobians[4];
+    int jacobian_count = 0;
 
     // N s or N m s. Of friction at contacts they are those of now, which the normal's impulse
     // moves: -friction * impulse of normal_row .. friction * that.

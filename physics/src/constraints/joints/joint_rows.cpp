@@ -31,17 +31,17 @@ struct JointRowWriter {
     // The velocity of b's point against a's, along a direction. The points are at these arms.
     JointRow along(RowRole role, int axis, Vec3 direction, Vec3 arm_a, Vec3 arm_b) const {
         JointRow row{.role = role, .axis = axis};
-        row.parts[0] = {joint.body_a, -direction, -cross(arm_a, direction)};
-        row.parts[1] = {joint.body_b, direction, cross(arm_b, direction)};
-        row.part_count = 2;
+        row.jacobians[0] = {joint.body_a, -direction, -cross(arm_a, direction)};
+        row.jacobians[1] = {joint.body_b, direction, cross(arm_b, direction)};
+        row.jacobian_count = 2;
         return row;
     }
     // The spin of b against a, about a direction.
     JointRow about(RowRole role, int axis, Vec3 direction) const {
         JointRow row{.role = role, .axis = axis};
-        row.parts[0] = {joint.body_a, {}, -direction};
-        row.parts[1] = {joint.body_b, {}, direction};
-        row.part_count = 2;
+        row.jacobians[0] = {joint.body_a, {}, -direction};
+        row.jacobians[1] = {joint.body_b, {}, direction};
+        row.jacobian_count = 2;
         return row;
     }
     JointRow& add(const JointRow& row) { return rows.emplace_back(row); }
@@ -58,7 +58,7 @@ struct JointRowWriter {
         upper.role = RowRole::limit;
         upper.one_sided = true;
         upper.error = limit.upper - value;
-        for (JointRowJacobian& part : upper.parts)
+        for (JointRowJacobian& part : upper.jacobians)
             part.linear = -part.linear, part.angular = -part.angular;
     }
     void spring(const JointRow& row, const JointSpring& spring, double error, double most = 0) {
@@ -181,9 +181,9 @@ struct JointRowWriter {
         };
         const Vec3 linear_a = turned(kind.linear_a, a), linear_b = turned(kind.linear_b, b);
         JointRow row{.role = RowRole::velocity};
-        row.parts[0] = {joint.body_a, linear_a, turned(kind.angular_a, a) + cross(a.arm, linear_a)};
-        row.parts[1] = {joint.body_b, linear_b, turned(kind.angular_b, b) + cross(b.arm, linear_b)};
-        row.part_count = 2;
+        row.jacobians[0] = {joint.body_a, linear_a, turned(kind.angular_a, a) + cross(a.arm, linear_a)};
+        row.jacobians[1] = {joint.body_b, linear_b, turned(kind.angular_b, b) + cross(b.arm, linear_b)};
+        row.jacobian_count = 2;
         row.speed = kind.speed - kind.bias;
         row.compliance = kind.softness;
         row.lower = kind.lower;
@@ -272,7 +272,7 @@ struct JointRowWriter {
         JointRow row{.role = RowRole::couple, .error = terms.sum - terms.wanted};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;
-            JointRowJacobian& part = row.parts[row.part_count++];
+            JointRowJacobian& part = row.jacobians[row.jacobian_count++];
             part.body = terms.body[k];
             for (int end = 0; end < 2; end++) {
                 const CoupleTerms::End& e = terms.ends[end];
@@ -282,7 +282,7 @@ struct JointRowWriter {
             }
         }
         if (std::holds_alternative<PulleyJoint>(joint.kind)) {  // never pushes
-            for (JointRowJacobian& part : row.parts)
+            for (JointRowJacobian& part : row.jacobians)
                 part.linear = -part.linear, part.angular = -part.angular;
             row.one_sided = true;
             row.error = -row.error;

@@ -22,8 +22,8 @@ struct JointRowJacobian {
 struct JointRow {
     RowRole role = RowRole::point;
     int axis = -1;
-    JointRowJacobian parts[4];
-    int part_count = 0;
+    JointRowJacobian jacobians[4];
+    int jacobian_count = 0;
     double error = 0;                      // m or rad; of what is one-sided: what is left
     bool one_sided = false;                // pushes along the row alone, once nothing is left
     double speed = 0;                      // that a motor or a velocity row wants

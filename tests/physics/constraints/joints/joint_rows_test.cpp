@@ -190,8 +190,8 @@ TEST(JointRows, impulses_are_those_of_a_step) {
         for (std::size_t k = 0; k < s.bodies.size(); k++) {
             Vec3 v = s.bodies[k].free_velocity, w = s.bodies[k].free_spin;
             for (std::size_t i = 0; i < x.size(); i++)
-                for (int p = 0; p < s.rows[i].part_count; p++) {
-                    const RowJacobian& part = s.rows[i].parts[p];
+                for (int p = 0; p < s.rows[i].jacobian_count; p++) {
+                    const RowJacobian& part = s.rows[i].jacobians[p];
                     if (part.body != static_cast<int>(k)) continue;
                     v += scaled(part.linear, s.bodies[k].inverse_mass) * x[i];
                     w += s.bodies[k].inverse_inertia * part.angular * x[i];
@@ -225,7 +225,7 @@ TEST(JointRows, a_gear_turns_against_its_carriers) {
     ASSERT_EQ(s.rows.size(), 11u);
     const ConstraintRow& row = s.rows.back();
     EXPECT_EQ(row.role, RowRole::couple);
-    EXPECT_EQ(row.part_count, 3);
+    EXPECT_EQ(row.jacobian_count, 3);
     EXPECT_NEAR(row.rate, (2 - 0.5) + 3 * (-1 - 0.5), 1e-12);
 }
 

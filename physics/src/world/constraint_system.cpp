@@ -108,7 +108,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
 }
 
 // Rows and the bodies that they name, in the order in which they come.
-struct RowGathering {
+struct ConstraintSystemBuilder {
     const WorldState& world;
     const ConstraintSystemOptions& options;
     double h;
@@ -296,7 +296,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const ContactSettings settings =
         contact_settings(dt, substeps_of(island.colour_set, world), island.colour_set.tier);
     const double h = options.h != 0 ? options.h : dt / settings.substeps;
-    RowGathering all{world, options, h};
+    ConstraintSystemBuilder all{world, options, h};
     all.number_of.assign(world.bodies.cold.size(), -1);
     const std::vector<std::uint32_t> bodies = hanging_together(world, body);
     const auto too_many = [&] {

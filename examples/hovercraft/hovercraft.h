@@ -35,7 +35,7 @@ public:
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     // Goes round its circle while nobody holds anything.
-    bool takes_controls(physics::BodyId body) const override { return body == craft_; }
+    bool is_controllable(physics::BodyId body) const override { return body == craft_; }
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
 

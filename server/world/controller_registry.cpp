@@ -10,7 +10,7 @@ using namespace physics;
 Module* controlling_module(World& world, BodyId body) {
     for (const std::string& tag : world.modules()) {
         Module* const module = world.module(tag);
-        if (module->takes_controls(body)) return module;
+        if (module->is_controllable(body)) return module;
     }
     return nullptr;
 }
@@ -18,7 +18,7 @@ Module* controlling_module(World& world, BodyId body) {
 bool is_controllable(const World& world, BodyId body) {
     const std::vector<std::string> tags = world.modules();
     return std::ranges::any_of(
-        tags, [&](const std::string& tag) { return world.module(tag)->takes_controls(body); });
+        tags, [&](const std::string& tag) { return world.module(tag)->is_controllable(body); });
 }
 
 Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {

@@ -38,7 +38,7 @@ struct Played {
     void hold(const char* module, const std::string& body, const Controls& controls) {
         Module* driven = built.world.module(module);
         ASSERT_NE(driven, nullptr);
-        ASSERT_TRUE(driven->takes_controls(named(body))) << body;
+        ASSERT_TRUE(driven->is_controllable(named(body))) << body;
         driven->control(built.world, named(body), controls);
     }
     void run(double seconds) {

@@ -150,7 +150,7 @@ void Characters::visit(StateVisitor& v) {
     if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
 }
 
-bool Characters::visit_driven(World& world, BodyId body, StateVisitor& v) {
+bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
     std::vector<Record>& records = store_->records;
     const CharacterId id = character_of(body);
     Record* known = store_->find(id);
@@ -182,7 +182,7 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     SceneNumbers numbers;
     if (Status s = read(settings, numbers); !s.ok()) return s;
     for (const auto& [name, body] : settings.bodies) {
-        if (takes_controls(body)) return no_character(name, "is a character already");
+        if (is_controllable(body)) return no_character(name, "is a character already");
         Result<Record> record = record_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_record(name, *record); !s.ok()) return s;
@@ -199,7 +199,7 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     return {};
 }
 
-bool Characters::takes_controls(BodyId body) const {
+bool Characters::is_controllable(BodyId body) const {
     return !is_null(body) && character_of(body) != CharacterId{};
 }
 

@@ -169,7 +169,7 @@ std::optional<std::vector<std::uint32_t>> tell_driven(World& world, Module& modu
     const Vec3 &v = state->linear_velocity, &w = state->angular_velocity;
     for (const double x : {p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.x, v.y, v.z, w.x, w.y, w.z})
         writer.words.push_back(word_of(x));
-    if (!module.visit_driven(world, body, writer)) return std::nullopt;
+    if (!module.visit_controlled_entity(world, body, writer)) return std::nullopt;
     if (writer.words.size() > driven_words_max) return std::nullopt;
     return std::move(writer.words);
 }
@@ -195,7 +195,7 @@ bool take_driven(World& world, Module& module, BodyId body, std::span<const std:
     const std::optional<DrivenMotion> motion = motion_of_driven(words);
     if (!motion) return false;
     WordReader reader(world, words.subspan(motion_words), body_of);
-    if (!module.visit_driven(world, body, reader)) return false;
+    if (!module.visit_controlled_entity(world, body, reader)) return false;
     return world.set_pose(body, motion->pose).ok() &&
            world.set_velocity(body, motion->linear, motion->angular).ok();
 }

@@ -180,7 +180,7 @@ Status Vehicles::configure(World& world, const ModuleSettings& settings) {
     return {};
 }
 
-bool Vehicles::takes_controls(BodyId body) const {
+bool Vehicles::is_controllable(BodyId body) const {
     return std::any_of(cars_.begin(), cars_.end(),
                        [&](const Car& car) { return car.def.chassis == body; });
 }
@@ -194,7 +194,7 @@ void Vehicles::control(World& world, BodyId body, const Controls& controls) {
     }
 }
 
-bool Vehicles::visit_driven(World& world, BodyId body, StateVisitor& v) {
+bool Vehicles::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
     const auto at = std::find_if(cars_.begin(), cars_.end(),
                                  [&](const Car& car) { return car.def.chassis == body; });
     const bool known = at != cars_.end();

@@ -20,13 +20,13 @@ std::int32_t in_units(double meters, int units_per_meter) {
 
 bool ChannelWriter::begin(std::size_t kind, BodyId body) {
     const std::uint32_t entity = body == BodyId{} ? 0 : name_of_(body);
-    left_out_ = (kind < due_.size() && !due_[kind]) || (entity == 0 && body != BodyId{});
-    if (!left_out_) channels_.push_back({static_cast<std::uint32_t>(kind), entity, {}});
-    return !left_out_;
+    skipping_ = (kind < due_.size() && !due_[kind]) || (entity == 0 && body != BodyId{});
+    if (!skipping_) channels_.push_back({static_cast<std::uint32_t>(kind), entity, {}});
+    return !skipping_;
 }
 
 void ChannelWriter::value(std::int32_t value) {
-    if (!left_out_) channels_.back().values.push_back(value);
+    if (!skipping_) channels_.back().values.push_back(value);
 }
 
 void ChannelWriter::f32(float number) {

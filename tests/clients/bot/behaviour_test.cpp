@@ -54,7 +54,7 @@ private:
     Module* module_of(std::uint32_t entity) {
         for (const std::string& tag : built_.world.modules())
             if (Module* module = built_.world.module(tag);
-                module->takes_controls(built_.bodies[entity - 1]))
+                module->is_controllable(built_.bodies[entity - 1]))
                 return module;
         return nullptr;
     }

@@ -68,11 +68,11 @@ TEST(Scene, bodies_become_characters_as_they_are) {
         test::must(cast.characters.state(cast.world, cast.characters.character_of(cast.walker)));
     EXPECT_EQ(walker.kind, CharacterKind::sweeping);
     EXPECT_NEAR(walker.feet.y, 0, 1e-9) << "the skin below the body";
-    EXPECT_TRUE(cast.characters.takes_controls(cast.runner));
+    EXPECT_TRUE(cast.characters.is_controllable(cast.runner));
     EXPECT_EQ(
         test::must(cast.characters.abilities(cast.characters.character_of(cast.runner))).jump_speed,
         6);
-    EXPECT_FALSE(cast.characters.takes_controls({}));
+    EXPECT_FALSE(cast.characters.is_controllable({}));
 }
 
 // 2 m/s at 0.5 rad/s: circles of 4 m.

@@ -125,7 +125,7 @@ TEST(Boats, are_made_by_scenes_and_driven_by_sticks) {
     Boats boats;
     test::must(boats.configure(
         harbour.world, {.numbers = {{"thrust", 100}, {"keel", 0}}, .bodies = {{"boat", other}}}));
-    ASSERT_TRUE(boats.takes_controls(other));
+    ASSERT_TRUE(boats.is_controllable(other));
     Controls controls;
     controls.axes[0] = -0.5, controls.axes[1] = 1;
     boats.control(harbour.world, other, controls);

@@ -26,8 +26,8 @@ struct DrivenCar : TestCar {
 
 TEST(Person, drives_ahead_brakes_and_then_goes_back) {
     DrivenCar of;
-    ASSERT_TRUE(of.vehicles->takes_controls(of.chassis));
-    EXPECT_FALSE(of.vehicles->takes_controls(of.world.bodies()[0]));
+    ASSERT_TRUE(of.vehicles->is_controllable(of.chassis));
+    EXPECT_FALSE(of.vehicles->is_controllable(of.world.bodies()[0]));
     of.hold(0, 1);
     of.drive(3);
     const double fast = of.state().speed;

@@ -18,7 +18,7 @@ class Rollers final : public Module {
 public:
     std::string_view tag() const override { return "rollers"; }
     void visit(StateVisitor&) override {}
-    bool takes_controls(BodyId body) const override {
+    bool is_controllable(BodyId body) const override {
         return std::ranges::any_of(balls, [&](const auto& ball) { return ball.first == body; });
     }
     void control(World&, BodyId body, const Controls& controls) override {

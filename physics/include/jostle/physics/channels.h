@@ -73,7 +73,7 @@ private:
     NameOf name_of_;
     std::vector<bool> due_;
     std::vector<Channel> channels_;
-    bool left_out_ = true;
+    bool skipping_ = true;
 };
 
 }  // namespace jostle::physics

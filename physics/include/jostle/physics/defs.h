@@ -76,7 +76,7 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
-inline bool may_meet(const Filter& a, const Filter& b) {
+inline bool may_collide(const Filter& a, const Filter& b) {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }

@@ -61,7 +61,7 @@ public:
     // setting. The default takes none.
     virtual Status configure(World& world, const ModuleSettings& settings);
     // Whether somebody may drive a body that is there.
-    virtual bool takes_controls(BodyId body) const {
+    virtual bool is_controllable(BodyId body) const {
         static_cast<void>(body);
         return false;
     }
@@ -73,7 +73,7 @@ public:
     // The one thing that such a body is: all that its next step depends on, for who foresees it in
     // a world of his own. Between steps. A loading visitor makes it of that body, or puts it right.
     // False: this thing is not told of, or what was read makes none; then nothing has changed.
-    virtual bool visit_driven(World& world, BodyId body, StateVisitor& v) {
+    virtual bool visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
         static_cast<void>(world), static_cast<void>(body), static_cast<void>(v);
         return false;
     }

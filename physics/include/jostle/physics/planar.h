@@ -58,7 +58,7 @@ struct SegmentMeeting {
 
 // The relation is exact. Parallel, collinear and degenerate segments are no special cases to the
 // caller: a point on a segment touches it, two equal points touch.
-SegmentMeeting meet(Segment a, Segment b);
+SegmentMeeting intersect(Segment a, Segment b);
 
 // The corners of the convex hull, counter-clockwise, from the leftmost (of those the lowest).
 // Points inside, on sides and repeated ones are dropped. One corner when all points are equal, two

@@ -44,7 +44,7 @@ bool on_segment(Segment segment, Vec2 p) {
     return in_box(segment, p) && orientation(segment.from, segment.to, p) == 0;
 }
 
-SegmentMeeting meet(Segment a, Segment b) {
+SegmentMeeting intersect(Segment a, Segment b) {
     const int b_from = orientation(a.from, a.to, b.from), b_to = orientation(a.from, a.to, b.to);
     const int a_from = orientation(b.from, b.to, a.from), a_to = orientation(b.from, b.to, a.to);
     // Two points as well, and a point in line with a segment.

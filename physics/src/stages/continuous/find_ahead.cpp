@@ -103,14 +103,14 @@ private:
     }
     std::uint8_t ends_of(const Contact& c) const {
         if (c.parent != none) return neither;  // its parent has a bound
-        const auto may_meet = [&](std::uint32_t mover, std::uint32_t met, std::uint32_t shape) {
+        const auto may_collide = [&](std::uint32_t mover, std::uint32_t met, std::uint32_t shape) {
             return fast_index(mover) != not_fast &&
-                   motions_.may_meet(world_, motions_.of(world_, mover), world_.bodies.cold[mover],
+                   motions_.may_collide(world_, motions_.of(world_, mover), world_.bodies.cold[mover],
                                      met, shape,
                                      [&] { return bounces_alone(step_, c.shape_a, c.shape_b); });
         };
-        return static_cast<std::uint8_t>((may_meet(c.body_a, c.body_b, c.shape_b) ? a : neither) |
-                                         (may_meet(c.body_b, c.body_a, c.shape_a) ? b : neither));
+        return static_cast<std::uint8_t>((may_collide(c.body_a, c.body_b, c.shape_b) ? a : neither) |
+                                         (may_collide(c.body_b, c.body_a, c.shape_a) ? b : neither));
     }
 
     static constexpr std::uint32_t not_fast = 0xffffffff;

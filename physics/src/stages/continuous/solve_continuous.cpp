@@ -231,7 +231,7 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (motions_.may_meet(world_, motion, cold, met, other,
+            if (motions_.may_collide(world_, motion, cold, met, other,
                                   [&] { return bounces_alone(step_, c.shape_a, c.shape_b); }))
                 found.push_back(other);
         }
@@ -307,7 +307,7 @@ private:
 
     bool may_hit(std::uint32_t own, std::uint32_t other) const {
         const ShapeRecord &a = world_.shapes.shapes[own], &b = world_.shapes.shapes[other];
-        if (a.body == b.body || a.trigger || b.trigger || !may_meet(a.filter, b.filter))
+        if (a.body == b.body || a.trigger || b.trigger || !may_collide(a.filter, b.filter))
             return false;
         if (!passes_.empty() &&
             std::binary_search(passes_.begin(), passes_.end(), pair_key(own, other)))

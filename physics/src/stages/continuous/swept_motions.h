@@ -73,7 +73,7 @@ public:
     // solver's (stages/contacts/update_contacts.cpp), unless it bounces() (ccd_policy.h), which is
     // asked last.
     template <class Bounces>
-    bool may_meet(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
+    bool may_collide(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
                   std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const BodyCold& cold_other = world.bodies.cold[other];
         if (left_to_contacts(world, cold, cold_other)) return false;

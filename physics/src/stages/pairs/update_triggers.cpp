@@ -29,7 +29,7 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
     const auto consider = [&](std::uint32_t other) {
         ASSERT(world.shapes.ids.alive(other));
         const ShapeRecord& o = world.shapes.shapes[other];
-        if (o.trigger || o.body == shape.body || !may_meet(shape.filter, o.filter)) return;
+        if (o.trigger || o.body == shape.body || !may_collide(shape.filter, o.filter)) return;
         const BodyCold& body = world.bodies.cold[o.body];
         if (own.type == BodyType::static_body && body.type == BodyType::static_body) return;
         // Between two that do not move nothing changes.

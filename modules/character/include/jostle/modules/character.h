@@ -139,12 +139,12 @@ public:
     // (rad/s): how it walks about while nobody steers it.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    bool takes_controls(physics::BodyId body) const override;
+    bool is_controllable(physics::BodyId body) const override;
     // Sticks to the right and ahead, as seen by where the driver looks, walk at most at 5 m/s; with
     // both buttons' meanings as Controls has them.
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
-    bool visit_driven(physics::World& world, physics::BodyId body,
+    bool visit_controlled_entity(physics::World& world, physics::BodyId body,
                       physics::StateVisitor& v) override;
     // "character", of each body: kind (bit 0), crouched (bit 1) and ground (bits 2, 3); in 8 bits
     // each heading from -pi to pi, speed over the ground from 0 to 20 m/s, velocity upwards from

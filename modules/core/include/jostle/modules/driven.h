@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A driven thing, as words of 32 bits that mean the same in another world: how its body moves, then
-// what its module knows of it (Module::visit_driven). Numbers are rounded to single floats; ids are
+// what its module knows of it (Module::visit_controlled_entity). Numbers are rounded to single floats; ids are
 // told by the names that both worlds have for bodies. So a client goes on with a car of the server,
 // with springs pressed in and the gear that is in.
 //

@@ -54,7 +54,7 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     // Axis 0 is the rudder, axis 1 the throttle.
-    bool takes_controls(physics::BodyId body) const override { return find(body) != nullptr; }
+    bool is_controllable(physics::BodyId body) const override { return find(body) != nullptr; }
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
     // "boat", of each hull: where the screw is in it (3 x 16 bits of -8 to 8 m), throttle and

@@ -108,10 +108,10 @@ public:
     // Whoever drives a chassis: axis 0 steers, axis 1 is throttle ahead, and back the brake, and
     // reverse once the car stands; button 0 the hand brake, buttons 2 and 3 shift a manual gearbox
     // up and down. He keeps the car until set_controls() or set_pilot().
-    bool takes_controls(BodyId body) const override;
+    bool is_controllable(BodyId body) const override;
     void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
     // Not of a car with wheels that are bodies.
-    bool visit_driven(physics::World& world, BodyId body, physics::StateVisitor& v) override;
+    bool visit_controlled_entity(physics::World& world, BodyId body, physics::StateVisitor& v) override;
     // "vehicle", of each chassis: gear, engine (8 bits of 0 to its most); then for each wheel its
     // radius (8 bits of 0 to 2 m) and width (8 bits of 0 to 1 m), where its centre is in the
     // chassis (3 x 16 bits of -8 to 8 m), 1 if it touches + 2 if it slides, angle (16 bits of 0 to

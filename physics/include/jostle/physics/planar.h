@@ -49,7 +49,7 @@ enum class SegmentRelation : std::uint8_t {
     overlapping,  // in one line, with more than one common point
 };
 
-struct SegmentMeeting {
+struct SegmentIntersection {
     SegmentRelation relation = SegmentRelation::apart;
     // What they share. Touching: the end, bit for bit, twice. Overlapping: two of the four ends.
     // Crossing: the point to rounding, inside the boxes of both, twice. Apart: zeros.
@@ -58,7 +58,7 @@ struct SegmentMeeting {
 
 // The relation is exact. Parallel, collinear and degenerate segments are no special cases to the
 // caller: a point on a segment touches it, two equal points touch.
-SegmentMeeting intersect(Segment a, Segment b);
+SegmentIntersection intersect(Segment a, Segment b);
 
 // The corners of the convex hull, counter-clockwise, from the leftmost (of those the lowest).
 // Points inside, on sides and repeated ones are dropped. One corner when all points are equal, two

@@ -15,7 +15,7 @@ double within(double x, double end, double other_end) {
     return clamp(x, minimum(end, other_end), maximum(end, other_end));
 }
 
-SegmentMeeting meet_in_line(Segment a, Segment b) {
+SegmentIntersection meet_in_line(Segment a, Segment b) {
     if (before(a.to, a.from)) std::swap(a.from, a.to);
     if (before(b.to, b.from)) std::swap(b.from, b.to);
     const Vec2 first = before(a.from, b.from) ? b.from : a.from;
@@ -44,7 +44,7 @@ bool on_segment(Segment segment, Vec2 p) {
     return in_box(segment, p) && orientation(segment.from, segment.to, p) == 0;
 }
 
-SegmentMeeting intersect(Segment a, Segment b) {
+SegmentIntersection intersect(Segment a, Segment b) {
     const int b_from = orientation(a.from, a.to, b.from), b_to = orientation(a.from, a.to, b.to);
     const int a_from = orientation(b.from, b.to, a.from), a_to = orientation(b.from, b.to, a.to);
     // Two points as well, and a point in line with a segment.
@@ -53,7 +53,7 @@ SegmentMeeting intersect(Segment a, Segment b) {
         const Vec2 p = crossing_point(a, b);
         return {SegmentRelation::crossing, p, p};
     }
-    const auto touch = [](Vec2 p) { return SegmentMeeting{SegmentRelation::touching, p, p}; };
+    const auto touch = [](Vec2 p) { return SegmentIntersection{SegmentRelation::touching, p, p}; };
     if (b_from == 0 && in_box(a, b.from)) return touch(b.from);
     if (b_to == 0 && in_box(a, b.to)) return touch(b.to);
     if (a_from == 0 && in_box(b, a.from)) return touch(a.from);

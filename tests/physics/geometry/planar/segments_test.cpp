@@ -20,7 +20,7 @@ SegmentRelation relation_of(Shared what) {
 
 void compare(GridPoint2 a, GridPoint2 b, GridPoint2 c, GridPoint2 d) {
     const Segment first{a.real(), b.real()}, second{c.real(), d.real()};
-    const SegmentMeeting meeting = intersect(first, second);
+    const SegmentIntersection meeting = intersect(first, second);
     const SegmentRelation expected = relation_of(shared(a, b, c, d));
     ASSERT_EQ(meeting.relation, expected) << a.x << "," << a.y << " " << b.x << "," << b.y << " "
                                           << c.x << "," << c.y << " " << d.x << "," << d.y;
@@ -74,7 +74,7 @@ TEST(Segments, cases_by_name) {
     EXPECT_EQ(of({{1, 0}, {1, 0}}, {{0, 0}, {2, 2}}), apart) << "a point beside it";
     EXPECT_EQ(of({{1, 1}, {1, 1}}, {{1, 1}, {1, 1}}), touching) << "equal points";
     EXPECT_EQ(of({{1, 1}, {1, 1}}, {{1, 2}, {1, 2}}), apart) << "two points";
-    const SegmentMeeting part = intersect({{0, 0}, {2, 0}}, {{3, 0}, {1, 0}});
+    const SegmentIntersection part = intersect({{0, 0}, {2, 0}}, {{3, 0}, {1, 0}});
     EXPECT_EQ(part.first, (Vec2{1, 0}));
     EXPECT_EQ(part.last, (Vec2{2, 0}));
 }
@@ -89,7 +89,7 @@ TEST(Segments, of_almost_one_direction_cross_on_both) {
         };
         const Segment a{some(1), some(1)};
         const Segment b{a.from + some(1e-12), a.to + some(1e-12)};
-        const SegmentMeeting meeting = intersect(a, b);
+        const SegmentIntersection meeting = intersect(a, b);
         if (meeting.relation != SegmentRelation::crossing) continue;
         crossings++;
         for (const Segment& s : {a, b})

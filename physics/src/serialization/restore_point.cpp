@@ -37,7 +37,7 @@ RestorePoint::RestorePoint(RestorePoint&&) noexcept = default;
 RestorePoint& RestorePoint::operator=(RestorePoint&&) noexcept = default;
 RestorePoint::~RestorePoint() = default;
 
-void RestorePoint::keep(const World& world) {
+void RestorePoint::capture(const World& world) {
     if (!kept_) kept_ = std::make_unique<Kept>();
     kept_->stores = state_of(world);
     kept_->pending = state_of(world).events.pending;

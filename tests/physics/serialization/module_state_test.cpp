@@ -83,7 +83,7 @@ TEST(ModuleState, goes_back_with_a_restore_point) {
     World world = pushed_world();
     run(world, 0.2);
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     const std::uint64_t then = state_hash(world);
     run(world, 0.2);
     must(point.restore(world));
@@ -99,7 +99,7 @@ TEST(ModuleState, goes_back_with_a_restore_point) {
     EXPECT_EQ(state_hash(world), state_hash(other));
     // And out of one that has it.
     RestorePoint empty;
-    empty.keep(World{});
+    empty.capture(World{});
     must(empty.restore(world));
     EXPECT_TRUE(world.modules().empty());
 }
@@ -109,7 +109,7 @@ TEST(ModuleState, is_in_the_bytes_of_a_restore_point_as_in_those_of_its_world) {
     run(world, 0.2);
     RestorePoint point;
     EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was kept yet";
-    point.keep(world);
+    point.capture(world);
     const std::vector<std::byte> then = save(world);
     run(world, 0.2);
     const RestorePoint::Saved saved = must(point.save());
@@ -131,7 +131,7 @@ TEST(ModuleState, an_unknown_module_in_a_saved_world_is_a_named_error) {
     EXPECT_THAT(loaded.error().message, HasSubstr("module \"unheard_of\" is not one that this"));
     EXPECT_THAT(loaded.error().message, HasSubstr("pusher"));
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     World other;
     EXPECT_THAT(point.restore(other).error().message, HasSubstr("unheard_of"));
 }

@@ -18,7 +18,7 @@ using namespace physics;
 
 RestorePoint kept(const World& world) {
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     return point;
 }
 
@@ -60,7 +60,7 @@ TEST_P(Rollback, takes_the_same_way_again) {
     RestorePoint point;
     for (int step = 0; step < 420; step++) {
         if (step == 0 || step == 119 || step == 290) {
-            point.keep(world);
+            point.capture(world);
             const std::uint64_t moment = state_hash(world);
             const Story first = play_on(world, step, step + 90);
             must(point.restore(world));
@@ -82,7 +82,7 @@ TEST_P(Rollback, forgets_what_turned_out_wrong) {
     World straight = GetParam().make(1), world = GetParam().make(1);
     RestorePoint point;
     for (int step = 0; step < 150; step++) {
-        point.keep(world);
+        point.capture(world);
         add(world, {.position = {0.1 * (step % 7), 3, 0}, .velocity = {0, -20, 0}});
         const std::vector<BodyId> bodies = world.bodies();
         must(world.destroy_body(bodies[static_cast<std::size_t>(step) % bodies.size()]));
@@ -179,7 +179,7 @@ TEST(RollbackMoments, an_empty_point_is_refused_and_changes_nothing) {
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::failed_precondition);
     EXPECT_EQ(state_hash(world), before);
-    point.keep(world);
+    point.capture(world);
     const RestorePoint taken = std::move(point);
     EXPECT_TRUE(point.empty());  // NOLINT(bugprone-use-after-move): that is what is asked
     EXPECT_FALSE(taken.empty());
@@ -247,7 +247,7 @@ TEST(RollbackMoments, geometry_is_shared_not_copied) {
     EXPECT_EQ(hull.data.use_count(), 51);
     {
         RestorePoint point;
-        for (int i = 0; i < 3; i++) point.keep(world);
+        for (int i = 0; i < 3; i++) point.capture(world);
         EXPECT_EQ(hull.data.use_count(), 101);
         world = make_world();  // a point does not need its world
         EXPECT_EQ(hull.data.use_count(), 51);

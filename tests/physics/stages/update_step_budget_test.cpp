@@ -92,7 +92,7 @@ TEST(StepBudget, a_world_saved_or_kept_under_strain_goes_on_as_if_it_had_not_bee
     EXPECT_EQ(copy.overload_level(), 2);
     EXPECT_EQ(copy.step_budget(), 1);
     RestorePoint kept;
-    kept.keep(world);
+    kept.capture(world);
     std::vector<std::uint64_t> hashes;
     for (int k = 0; k < 40; k++) {
         step(world);

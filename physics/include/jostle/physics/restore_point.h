@@ -38,7 +38,7 @@ public:
 
     // Copies all that the next step depends on. Forgets what was kept before and uses its memory
     // again.
-    void keep(const World& world);
+    void capture(const World& world);
 
     // Makes any world what the kept one was: it goes on with the same bits, in ids, state_hash(),
     // later steps and their events. The world keeps its number of threads and its profile();

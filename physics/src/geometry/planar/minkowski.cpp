@@ -8,17 +8,17 @@ namespace {
 
 // A direction's place on the way round that begins to the right of straight down, as a hull's sides
 // do that begins at its leftmost corner, of those the lowest.
-bool goes_right(Vec2 side) {
+bool points_right(Vec2 side) {
     return side.x > 0 || (side.x == 0 && side.y > 0);
 }
 
 // -1: u comes before v on that way, 0: one direction.
 int compare(Vec2 u, Vec2 v) {
-    if (goes_right(u) != goes_right(v)) return goes_right(u) ? -1 : 1;
+    if (points_right(u) != points_right(v)) return points_right(u) ? -1 : 1;
     return -orientation({}, u, v);
 }
 
-Vec2 side_way(std::span<const Vec2> hull, std::size_t k) {
+Vec2 side_direction(std::span<const Vec2> hull, std::size_t k) {
     return hull[(k + 1) % hull.size()] - hull[k];
 }
 
@@ -33,7 +33,7 @@ std::vector<Vec2> sum_of_hulls(std::span<const Vec2> a, std::span<const Vec2> b)
         corners.push_back(a[i % a.size()] + b[j % b.size()]);
         const int order = i == sides_a   ? 1
                           : j == sides_b ? -1
-                                         : compare(side_way(a, i), side_way(b, j));
+                                         : compare(side_direction(a, i), side_direction(b, j));
         if (order <= 0) i++;
         if (order >= 0) j++;
     }
@@ -60,7 +60,7 @@ Vec2 nearest_to_origin(Vec2 from, Vec2 to) {
 Separation depth_in(std::span<const Vec2> hull) {
     Separation least{-1e300, {1, 0}};
     for (std::size_t k = 0; k < hull.size(); k++) {
-        const Vec2 side = side_way(hull, k);
+        const Vec2 side = side_direction(hull, k);
         const Vec2 out = Vec2{side.y, -side.x} * (1 / length(side));
         const double depth = maximum(dot(hull[k], out), 0);
         if (-depth > least.distance) least = {-depth, out};

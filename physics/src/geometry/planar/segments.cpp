@@ -15,7 +15,7 @@ double within(double x, double end, double other_end) {
     return clamp(x, minimum(end, other_end), maximum(end, other_end));
 }
 
-SegmentIntersection meet_in_line(Segment a, Segment b) {
+SegmentIntersection intersect_collinear(Segment a, Segment b) {
     if (before(a.to, a.from)) std::swap(a.from, a.to);
     if (before(b.to, b.from)) std::swap(b.from, b.to);
     const Vec2 first = before(a.from, b.from) ? b.from : a.from;
@@ -48,7 +48,7 @@ SegmentIntersection intersect(Segment a, Segment b) {
     const int b_from = orientation(a.from, a.to, b.from), b_to = orientation(a.from, a.to, b.to);
     const int a_from = orientation(b.from, b.to, a.from), a_to = orientation(b.from, b.to, a.to);
     // Two points as well, and a point in line with a segment.
-    if (b_from == 0 && b_to == 0 && a_from == 0 && a_to == 0) return meet_in_line(a, b);
+    if (b_from == 0 && b_to == 0 && a_from == 0 && a_to == 0) return intersect_collinear(a, b);
     if (b_from * b_to < 0 && a_from * a_to < 0) {
         const Vec2 p = crossing_point(a, b);
         return {SegmentRelation::crossing, p, p};

@@ -22,7 +22,7 @@ static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyab
               std::is_trivially_copyable_v<ContactConstraintWide> &&
               std::is_trivially_copyable_v<SavedContact>);
 
-struct RestorePoint::Kept {
+struct RestorePoint::CapturedState {
     WorldStores stores;
     PendingEvents pending;  // the next step publishes them
     struct ModuleState {
@@ -38,7 +38,7 @@ RestorePoint& RestorePoint::operator=(RestorePoint&&) noexcept = default;
 RestorePoint::~RestorePoint() = default;
 
 void RestorePoint::capture(const World& world) {
-    if (!kept_) kept_ = std::make_unique<Kept>();
+    if (!kept_) kept_ = std::make_unique<CapturedState>();
     kept_->stores = state_of(world);
     kept_->pending = state_of(world).events.pending;
     kept_->modules.clear();
@@ -55,7 +55,7 @@ Status RestorePoint::restore(World& world) const {
                      "restore point: the world is stepping; restore it between two steps"};
     // All that may fail comes before anything changes.
     std::vector<std::unique_ptr<Module>> missing;
-    for (const Kept::ModuleState& kept : kept_->modules) {
+    for (const CapturedState::ModuleState& kept : kept_->modules) {
         if (state.listeners.module(kept.tag) != nullptr) continue;
         Result<std::unique_ptr<Module>> made = make_module(kept.tag);
         if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
@@ -75,7 +75,7 @@ Result<RestorePoint::Saved> RestorePoint::save() const {
     if (!kept_)
         return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
     ListenerStore modules;
-    for (const Kept::ModuleState& kept : kept_->modules) {
+    for (const CapturedState::ModuleState& kept : kept_->modules) {
         Result<std::unique_ptr<Module>> made = make_module(kept.tag);
         if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
         if (Status s = load_module(**made, kept.state); !s.ok()) return s.error();
@@ -94,7 +94,7 @@ Status RestorePoint::restore_modules(World& world,
     ListenerStore& listeners = state_of(world).listeners;
     const auto kept = [&](std::string_view tag) {
         return std::any_of(kept_->modules.begin(), kept_->modules.end(),
-                           [&](const Kept::ModuleState& state) { return state.tag == tag; });
+                           [&](const CapturedState::ModuleState& state) { return state.tag == tag; });
     };
     std::vector<std::string> gone;
     for (const std::unique_ptr<Module>& module : listeners.modules)
@@ -102,9 +102,9 @@ Status RestorePoint::restore_modules(World& world,
     for (const std::string& tag : gone) listeners.remove_module(tag);
     for (std::unique_ptr<Module>& module : missing) listeners.add(std::move(module));
     std::vector<std::string> order;
-    for (const Kept::ModuleState& state : kept_->modules) order.push_back(state.tag);
+    for (const CapturedState::ModuleState& state : kept_->modules) order.push_back(state.tag);
     listeners.sort_modules(order);
-    for (const Kept::ModuleState& state : kept_->modules) {
+    for (const CapturedState::ModuleState& state : kept_->modules) {
         Module& module = *listeners.module(state.tag);
         if (Status s = load_module(module, state.state); !s.ok()) return s;
         module.restored(world);

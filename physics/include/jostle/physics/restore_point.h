@@ -59,8 +59,8 @@ public:
 private:
     Status restore_modules(World& world, std::vector<std::unique_ptr<Module>> missing) const;
 
-    struct Kept;
-    std::unique_ptr<Kept> kept_;
+    struct CapturedState;
+    std::unique_ptr<CapturedState> kept_;
 };
 
 }  // namespace jostle::physics

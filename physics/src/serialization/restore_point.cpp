@@ -38,16 +38,16 @@ RestorePoint& RestorePoint::operator=(RestorePoint&&) noexcept = default;
 RestorePoint::~RestorePoint() = default;
 
 void RestorePoint::capture(const World& world) {
-    if (!kept_) kept_ = std::make_unique<CapturedState>();
-    kept_->stores = state_of(world);
-    kept_->pending = state_of(world).events.pending;
-    kept_->modules.clear();
+    if (!state_) state_ = std::make_unique<CapturedState>();
+    state_->stores = state_of(world);
+    state_->pending = state_of(world).events.pending;
+    state_->modules.clear();
     for (const std::unique_ptr<Module>& module : state_of(world).listeners.modules)
-        kept_->modules.push_back({std::string(module->tag()), save_module(*module)});
+        state_->modules.push_back({std::string(module->tag()), save_module(*module)});
 }
 
 Status RestorePoint::restore(World& world) const {
-    if (!kept_)
+    if (!state_)
         return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
     WorldState& state = state_of(world);
     if (state.listeners.stepping != nullptr)
@@ -55,35 +55,35 @@ Status RestorePoint::restore(World& world) const {
                      "restore point: the world is stepping; restore it between two steps"};
     // All that may fail comes before anything changes.
     std::vector<std::unique_ptr<Module>> missing;
-    for (const CapturedState::ModuleState& kept : kept_->modules) {
-        if (state.listeners.module(kept.tag) != nullptr) continue;
-        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+    for (const CapturedState::ModuleState& captured : state_->modules) {
+        if (state.listeners.module(captured.tag) != nullptr) continue;
+        Result<std::unique_ptr<Module>> made = make_module(captured.tag);
         if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
         missing.push_back(std::move(made).value());
     }
     const int threads = state.def.threads;
-    static_cast<WorldStores&>(state) = kept_->stores;
+    static_cast<WorldStores&>(state) = state_->stores;
     state.def.threads = threads;
     state.events.clear_published();
-    state.events.pending = kept_->pending;
+    state.events.pending = state_->pending;
     state.wake_requests.clear();
     state.static_revision++;
     return restore_modules(world, std::move(missing));
 }
 
 Result<RestorePoint::Saved> RestorePoint::save() const {
-    if (!kept_)
+    if (!state_)
         return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
     ListenerStore modules;
-    for (const CapturedState::ModuleState& kept : kept_->modules) {
-        Result<std::unique_ptr<Module>> made = make_module(kept.tag);
+    for (const CapturedState::ModuleState& captured : state_->modules) {
+        Result<std::unique_ptr<Module>> made = make_module(captured.tag);
         if (!made.ok()) return Error{made.error().code, "restore point: " + made.error().message};
-        if (Status s = load_module(**made, kept.state); !s.ok()) return s.error();
+        if (Status s = load_module(**made, captured.state); !s.ok()) return s.error();
         modules.add(std::move(made).value());
     }
     SaverAndHash visitor;
-    begin_saved_world(visitor.saver, kept_->stores);
-    visit_stores(visitor, kept_->stores);
+    begin_saved_world(visitor.saver, state_->stores);
+    visit_stores(visitor, state_->stores);
     visit_modules(visitor, modules);
     return Saved{end_saved_world(visitor.saver), visitor.hash.hasher.value};
 }
@@ -92,19 +92,19 @@ Result<RestorePoint::Saved> RestorePoint::save() const {
 Status RestorePoint::restore_modules(World& world,
                                      std::vector<std::unique_ptr<Module>> missing) const {
     ListenerStore& listeners = state_of(world).listeners;
-    const auto kept = [&](std::string_view tag) {
-        return std::any_of(kept_->modules.begin(), kept_->modules.end(),
+    const auto captured = [&](std::string_view tag) {
+        return std::any_of(state_->modules.begin(), state_->modules.end(),
                            [&](const CapturedState::ModuleState& state) { return state.tag == tag; });
     };
     std::vector<std::string> gone;
     for (const std::unique_ptr<Module>& module : listeners.modules)
-        if (!kept(module->tag())) gone.emplace_back(module->tag());
+        if (!captured(module->tag())) gone.emplace_back(module->tag());
     for (const std::string& tag : gone) listeners.remove_module(tag);
     for (std::unique_ptr<Module>& module : missing) listeners.add(std::move(module));
     std::vector<std::string> order;
-    for (const CapturedState::ModuleState& state : kept_->modules) order.push_back(state.tag);
+    for (const CapturedState::ModuleState& state : state_->modules) order.push_back(state.tag);
     listeners.sort_modules(order);
-    for (const CapturedState::ModuleState& state : kept_->modules) {
+    for (const CapturedState::ModuleState& state : state_->modules) {
         Module& module = *listeners.module(state.tag);
         if (Status s = load_module(module, state.state); !s.ok()) return s;
         module.restored(world);

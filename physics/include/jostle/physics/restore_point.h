@@ -34,7 +34,7 @@ public:
     RestorePoint& operator=(RestorePoint&&) noexcept;
     ~RestorePoint();
 
-    bool empty() const { return !kept_; }
+    bool empty() const { return !state_; }
 
     // Copies all that the next step depends on. Forgets what was kept before and uses its memory
     // again.
@@ -60,7 +60,7 @@ private:
     Status restore_modules(World& world, std::vector<std::unique_ptr<Module>> missing) const;
 
     struct CapturedState;
-    std::unique_ptr<CapturedState> kept_;
+    std::unique_ptr<CapturedState> state_;
 };
 
 }  // namespace jostle::physics

@@ -9,7 +9,7 @@
 
 #include "bench/measure.h"
 #include "bench/result_file.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/lab.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/storage/compression.h"

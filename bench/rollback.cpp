@@ -11,7 +11,7 @@
 #include "bench/measure.h"
 #include "bench/result_file.h"
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/lab.h"
 
 namespace jostle::bench {

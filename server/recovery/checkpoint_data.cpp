@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "server/storage/compression.h"
 #include "server/util/bytes.h"
 

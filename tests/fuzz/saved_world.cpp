@@ -4,7 +4,7 @@
 // before and after each step, that can be asked, saved and loaded again.
 #include <vector>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/validate.h"
 #include "physics/src/state/world_access.h"

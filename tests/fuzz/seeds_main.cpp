@@ -16,7 +16,7 @@
 #include "jostle/modules/character.h"
 #include "jostle/modules/driven.h"
 #include "jostle/modules/fracture_file.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"

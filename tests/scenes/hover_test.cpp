@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "tests/support/step_time.h"
 

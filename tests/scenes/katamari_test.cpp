@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "tests/support/step_time.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/scene.pb.h"
 #include "tests/scenes/turntable.h"

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <set>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
 #include "tests/scenes/turntable.h"

@@ -19,7 +19,7 @@
 
 #include "bench/processes/server_process.h"
 #include "jostle/client/client.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/v1/admin.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
 #include "server/recovery/recover_world.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "server/storage/compression.h"
 #include "server/storage/sqlite_storage.h"
 

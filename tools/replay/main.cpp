@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/scene_file.h"
 #include "tools/replay/kept_world.h"
 #include "tools/replay/recording_report.h"

@@ -4,7 +4,7 @@
 // field that differs.
 #include <cstdio>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/physics/world.h"
 #include "physics/src/foundation/byte_stream.h"
 #include "physics/src/serialization/field_list.h"

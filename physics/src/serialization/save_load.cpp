@@ -2,7 +2,7 @@
 //
 // World to bytes and back: a header (magic, version, length, hash of the rest), then the field
 // list.
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/physics/world.h"
 #include "physics/src/serialization/byte_visitors.h"
 #include "physics/src/serialization/checksum.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/physics/world.h"
 #include "physics/src/serialization/field_list.h"
 #include "physics/src/serialization/hash_visitor.h"

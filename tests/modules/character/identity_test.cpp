@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "tests/modules/character/rough_ground.h"
 #include "tests/modules/character/stage.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "physics/src/state/world_access.h"
 #include "tests/modules/destruction/walls.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "tests/modules/destruction/walls.h"
 
 namespace jostle::modules {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "tests/modules/ragdoll/figures.h"
 
 namespace jostle::modules {

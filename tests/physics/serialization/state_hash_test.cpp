@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "physics/src/state/world_access.h"
 #include "tests/support/world_builder.h"
 

@@ -3,7 +3,7 @@
 // A step that is told to end ends soon, and leaves a world that is whole.
 #include <gtest/gtest.h>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "tests/support/world_builder.h"
 
 namespace jostle::physics {

@@ -9,7 +9,7 @@
 #include <set>
 #include <thread>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "server/recovery/recover_world.h"
 #include "server/recovery/world_archive.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/hull.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/shape_message.h"
 #include "server/world/hosted_world.h"

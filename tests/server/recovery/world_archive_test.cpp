@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/recover_world.h"

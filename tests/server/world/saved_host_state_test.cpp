@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/restore_point.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "server/world/hosted_world.h"
 #include "tests/support/error_of.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/lab.h"
 #include "jostle/scenes/scene_file.h"

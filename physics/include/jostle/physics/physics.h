@@ -30,7 +30,7 @@
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/result.h"
 #include "jostle/physics/scalar.h"
-#include "jostle/physics/snapshot.h"
+#include "jostle/physics/serialization.h"
 #include "jostle/physics/state_visitor.h"
 #include "jostle/physics/step_listener.h"
 #include "jostle/physics/thread_trials.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A moment of a world in memory, to go back to. For rollback: every tick keeps one, and when a
-// command comes late the world goes back a few ticks. Faster than bytes (snapshot.h), but good only
+// command comes late the world goes back a few ticks. Faster than bytes (serialization.h), but good only
 // within the process. Geometry is shared with the world, never copied.
 //
 //     RestorePoint before;
@@ -48,7 +48,7 @@ public:
     // does not know (not_found).
     Status restore(World& world) const;
 
-    // What save(world) and state_hash(world) (snapshot.h) were at keep(), without a world to
+    // What save(world) and state_hash(world) (serialization.h) were at keep(), without a world to
     // restore it into. Refused like restore().
     struct Saved {
         std::vector<std::byte> bytes;

@@ -78,10 +78,10 @@ TEST(JointSolvers, direct_keeps_the_energy_of_a_chain_of_cones) {
     EXPECT_LT(direct.gap, 2e-6);
     EXPECT_LT(direct.energy, 0.1);
     EXPECT_EQ(automatic.profile.joints_direct, 0);
-    EXPECT_EQ(automatic.profile.joints_together, 8);
+    EXPECT_EQ(automatic.profile.joints_batched, 8);
     EXPECT_LT(automatic.gap, 1e-3);
     EXPECT_GT(automatic.energy, 20 * direct.energy);
-    EXPECT_EQ(iterative.profile.joints_direct + iterative.profile.joints_together, 0);
+    EXPECT_EQ(iterative.profile.joints_direct + iterative.profile.joints_batched, 0);
     EXPECT_GT(iterative.gap, 20 * automatic.gap);
 }
 
@@ -104,7 +104,7 @@ TEST(JointSolvers, of_one_joint_is_that_of_its_group) {
     for (int step = 0; step < 120; step++) {
         must(world.step(1.0 / 60));
         ASSERT_EQ(world.profile().joints_direct, 8);
-        ASSERT_EQ(world.profile().joints_together, 8);
+        ASSERT_EQ(world.profile().joints_batched, 8);
         of_exact = std::max(of_exact, gap(exact));
         of_other = std::max(of_other, gap(other));
         of_soft = std::max(of_soft, gap(soft));
@@ -125,7 +125,7 @@ TEST(JointSolvers, may_change_while_a_chain_swings) {
     for (World* each : {&world, &loaded}) {
         must(each->set_joint_solver(JointSolver::iterative));
         run(*each, 0.3);
-        EXPECT_EQ(each->profile().joints_direct + each->profile().joints_together, 0);
+        EXPECT_EQ(each->profile().joints_direct + each->profile().joints_batched, 0);
         must(each->set_joint_solver(JointSolver::direct));
         EXPECT_EQ(each->joint_solver(), JointSolver::direct);
         run(*each, 0.5);
@@ -157,9 +157,9 @@ TEST(JointSolvers, direct_holds_dense_nets) {
         };
         const Worst direct = hang(JointSolver::direct), automatic = hang(JointSolver::automatic);
         EXPECT_EQ(direct.profile.joints_direct, on_floor ? 0 : 465);
-        EXPECT_EQ(direct.profile.joints_together, on_floor ? 465 : 0);
-        EXPECT_EQ(direct.profile.joints_refused, 0);
-        EXPECT_EQ(automatic.profile.joints_direct + automatic.profile.joints_together, 0);
+        EXPECT_EQ(direct.profile.joints_batched, on_floor ? 465 : 0);
+        EXPECT_EQ(direct.profile.joints_direct_fallback, 0);
+        EXPECT_EQ(automatic.profile.joints_direct + automatic.profile.joints_batched, 0);
         EXPECT_LT(direct.gap, 1e-4);
         EXPECT_GT(automatic.gap, on_floor ? direct.gap : 10 * direct.gap);
     }
@@ -198,12 +198,12 @@ TEST(JointSolvers, direct_has_a_ceiling) {
     }
     run(hub, 0.1);
     EXPECT_EQ(hub.profile().joints, 1000);
-    EXPECT_EQ(hub.profile().joints_direct + hub.profile().joints_together, 0);
-    EXPECT_EQ(hub.profile().joints_refused, 1000);
+    EXPECT_EQ(hub.profile().joints_direct + hub.profile().joints_batched, 0);
+    EXPECT_EQ(hub.profile().joints_direct_fallback, 1000);
     World net = make_world({.joint_solver = JointSolver::direct});
     hang_net(net, 50, 5, 1000);
     must(net.step(1.0 / 60));
-    EXPECT_EQ(net.profile().joints_refused, net.profile().joints);
+    EXPECT_EQ(net.profile().joints_direct_fallback, net.profile().joints);
     EXPECT_EQ(net.profile().joints, 50 * 49 + 49 * 49);
 }
 

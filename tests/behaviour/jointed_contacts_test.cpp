@@ -91,7 +91,7 @@ TEST(JointedContacts, a_chain_comes_to_rest_on_the_floor_in_one_piece) {
                                     .type = BodyType::static_body});
     Chain chain = hang_chain(world, post, {-0.1, 3, 0}, {1, 0, 0}, 50);
     EXPECT_LT(worst_gap(world, chain.joints, 6), 0.002);
-    EXPECT_GT(world.profile().joints_together, 0);
+    EXPECT_GT(world.profile().joints_batched, 0);
     EXPECT_LT(worst_gap(world, chain.joints, 1), 2e-4) << "at rest";
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How joints are solved: WorldDef::joint_solver for all of a world's, JointDef::solver for one.
-// How many were solved in which way says the profile: joints, joints_direct, joints_together,
-// joints_refused.
+// How many were solved in which way says the profile: joints, joints_direct, joints_batched,
+// joints_direct_fallback.
 #pragma once
 
 #include <cstdint>

@@ -57,9 +57,9 @@ struct StepProfile {
     int islands_awake = 0;
     int joints = 0;           // that were solved: of bodies_in_solver
     int joints_direct = 0;    // of joints: solved at once, in groups that nothing touches
-    int joints_together = 0;  // of joints: their points are solved at once, beside contacts
+    int joints_batched = 0;  // of joints: their points are solved at once, beside contacts
     // Of joints: JointSolver::direct was asked for, and they are neither of the two.
-    int joints_refused = 0;
+    int joints_direct_fallback = 0;
     std::int64_t body_substeps = 0;  // sub-steps of bodies_in_solver, summed
     // ... that were taken beside, to measure errors, in a world with a tolerance.
     std::int64_t trial_substeps = 0;

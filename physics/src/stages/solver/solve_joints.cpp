@@ -238,7 +238,7 @@ void break_joints(StepContext& step) {
         world.profile.joints += static_cast<int>(joints);
         if (joints > 0) world.profile.joint_substeps += joints * step.contacts[set].substeps;
         for (const JointConstraintWideMeta& meta : levels.metas) {
-            world.profile.joints_together += meta.in_batch;
+            world.profile.joints_batched += meta.in_batch;
             for (unsigned bits = meta.broken_lanes; bits != 0; bits &= bits - 1)
                 broken.push_back(meta.joint[std::countr_zero(bits)]);
         }
@@ -246,7 +246,7 @@ void break_joints(StepContext& step) {
         levels.metas.clear();
     }
     for (JointBatches& batches : step.scratch.solver.joint_batches)
-        world.profile.joints_refused += std::exchange(batches.refused, 0);
+        world.profile.joints_direct_fallback += std::exchange(batches.refused, 0);
     JointGroupScratch& groups = step.scratch.solver.groups;
     for (const std::uint32_t island : groups.active) {
         const JointGroup& group = *groups.of_island[island];

@@ -8,9 +8,9 @@ namespace jostle::server {
 
 namespace {
 
-LinkConditioner seeded(LinkSettings settings, std::uint32_t number) {
+NetworkSimulator seeded(LinkSettings settings, std::uint32_t number) {
     settings.seed += number;
-    return LinkConditioner(settings);
+    return NetworkSimulator(settings);
 }
 
 }  // namespace

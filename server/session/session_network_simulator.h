@@ -37,7 +37,7 @@ private:
             Message message;
             std::int64_t due_us;
         };
-        LinkConditioner link;
+        NetworkSimulator link;
         std::deque<DelayedMessage> delayed = {};
     };
 

@@ -1,17 +1,17 @@
-// A socket behind a bad link: messages in both directions arrive when a LinkConditioner says so. For tests and demonstrations; the
+// A socket behind a bad link: messages in both directions arrive when a NetworkSimulator says so. For tests and demonstrations; the
 // viewer takes one from its address line (?delay=80&jitter=20&stalls=250).
 
 import { nowUs } from './clock';
 import type { Socket } from './connection';
-import { LinkConditioner, type LinkSettings } from './link_conditioner';
+import { NetworkSimulator, type LinkSettings } from './link_conditioner';
 
 /** What is on its way in one direction, in order. */
 class Held {
   private readonly due: { readonly at: number; readonly arrive: () => void }[] = [];
-  private readonly link: LinkConditioner;
+  private readonly link: NetworkSimulator;
 
   constructor(settings: LinkSettings) {
-    this.link = new LinkConditioner(settings);
+    this.link = new NetworkSimulator(settings);
   }
 
   push(arrive: () => void): void {

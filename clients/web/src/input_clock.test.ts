@@ -3,7 +3,7 @@
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock';
-import { GOOD_LINK, LinkConditioner, type LinkSettings } from './link_conditioner';
+import { GOOD_LINK, NetworkSimulator, type LinkSettings } from './link_conditioner';
 
 const TICK_US = 1e6 / 60;
 
@@ -21,12 +21,12 @@ class SteeredStream {
   private tick = 0;
   private unsent: { sequence: number; tick: number }[] = [];
   private readonly coming: { dueUs: number; sequence: number; marginUs: number }[] = [];
-  private readonly up: LinkConditioner;
-  private readonly down: LinkConditioner;
+  private readonly up: NetworkSimulator;
+  private readonly down: NetworkSimulator;
 
   constructor(settings: Partial<LinkSettings>) {
-    this.up = new LinkConditioner({ ...GOOD_LINK, ...settings });
-    this.down = new LinkConditioner({ ...GOOD_LINK, ...settings });
+    this.up = new NetworkSimulator({ ...GOOD_LINK, ...settings });
+    this.down = new NetworkSimulator({ ...GOOD_LINK, ...settings });
     this.clock.begin(60);
   }
 

@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import { GOOD_LINK, LinkConditioner, linkOf, type LinkSettings } from './link_conditioner';
+import { GOOD_LINK, NetworkSimulator, linkOf, type LinkSettings } from './link_conditioner';
 
 /** How long each of so many messages, 60 a second, is on its way, ms. */
 function waysOf(settings: Partial<LinkSettings>, count = 36_000): number[] {
-  const link = new LinkConditioner({ ...GOOD_LINK, ...settings });
+  const link = new NetworkSimulator({ ...GOOD_LINK, ...settings });
   const ways: number[] = [];
   let last = 0;
   for (let k = 0; k < count; k++) {
@@ -44,7 +44,7 @@ it('sends again what is lost', () => {
 });
 
 it('is the same link for the same seed in every language', () => {
-  const link = new LinkConditioner({ delay: 40, jitter: 20, tail: 5, stalls: 100, stallEvery: 500, loss: 0.05, retransmit: 200, seed: 7 });
+  const link = new NetworkSimulator({ delay: 40, jitter: 20, tail: 5, stalls: 100, stallEvery: 500, loss: 0.05, retransmit: 200, seed: 7 });
   let sum = 0;
   for (let k = 0; k < 1000; k++) sum += link.arrivalUs(k * 16_667) - k * 16_667;
   expect(sum).toBe(109_097_580); // tests/clients/cpp/core/link_conditioner_test.cpp has the same number

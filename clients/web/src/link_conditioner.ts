@@ -49,7 +49,7 @@ export function linkOf(search: string): LinkSettings | undefined {
 
 const usOf = (ms: number) => Math.round(1000 * ms);
 
-export class LinkConditioner {
+export class NetworkSimulator {
   private random: number;
   private lastArrival = 0;
   private stall = 0; // begin of the next one, or of the one that is on

@@ -37,9 +37,9 @@ struct LinkSettings {
 // what cannot be read.
 Result<LinkSettings> read_link_settings(std::string_view text);
 
-class LinkConditioner {
+class NetworkSimulator {
 public:
-    explicit LinkConditioner(const LinkSettings& settings);
+    explicit NetworkSimulator(const LinkSettings& settings);
 
     // When a message that is sent now arrives; times rise, in microseconds of any clock.
     std::int64_t arrival_us(std::int64_t sent_us);
@@ -121,18 +121,18 @@ inline Result<LinkSettings> read_link_settings(std::string_view text) {
     return settings;
 }
 
-inline LinkConditioner::LinkConditioner(const LinkSettings& settings)
+inline NetworkSimulator::NetworkSimulator(const LinkSettings& settings)
     : settings_(settings), random_(settings.seed) {}
 
 // Mulberry32 by Tommy Ettinger: 32-bit words only, so that a browser draws the same numbers.
-inline double LinkConditioner::chance() {
+inline double NetworkSimulator::chance() {
     random_ += 0x6d2b79f5u;
     std::uint32_t t = (random_ ^ (random_ >> 15)) * (random_ | 1u);
     t ^= t + (t ^ (t >> 7)) * (t | 61u);
     return (t ^ (t >> 14)) / 4294967296.0;
 }
 
-inline std::int64_t LinkConditioner::after_stalls(std::int64_t arrival_us) {
+inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
     const std::int64_t length = link_detail::us_of(settings_.stalls_ms);
     while (arrival_us >= stall_us_ + length) {
         // A stall begins after the one before has ended.
@@ -142,7 +142,7 @@ inline std::int64_t LinkConditioner::after_stalls(std::int64_t arrival_us) {
     return arrival_us >= stall_us_ ? stall_us_ + length : arrival_us;
 }
 
-inline std::int64_t LinkConditioner::arrival_us(std::int64_t sent_us) {
+inline std::int64_t NetworkSimulator::arrival_us(std::int64_t sent_us) {
     if (!begun_) {
         begun_ = true;
         stall_us_ = sent_us + link_detail::us_of(settings_.stall_every_ms * (0.5 + chance()));

@@ -36,7 +36,7 @@ private:
         std::string bytes;
         std::int64_t due_us;
     };
-    LinkConditioner link_;
+    NetworkSimulator link_;
     std::deque<Held> held_;
 };
 

@@ -4,7 +4,7 @@
 import type { EntityState } from '../decode_frame';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
 import { DrawnPoses } from '../interpolate';
-import { LinkConditioner, type LinkSettings } from '../link_conditioner';
+import { NetworkSimulator, type LinkSettings } from '../link_conditioner';
 import { RenderClock } from '../render_clock';
 
 type Point = readonly [number, number, number];
@@ -116,7 +116,7 @@ class Watcher {
 export function watch(settings: LinkSettings, picturesHz: number, seconds = 60): Seen {
   const epochUs = 7e9; // of the server's clock
   const oursUs = 1e6; // of ours, at the same time
-  const link = new LinkConditioner(settings);
+  const link = new NetworkSimulator(settings);
   const clock = new RenderClock();
   const frames = new FrameBuffer();
   const drawn = new DrawnPoses();

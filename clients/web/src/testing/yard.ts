@@ -11,7 +11,7 @@ import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
 import { DrawnPoses } from '../interpolate';
-import { LinkConditioner, GOOD_LINK, type LinkSettings } from '../link_conditioner';
+import { NetworkSimulator, GOOD_LINK, type LinkSettings } from '../link_conditioner';
 import { compile, Predictor, type Picture } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
 
@@ -87,8 +87,8 @@ export class Yard {
   refuses = false;
 
   // --- on the way ---
-  private readonly up: LinkConditioner;
-  private readonly down: LinkConditioner;
+  private readonly up: NetworkSimulator;
+  private readonly down: NetworkSimulator;
   private readonly rising: { atUs: number; sequence: number; tick: number; input: Input }[] = [];
   private readonly falling: {
     atUs: number;
@@ -123,8 +123,8 @@ export class Yard {
     readonly predictor: Predictor,
     link: LinkSettings,
   ) {
-    this.up = new LinkConditioner(link);
-    this.down = new LinkConditioner({ ...link, seed: link.seed + 1 });
+    this.up = new NetworkSimulator(link);
+    this.down = new NetworkSimulator({ ...link, seed: link.seed + 1 });
     for (const one of [server, predictor]) {
       one.begin(60, { x: 0, y: -9.81, z: 0 });
       for (const { entity } of BODIES) one.addBody(entity);

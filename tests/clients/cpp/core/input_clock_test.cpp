@@ -23,7 +23,7 @@ struct SteeredStream {
         clock.begin(60);
     }
 
-    LinkConditioner up, down;
+    NetworkSimulator up, down;
     InputClock clock;
     std::int64_t us = 3'000'000, next_batch_us = us;
     std::uint32_t sequence = 0, tick = 0;

@@ -11,7 +11,7 @@ namespace {
 
 // How long each of so many messages, 60 a second, is on its way, ms.
 std::vector<double> ways_of(const LinkSettings& settings, int count = 36'000) {
-    LinkConditioner link(settings);
+    NetworkSimulator link(settings);
     std::vector<double> ways;
     std::int64_t last = 0;
     for (int k = 0; k < count; k++) {
@@ -31,13 +31,13 @@ double mean_ms(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST(LinkConditioner, delays_by_what_it_was_told_and_no_more) {
+TEST(NetworkSimulator, delays_by_what_it_was_told_and_no_more) {
     const auto ways = ways_of({.delay_ms = 80});
     EXPECT_EQ(*std::min_element(ways.begin(), ways.end()), 80);
     EXPECT_EQ(*std::max_element(ways.begin(), ways.end()), 80);
 }
 
-TEST(LinkConditioner, jitter_is_even_and_its_tail_exponential) {
+TEST(NetworkSimulator, jitter_is_even_and_its_tail_exponential) {
     const auto even = ways_of({.delay_ms = 10, .jitter_ms = 16});
     EXPECT_NEAR(mean_ms(even), 18, 0.1);
     EXPECT_LE(*std::max_element(even.begin(), even.end()), 26);
@@ -48,7 +48,7 @@ TEST(LinkConditioner, jitter_is_even_and_its_tail_exponential) {
     EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.0067, 0.002);
 }
 
-TEST(LinkConditioner, stalls_come_every_so_often_and_hold_up_what_is_behind) {
+TEST(NetworkSimulator, stalls_come_every_so_often_and_hold_up_what_is_behind) {
     const auto ways = ways_of({.stalls_ms = 250, .stall_every_ms = 5000});
     int stalls = 0;
     for (std::size_t k = 1; k < ways.size(); k++)
@@ -57,7 +57,7 @@ TEST(LinkConditioner, stalls_come_every_so_often_and_hold_up_what_is_behind) {
     EXPECT_LT(*std::max_element(ways.begin(), ways.end()), 250.1);
 }
 
-TEST(LinkConditioner, what_is_lost_comes_a_retransmission_later) {
+TEST(NetworkSimulator, what_is_lost_comes_a_retransmission_later) {
     const auto ways = ways_of({.delay_ms = 10, .loss = 0.01, .retransmit_ms = 200});
     // Of the frames of 200 ms behind a lost one each waits; one in a hundred begins it.
     const auto late = std::count_if(ways.begin(), ways.end(), [](double ms) { return ms > 10; });
@@ -65,8 +65,8 @@ TEST(LinkConditioner, what_is_lost_comes_a_retransmission_later) {
     EXPECT_NEAR(*std::max_element(ways.begin(), ways.end()), 210, 1);
 }
 
-TEST(LinkConditioner, the_same_seed_is_the_same_link_in_every_language) {
-    LinkConditioner link({.delay_ms = 40,
+TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
+    NetworkSimulator link({.delay_ms = 40,
                           .jitter_ms = 20,
                           .tail_ms = 5,
                           .stalls_ms = 100,
@@ -78,7 +78,7 @@ TEST(LinkConditioner, the_same_seed_is_the_same_link_in_every_language) {
     EXPECT_EQ(sum, 109'097'580);  // clients/web/src/link_conditioner.test.ts has the same number
 }
 
-TEST(LinkConditioner, is_told_in_a_line_and_says_what_it_cannot_read) {
+TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
     const auto link = read_link_settings("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
     ASSERT_TRUE(link.ok());
     EXPECT_EQ(link->delay_ms, 80);

@@ -125,7 +125,7 @@ private:
 inline Seen watch(const LinkSettings& link_settings, double pictures_hz, double seconds = 60) {
     constexpr std::int64_t epoch_us = 7'000'000'000;  // of the server's clock
     constexpr std::int64_t ours_us = 1'000'000;       // of ours, at the same time
-    LinkConditioner link(link_settings);
+    NetworkSimulator link(link_settings);
     InterpolationBuffer buffer;
     Watcher watcher;
     std::uint32_t next = 1;

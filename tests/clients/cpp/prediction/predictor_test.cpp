@@ -87,7 +87,7 @@ struct Yard {
         v1::Snapshot snapshot;
         std::vector<v1::InputResult> results;
     };
-    LinkConditioner up, down;
+    NetworkSimulator up, down;
     std::deque<Sent> rising;
     std::deque<Told> falling;
 

@@ -8,7 +8,7 @@
 
 namespace jostle::client {
 
-using jostle::LinkConditioner;
+using jostle::NetworkSimulator;
 using jostle::LinkSettings;
 using jostle::read_link_settings;
 

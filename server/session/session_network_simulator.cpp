@@ -8,7 +8,7 @@ namespace jostle::server {
 
 namespace {
 
-NetworkSimulator seeded(LinkSettings settings, std::uint32_t number) {
+NetworkSimulator seeded(NetworkConditions settings, std::uint32_t number) {
     settings.seed += number;
     return NetworkSimulator(settings);
 }
@@ -16,7 +16,7 @@ NetworkSimulator seeded(LinkSettings settings, std::uint32_t number) {
 }  // namespace
 
 // Another link back.
-SessionNetworkSimulator::SessionNetworkSimulator(LinkSettings settings, std::uint32_t number)
+SessionNetworkSimulator::SessionNetworkSimulator(NetworkConditions settings, std::uint32_t number)
     : incoming_{seeded(settings, 2 * number)}, outgoing_{seeded(settings, 2 * number + 1)} {}
 
 template <class Message>
@@ -53,7 +53,7 @@ std::optional<OutMessage> SessionNetworkSimulator::take_outgoing(Clock::time_poi
 
 std::unique_ptr<SessionNetworkSimulator> make_network_simulator(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number) {
-    const Result<LinkSettings> link = read_link_settings(settings.network_conditions);
+    const Result<NetworkConditions> link = read_link_settings(settings.network_conditions);
     if (!link.ok() || !link->bad()) return nullptr;
     const auto& worlds = settings.network_conditions_worlds;
     if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end()) return nullptr;

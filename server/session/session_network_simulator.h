@@ -22,7 +22,7 @@ namespace jostle::server {
 class SessionNetworkSimulator {
 public:
     // `number`: of the client, so that each has stalls of its own; the same in each run.
-    SessionNetworkSimulator(LinkSettings settings, std::uint32_t number);
+    SessionNetworkSimulator(NetworkConditions settings, std::uint32_t number);
 
     void push_incoming(std::string_view bytes, Clock::time_point now);
     // The next one that has arrived. `at_once`: or is still on its way, for the line is cut.

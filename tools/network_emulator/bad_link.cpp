@@ -13,7 +13,7 @@ Clock::duration link_seconds(double s) {
 
 }  // namespace
 
-BadLink::BadLink(const LinkSettings& settings, std::uint64_t stream, Clock::time_point now)
+BadLink::BadLink(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now)
     : settings_(settings),
       generator_(settings.seed * 0x9e3779b97f4a7c15ull + stream),
       free_at_(now),

@@ -13,7 +13,7 @@ namespace jostle::relay {
 
 using Clock = std::chrono::steady_clock;
 
-struct LinkSettings {
+struct NetworkConditions {
     double delay_ms = 0;         // of each piece ...
     double jitter_ms = 0;        // ... and up to so much more, uniformly
     double stall_every_s = 0;    // mean time between stalls; 0: none
@@ -26,7 +26,7 @@ struct LinkSettings {
 class BadLink {
 public:
     // `stream`: links of the same settings and different numbers differ.
-    BadLink(const LinkSettings& settings, std::uint64_t stream, Clock::time_point now);
+    BadLink(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now);
 
     // When bytes that came now arrive; never before those that came earlier.
     Clock::time_point arrival_of(std::size_t bytes, Clock::time_point now);
@@ -38,7 +38,7 @@ private:
     double random();  // 0 to 1
     void pass_stalls(Clock::time_point until);
 
-    LinkSettings settings_;
+    NetworkConditions settings_;
     std::mt19937_64 generator_;
     Clock::time_point free_at_, last_, stall_begins_, stall_ends_;
 };

@@ -90,7 +90,7 @@ void LinkRelay::accept_all(Clock::time_point now) {
         }
         send_at_once(client);
         send_at_once(server);
-        LinkSettings up = settings_.down;
+        NetworkConditions up = settings_.down;
         up.kbit_per_second = 0;
         up.stall_every_s = 0;
         const std::uint64_t number = 2 * accepted_++;

@@ -22,7 +22,7 @@ namespace jostle::relay {
 
 struct RelaySettings {
     std::string target;  // HOST:PORT
-    LinkSettings down;   // to those who connected; up has the same delay and jitter, and no limit
+    NetworkConditions down;   // to those who connected; up has the same delay and jitter, and no limit
     std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
 };
 

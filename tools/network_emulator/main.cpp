@@ -29,7 +29,7 @@ Examples:
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
 int relay_packets(const std::vector<std::string>& devices,
-                  const jostle::relay::LinkSettings& link) {
+                  const jostle::relay::NetworkConditions& link) {
     jostle::relay::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
     if (const auto status = relay.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-relay: %s\n", status.error().message.c_str());

@@ -18,7 +18,7 @@ namespace jostle::relay {
 
 struct PacketRelaySettings {
     std::array<std::string, 2> devices;  // their names, which nobody has yet
-    LinkSettings link;                   // both ways alike
+    NetworkConditions link;                   // both ways alike
 };
 
 class PacketRelay {

@@ -3,14 +3,14 @@
 
 import { nowUs } from './clock';
 import type { Socket } from './connection';
-import { NetworkSimulator, type LinkSettings } from './link_conditioner';
+import { NetworkSimulator, type NetworkConditions } from './link_conditioner';
 
 /** What is on its way in one direction, in order. */
 class Held {
   private readonly due: { readonly at: number; readonly arrive: () => void }[] = [];
   private readonly link: NetworkSimulator;
 
-  constructor(settings: LinkSettings) {
+  constructor(settings: NetworkConditions) {
     this.link = new NetworkSimulator(settings);
   }
 
@@ -30,7 +30,7 @@ class Held {
 }
 
 /** Opens sockets as `open` does. */
-export function overLink(open: (url: string) => Socket, settings: LinkSettings): (url: string) => Socket {
+export function overLink(open: (url: string) => Socket, settings: NetworkConditions): (url: string) => Socket {
   return (url) => {
     const real = open(url);
     const incoming = new Held(settings);

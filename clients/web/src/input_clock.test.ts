@@ -3,7 +3,7 @@
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock';
-import { GOOD_LINK, NetworkSimulator, type LinkSettings } from './link_conditioner';
+import { GOOD_LINK, NetworkSimulator, type NetworkConditions } from './link_conditioner';
 
 const TICK_US = 1e6 / 60;
 
@@ -24,7 +24,7 @@ class SteeredStream {
   private readonly up: NetworkSimulator;
   private readonly down: NetworkSimulator;
 
-  constructor(settings: Partial<LinkSettings>) {
+  constructor(settings: Partial<NetworkConditions>) {
     this.up = new NetworkSimulator({ ...GOOD_LINK, ...settings });
     this.down = new NetworkSimulator({ ...GOOD_LINK, ...settings });
     this.clock.begin(60);

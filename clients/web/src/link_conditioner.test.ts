@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import { GOOD_LINK, NetworkSimulator, linkOf, type LinkSettings } from './link_conditioner';
+import { GOOD_LINK, NetworkSimulator, linkOf, type NetworkConditions } from './link_conditioner';
 
 /** How long each of so many messages, 60 a second, is on its way, ms. */
-function waysOf(settings: Partial<LinkSettings>, count = 36_000): number[] {
+function waysOf(settings: Partial<NetworkConditions>, count = 36_000): number[] {
   const link = new NetworkSimulator({ ...GOOD_LINK, ...settings });
   const ways: number[] = [];
   let last = 0;

@@ -2,7 +2,7 @@
 // lost or overtaken, as on TCP: a lost message comes a retransmission later, and those behind it wait. The same seed gives the
 // same link, here and in the C++ client library (jostle/client/link_conditioner.h). One direction each.
 
-export interface LinkSettings {
+export interface NetworkConditions {
   readonly delay: number; // ms, of every message
   readonly jitter: number; // ms on top, from 0 to this, each alike
   readonly tail: number; // ms on top, exponential with this mean
@@ -13,7 +13,7 @@ export interface LinkSettings {
   readonly seed: number;
 }
 
-export const GOOD_LINK: LinkSettings = {
+export const GOOD_LINK: NetworkConditions = {
   delay: 0,
   jitter: 0,
   tail: 0,
@@ -24,7 +24,7 @@ export const GOOD_LINK: LinkSettings = {
   seed: 1,
 };
 
-const NAMES: Record<string, [field: keyof LinkSettings, most: number]> = {
+const NAMES: Record<string, [field: keyof NetworkConditions, most: number]> = {
   delay: ['delay', 60_000],
   jitter: ['jitter', 60_000],
   tail: ['tail', 60_000],
@@ -36,8 +36,8 @@ const NAMES: Record<string, [field: keyof LinkSettings, most: number]> = {
 };
 
 /** From an address line: ?delay=80&jitter=20&stalls=250. What is out of range is left out; undefined: a good link. */
-export function linkOf(search: string): LinkSettings | undefined {
-  const settings: { -readonly [K in keyof LinkSettings]: LinkSettings[K] } = { ...GOOD_LINK };
+export function linkOf(search: string): NetworkConditions | undefined {
+  const settings: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...GOOD_LINK };
   for (const [name, text] of new URLSearchParams(search)) {
     const [field, most] = NAMES[name] ?? [];
     const value = Number(text);
@@ -55,7 +55,7 @@ export class NetworkSimulator {
   private stall = 0; // begin of the next one, or of the one that is on
   private begun = false;
 
-  constructor(private readonly settings: LinkSettings) {
+  constructor(private readonly settings: NetworkConditions) {
     this.random = settings.seed | 0;
   }
 

@@ -2,12 +2,12 @@
 // tells the same of the C++ client library, with the same links and bounds.
 
 import { describe, expect, it } from 'vitest';
-import { GOOD_LINK, type LinkSettings } from './link_conditioner';
+import { GOOD_LINK, type NetworkConditions } from './link_conditioner';
 import { watch } from './testing/watched_world';
 
 // What each link is allowed to cost; measured figures are a little below. Errors are those of who guesses: a bounce is cut by 23 mm
 // between two frames, and who holds while a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.
-const LINKS: { name: string; link: Partial<LinkSettings>; usualErrorMm: number; errorMm: number; behindMs: number }[] = [
+const LINKS: { name: string; link: Partial<NetworkConditions>; usualErrorMm: number; errorMm: number; behindMs: number }[] = [
   { name: 'even', link: { delay: 40 }, usualErrorMm: 2, errorMm: 25, behindMs: 75 },
   { name: 'uniform jitter of 20 ms', link: { delay: 40, jitter: 20 }, usualErrorMm: 2, errorMm: 25, behindMs: 82 },
   { name: 'uniform jitter of 80 ms', link: { delay: 40, jitter: 80 }, usualErrorMm: 3, errorMm: 50, behindMs: 140 },

@@ -65,7 +65,7 @@ struct Round {
 };
 
 // Eight seconds of which the last six are shot in, three times a second.
-Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rewind_ms = 400) {
+Round shoot(bool aim_at_what_is_shown, client::NetworkConditions each_way, double rewind_ms = 400) {
     Config config;
     config.tick.lag_compensation_ms_max = rewind_ms;
     TestServer server(config);
@@ -94,7 +94,7 @@ Round shoot(bool aim_at_what_is_shown, client::LinkSettings each_way, double rew
 }
 
 TEST(LagCompensation, a_shooter_150_ms_away_hits_what_he_sees_with_it_and_misses_without) {
-    const client::LinkSettings link{.delay_ms = 75};
+    const client::NetworkConditions link{.delay_ms = 75};
     const Round with = shoot(true, session), without = shoot(false, session);
     EXPECT_EQ(with.shots, 16);
     EXPECT_EQ(with.hits, with.shots);

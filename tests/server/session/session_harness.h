@@ -42,7 +42,7 @@ struct TestServer {
 
 struct SessionHarness {
     SessionHarness(TestServer& at, client::ClientOptions options,
-               const client::LinkSettings& each_way = {})
+               const client::NetworkConditions& each_way = {})
         : server(at),
           conversation(std::move(options)),
           settings(each_way),
@@ -85,7 +85,7 @@ struct SessionHarness {
 
     TestServer& server;
     client::Conversation conversation;
-    client::LinkSettings settings;
+    client::NetworkConditions settings;
     client::HeldMessages outgoing, incoming;
     std::optional<server::ClientSession> session;
     std::function<void(std::string&)> tamper;  // with what the server says

@@ -18,7 +18,7 @@ double ms(Clock::duration d) {
 }
 
 // How long each of `count` pieces of 1 kB takes, one every millisecond.
-std::vector<double> delays_of(const LinkSettings& settings, int count, std::uint64_t stream = 0) {
+std::vector<double> delays_of(const NetworkConditions& settings, int count, std::uint64_t stream = 0) {
     BadLink link(settings, stream, start);
     std::vector<double> delays;
     for (int k = 0; k < count; k++) {
@@ -64,10 +64,10 @@ TEST(BadLink, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
 }
 
 TEST(BadLink, a_seed_is_a_link_and_each_connection_has_its_own) {
-    const LinkSettings settings{.jitter_ms = 20, .stall_every_s = 0.1};
+    const NetworkConditions settings{.jitter_ms = 20, .stall_every_s = 0.1};
     EXPECT_EQ(delays_of(settings, 1000, 4), delays_of(settings, 1000, 4));
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(settings, 1000, 5));
-    LinkSettings other = settings;
+    NetworkConditions other = settings;
     other.seed = 2;
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(other, 1000, 4));
 }

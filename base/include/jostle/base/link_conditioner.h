@@ -17,7 +17,7 @@
 
 namespace jostle {
 
-struct LinkSettings {
+struct NetworkConditions {
     double delay_ms = 0;           // of every message
     double jitter_ms = 0;          // on top, from 0 to this, each alike
     double tail_ms = 0;            // on top, exponential with this mean
@@ -35,11 +35,11 @@ struct LinkSettings {
 
 // From "delay=80,jitter=20,stalls=250": the names of the fields without their units. An error names
 // what cannot be read.
-Result<LinkSettings> read_link_settings(std::string_view text);
+Result<NetworkConditions> read_link_settings(std::string_view text);
 
 class NetworkSimulator {
 public:
-    explicit NetworkSimulator(const LinkSettings& settings);
+    explicit NetworkSimulator(const NetworkConditions& settings);
 
     // When a message that is sent now arrives; times rise, in microseconds of any clock.
     std::int64_t arrival_us(std::int64_t sent_us);
@@ -48,7 +48,7 @@ private:
     double chance();  // 0 to 1, less than 1
     std::int64_t after_stalls(std::int64_t arrival_us);
 
-    LinkSettings settings_;
+    NetworkConditions settings_;
     std::uint32_t random_;
     std::int64_t last_arrival_us_ = 0;
     std::int64_t stall_us_ = 0;  // begin of the next stall, or of the one that is on
@@ -69,7 +69,7 @@ inline Error bad_link(std::string_view part, const std::string& why) {
     return {ErrorCode::invalid_argument, "link setting '" + std::string(part) + "': " + why};
 }
 
-inline Status read_number(LinkSettings& settings, std::string_view part) {
+inline Status read_number(NetworkConditions& settings, std::string_view part) {
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos) return bad_link(part, "write it as name=number");
     const std::string_view name = part.substr(0, equals), text = part.substr(equals + 1);
@@ -84,17 +84,17 @@ inline Status read_number(LinkSettings& settings, std::string_view part) {
     }
     struct Field {
         std::string_view name;
-        double LinkSettings::*at;
+        double NetworkConditions::*at;
         double most;
     };
     static constexpr Field fields[] = {
-        {"delay", &LinkSettings::delay_ms, longest_ms},
-        {"jitter", &LinkSettings::jitter_ms, longest_ms},
-        {"tail", &LinkSettings::tail_ms, longest_ms},
-        {"stalls", &LinkSettings::stalls_ms, longest_ms},
-        {"stall_every", &LinkSettings::stall_every_ms, 1e9},
-        {"loss", &LinkSettings::loss, 1},
-        {"retransmit", &LinkSettings::retransmit_ms, longest_ms},
+        {"delay", &NetworkConditions::delay_ms, longest_ms},
+        {"jitter", &NetworkConditions::jitter_ms, longest_ms},
+        {"tail", &NetworkConditions::tail_ms, longest_ms},
+        {"stalls", &NetworkConditions::stalls_ms, longest_ms},
+        {"stall_every", &NetworkConditions::stall_every_ms, 1e9},
+        {"loss", &NetworkConditions::loss, 1},
+        {"retransmit", &NetworkConditions::retransmit_ms, longest_ms},
     };
     for (const Field& field : fields) {
         if (field.name != name) continue;
@@ -109,8 +109,8 @@ inline Status read_number(LinkSettings& settings, std::string_view part) {
 
 }  // namespace link_detail
 
-inline Result<LinkSettings> read_link_settings(std::string_view text) {
-    LinkSettings settings;
+inline Result<NetworkConditions> read_link_settings(std::string_view text) {
+    NetworkConditions settings;
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
         if (const Status read = link_detail::read_number(settings, text.substr(0, comma));
@@ -121,7 +121,7 @@ inline Result<LinkSettings> read_link_settings(std::string_view text) {
     return settings;
 }
 
-inline NetworkSimulator::NetworkSimulator(const LinkSettings& settings)
+inline NetworkSimulator::NetworkSimulator(const NetworkConditions& settings)
     : settings_(settings), random_(settings.seed) {}
 
 // Mulberry32 by Tommy Ettinger: 32-bit words only, so that a browser draws the same numbers.

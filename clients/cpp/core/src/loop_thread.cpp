@@ -169,7 +169,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         }
         client.conversation.begin(now);
         const ClientOptions& options = client.conversation.options();
-        if (LinkSettings link = options.link; link.bad()) {
+        if (NetworkConditions link = options.link; link.bad()) {
             client.incoming.emplace(link);
             link.seed ^= 0x9e3779b9u;  // another link back
             client.outgoing.emplace(link);

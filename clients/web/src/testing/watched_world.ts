@@ -4,7 +4,7 @@
 import type { EntityState } from '../decode_frame';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
 import { DrawnPoses } from '../interpolate';
-import { NetworkSimulator, type LinkSettings } from '../link_conditioner';
+import { NetworkSimulator, type NetworkConditions } from '../link_conditioner';
 import { RenderClock } from '../render_clock';
 
 type Point = readonly [number, number, number];
@@ -113,7 +113,7 @@ class Watcher {
 }
 
 /** So many seconds of frames, 60 a second, over a link, drawn so many times a second. */
-export function watch(settings: LinkSettings, picturesHz: number, seconds = 60): Seen {
+export function watch(settings: NetworkConditions, picturesHz: number, seconds = 60): Seen {
   const epochUs = 7e9; // of the server's clock
   const oursUs = 1e6; // of ours, at the same time
   const link = new NetworkSimulator(settings);

@@ -11,7 +11,7 @@ import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
 import { DrawnPoses } from '../interpolate';
-import { NetworkSimulator, GOOD_LINK, type LinkSettings } from '../link_conditioner';
+import { NetworkSimulator, GOOD_LINK, type NetworkConditions } from '../link_conditioner';
 import { compile, Predictor, type Picture } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
 
@@ -121,7 +121,7 @@ export class Yard {
   private constructor(
     private readonly server: Predictor,
     readonly predictor: Predictor,
-    link: LinkSettings,
+    link: NetworkConditions,
   ) {
     this.up = new NetworkSimulator(link);
     this.down = new NetworkSimulator({ ...link, seed: link.seed + 1 });
@@ -134,7 +134,7 @@ export class Yard {
     server.onFrame({ frame: 1, serverUs: 0, entities: this.statesOf(this.truth[0]!), poses: this.truth[0]!.poses, channels: [] as never });
   }
 
-  static async make(link: Partial<LinkSettings> = { delay: 50, jitter: 10 }): Promise<Yard> {
+  static async make(link: Partial<NetworkConditions> = { delay: 50, jitter: 10 }): Promise<Yard> {
     const module = await predictorModule();
     return new Yard(await Predictor.create(module), await Predictor.create(module), { ...GOOD_LINK, ...link });
   }

@@ -19,7 +19,7 @@ constexpr double tick_us = 1e6 / 60;
 
 // Tick n of the server is due at n / 60 s. Ours is another clock.
 struct SteeredStream {
-    explicit SteeredStream(const LinkSettings& settings) : up(settings), down(settings) {
+    explicit SteeredStream(const NetworkConditions& settings) : up(settings), down(settings) {
         clock.begin(60);
     }
 

@@ -10,7 +10,7 @@ namespace jostle::client {
 namespace {
 
 // How long each of so many messages, 60 a second, is on its way, ms.
-std::vector<double> ways_of(const LinkSettings& settings, int count = 36'000) {
+std::vector<double> ways_of(const NetworkConditions& settings, int count = 36'000) {
     NetworkSimulator link(settings);
     std::vector<double> ways;
     std::int64_t last = 0;

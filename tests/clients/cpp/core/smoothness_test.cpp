@@ -14,7 +14,7 @@ namespace {
 
 struct BadLink {
     const char* name;
-    LinkSettings link;
+    NetworkConditions link;
     // What this link is allowed to cost; measured figures are a little below.
     double usual_error_mm, error_mm, behind_ms;
 };

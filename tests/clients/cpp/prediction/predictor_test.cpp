@@ -28,7 +28,7 @@ constexpr std::uint32_t floor_id = 1, own_id = 2, other_id = 3, far_id = 4;
 constexpr double pictures_hz = 60;
 
 struct Yard {
-    explicit Yard(const LinkSettings& link = {.delay_ms = 50, .jitter_ms = 10})
+    explicit Yard(const NetworkConditions& link = {.delay_ms = 50, .jitter_ms = 10})
         : up(link), down(link) {
         v1::Welcome welcome;
         welcome.set_tick_hz(60);

@@ -58,7 +58,7 @@ struct ClientOptions {
     bool aim_at_what_is_shown = true;
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
-    LinkSettings link = {};
+    NetworkConditions link = {};
     // Is handed each message as it came, before anything is made of it: recordings (without
     // datagrams, for what is late is of no use to them). Called on the
     // loop's thread; it must be quick and call nothing of this client.

@@ -9,7 +9,7 @@
 namespace jostle::client {
 
 using jostle::NetworkSimulator;
-using jostle::LinkSettings;
+using jostle::NetworkConditions;
 using jostle::read_link_settings;
 
 }  // namespace jostle::client

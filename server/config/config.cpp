@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-#include "jostle/base/link_conditioner.h"
+#include "jostle/base/network_simulator.h"
 
 namespace jostle::server {
 

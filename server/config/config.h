@@ -119,7 +119,7 @@ struct ConnectionLimits {
 // Never where people play.
 struct DevelopmentSettings {
     // A link that is worse than the real one, to every client and back, as in
-    // "delay=80,jitter=20,stalls=250" (jostle/base/link_conditioner.h); empty: the real one.
+    // "delay=80,jitter=20,stalls=250" (jostle/base/network_simulator.h); empty: the real one.
     std::string network_conditions;
     std::vector<std::string> network_conditions_worlds;  // names of the worlds that have it; empty: all
 };

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "jostle/base/link_conditioner.h"
+#include "jostle/base/network_simulator.h"
 #include "server/config/config.h"
 #include "server/messages/out_message.h"
 #include "server/util/clock.h"

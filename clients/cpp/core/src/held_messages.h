@@ -9,7 +9,7 @@
 #include <string>
 
 #include "jostle/client/clock_sync.h"
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 
 namespace jostle::client {
 

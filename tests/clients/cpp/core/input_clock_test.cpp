@@ -10,7 +10,7 @@
 #include <deque>
 #include <vector>
 
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 
 namespace jostle::client {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "jostle/client/interpolation.h"
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::client {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "jostle/client/input_clock.h"
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 #include "jostle/modules/player_interaction.h"
 #include "jostle/physics/world.h"
 #include "jostle/scenes/shape_message.h"

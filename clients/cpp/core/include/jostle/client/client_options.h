@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "jostle/client/clock_sync.h"
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 #include "jostle/client/security.h"
 
 namespace jostle::client {

@@ -3,7 +3,7 @@
 // A bad link, for tests and demonstrations: says when a message that is sent now arrives at the
 // other end of a stream. Nothing is lost or overtaken, as on TCP: a lost message comes a
 // retransmission later, and those behind it wait. The same seed gives the same link, here and in
-// the browser (clients/web/src/link_conditioner.ts). One direction each; one thread at a time.
+// the browser (clients/web/src/network_simulator.ts). One direction each; one thread at a time.
 #pragma once
 
 #include <algorithm>

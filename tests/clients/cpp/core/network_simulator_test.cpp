@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/client/link_conditioner.h"
+#include "jostle/client/network_simulator.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
                           .seed = 7});
     std::int64_t sum = 0;
     for (int k = 0; k < 1000; k++) sum += link.arrival_us(k * 16'667LL) - k * 16'667LL;
-    EXPECT_EQ(sum, 109'097'580);  // clients/web/src/link_conditioner.test.ts has the same number
+    EXPECT_EQ(sum, 109'097'580);  // clients/web/src/network_simulator.test.ts has the same number
 }
 
 TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {

@@ -47,7 +47,7 @@ it('is the same link for the same seed in every language', () => {
   const link = new NetworkSimulator({ delay: 40, jitter: 20, tail: 5, stalls: 100, stallEvery: 500, loss: 0.05, retransmit: 200, seed: 7 });
   let sum = 0;
   for (let k = 0; k < 1000; k++) sum += link.arrivalUs(k * 16_667) - k * 16_667;
-  expect(sum).toBe(109_097_580); // tests/clients/cpp/core/link_conditioner_test.cpp has the same number
+  expect(sum).toBe(109_097_580); // tests/clients/cpp/core/network_simulator_test.cpp has the same number
 });
 
 it('is read from an address line', () => {

@@ -1,6 +1,6 @@
 // A bad link, for tests and demonstrations: says when a message that is sent now arrives at the other end of a stream. Nothing is
 // lost or overtaken, as on TCP: a lost message comes a retransmission later, and those behind it wait. The same seed gives the
-// same link, here and in the C++ client library (jostle/client/link_conditioner.h). One direction each.
+// same link, here and in the C++ client library (jostle/client/network_simulator.h). One direction each.
 
 export interface NetworkConditions {
   readonly delay: number; // ms, of every message

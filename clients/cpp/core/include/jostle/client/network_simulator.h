@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // A bad link, for tests and demonstrations: ClientOptions::link. What it is made of is shared with
-// the server (jostle/base/link_conditioner.h).
+// the server (jostle/base/network_simulator.h).
 #pragma once
 
-#include "jostle/base/link_conditioner.h"
+#include "jostle/base/network_simulator.h"
 
 namespace jostle::client {
 

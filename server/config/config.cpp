@@ -127,7 +127,7 @@ Status check(const Config& c) {
     if (std::find(kept.begin(), kept.end(), c.persistence.durability) == kept.end())
         return invalid_argument("persistence.durability is \"" + c.persistence.durability +
                                 "\"; it must be none, process or machine");
-    if (const auto link = read_link_settings(c.development.network_conditions); !link.ok())
+    if (const auto link = parse_network_conditions(c.development.network_conditions); !link.ok())
         return invalid_argument("development.network_conditions: " + link.error().message);
     return check_access(c);
 }

@@ -35,7 +35,7 @@ struct NetworkConditions {
 
 // From "delay=80,jitter=20,stalls=250": the names of the fields without their units. An error names
 // what cannot be read.
-Result<NetworkConditions> read_link_settings(std::string_view text);
+Result<NetworkConditions> parse_network_conditions(std::string_view text);
 
 class NetworkSimulator {
 public:
@@ -57,7 +57,7 @@ private:
 
 // ---- how ----
 
-namespace link_detail {
+namespace network_simulator_detail {
 
 inline constexpr double longest_ms = 60'000;
 
@@ -65,20 +65,20 @@ inline std::int64_t us_of(double ms) {
     return std::llround(1000 * ms);
 }
 
-inline Error bad_link(std::string_view part, const std::string& why) {
+inline Error invalid_setting(std::string_view part, const std::string& why) {
     return {ErrorCode::invalid_argument, "link setting '" + std::string(part) + "': " + why};
 }
 
 inline Status read_number(NetworkConditions& settings, std::string_view part) {
     const std::size_t equals = part.find('=');
-    if (equals == std::string_view::npos) return bad_link(part, "write it as name=number");
+    if (equals == std::string_view::npos) return invalid_setting(part, "write it as name=number");
     const std::string_view name = part.substr(0, equals), text = part.substr(equals + 1);
     double value = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc() || end != text.data() + text.size() || !(value >= 0))
-        return bad_link(part, "after = comes a number from 0");
+        return invalid_setting(part, "after = comes a number from 0");
     if (name == "seed") {
-        if (value > 0xffffffffu) return bad_link(part, "at most 4294967295");
+        if (value > 0xffffffffu) return invalid_setting(part, "at most 4294967295");
         settings.seed = static_cast<std::uint32_t>(value);
         return {};
     }
@@ -99,21 +99,21 @@ inline Status read_number(NetworkConditions& settings, std::string_view part) {
     for (const Field& field : fields) {
         if (field.name != name) continue;
         if (value > field.most)
-            return bad_link(part, "at most " + std::to_string(std::llround(field.most)));
+            return invalid_setting(part, "at most " + std::to_string(std::llround(field.most)));
         settings.*field.at = value;
         return {};
     }
-    return bad_link(part,
+    return invalid_setting(part,
                     "there are delay, jitter, tail, stalls, stall_every, loss, retransmit, seed");
 }
 
-}  // namespace link_detail
+}  // namespace network_simulator_detail
 
-inline Result<NetworkConditions> read_link_settings(std::string_view text) {
+inline Result<NetworkConditions> parse_network_conditions(std::string_view text) {
     NetworkConditions settings;
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
-        if (const Status read = link_detail::read_number(settings, text.substr(0, comma));
+        if (const Status read = network_simulator_detail::read_number(settings, text.substr(0, comma));
             !read.ok())
             return read.error();
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
@@ -133,11 +133,11 @@ inline double NetworkSimulator::chance() {
 }
 
 inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
-    const std::int64_t length = link_detail::us_of(settings_.stalls_ms);
+    const std::int64_t length = network_simulator_detail::us_of(settings_.stalls_ms);
     while (arrival_us >= stall_us_ + length) {
         // A stall begins after the one before has ended.
         const double gap_ms = settings_.stall_every_ms * (0.5 + chance());
-        stall_us_ += std::max(link_detail::us_of(gap_ms), length + 1000);
+        stall_us_ += std::max(network_simulator_detail::us_of(gap_ms), length + 1000);
     }
     return arrival_us >= stall_us_ ? stall_us_ + length : arrival_us;
 }
@@ -145,13 +145,13 @@ inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
 inline std::int64_t NetworkSimulator::arrival_us(std::int64_t sent_us) {
     if (!begun_) {
         begun_ = true;
-        stall_us_ = sent_us + link_detail::us_of(settings_.stall_every_ms * (0.5 + chance()));
+        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms * (0.5 + chance()));
     }
-    double way_ms = settings_.delay_ms;
-    if (settings_.jitter_ms > 0) way_ms += settings_.jitter_ms * chance();
-    if (settings_.tail_ms > 0) way_ms -= settings_.tail_ms * std::log(1 - chance());
-    if (settings_.loss > 0 && chance() < settings_.loss) way_ms += settings_.retransmit_ms;
-    std::int64_t arrival = std::max(sent_us + link_detail::us_of(way_ms), last_arrival_us_);
+    double transit_ms = settings_.delay_ms;
+    if (settings_.jitter_ms > 0) transit_ms += settings_.jitter_ms * chance();
+    if (settings_.tail_ms > 0) transit_ms -= settings_.tail_ms * std::log(1 - chance());
+    if (settings_.loss > 0 && chance() < settings_.loss) transit_ms += settings_.retransmit_ms;
+    std::int64_t arrival = std::max(sent_us + network_simulator_detail::us_of(transit_ms), last_arrival_us_);
     if (settings_.stalls_ms > 0) arrival = after_stalls(arrival);
     return last_arrival_us_ = arrival;
 }

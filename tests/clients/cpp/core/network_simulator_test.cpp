@@ -79,7 +79,7 @@ TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
 }
 
 TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
-    const auto link = read_link_settings("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
+    const auto link = parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
     ASSERT_TRUE(link.ok());
     EXPECT_EQ(link->delay_ms, 80);
     EXPECT_EQ(link->jitter_ms, 20.5);
@@ -87,10 +87,10 @@ TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
     EXPECT_EQ(link->loss, 0.02);
     EXPECT_EQ(link->seed, 9u);
     EXPECT_TRUE(link->bad());
-    EXPECT_FALSE(read_link_settings("")->bad());
+    EXPECT_FALSE(parse_network_conditions("")->bad());
     for (const char* wrong : {"delay", "delay=", "delay=-1", "delay=nan", "delay=99999", "loss=2",
                               "speed=3", "delay=5ms", "seed=5000000000"}) {
-        const auto read = read_link_settings(wrong);
+        const auto read = parse_network_conditions(wrong);
         ASSERT_FALSE(read.ok()) << wrong;
         EXPECT_NE(read.error().message.find(wrong), std::string::npos);
     }

@@ -10,6 +10,6 @@ namespace jostle::client {
 
 using jostle::NetworkSimulator;
 using jostle::NetworkConditions;
-using jostle::read_link_settings;
+using jostle::parse_network_conditions;
 
 }  // namespace jostle::client

@@ -147,7 +147,7 @@ COVERED_BY = {
     "stages/contacts/decide_contacts.cpp":
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/contact_events_test.cpp", "behaviour/sleeping_test.cpp"],
          "how often pairs are looked at; each touch begins and ends once; who is met asleep wakes"),
-    "stages/contacts/look_at_pair.cpp":
+    "stages/contacts/narrow_phase_pair.cpp":
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/friction_stop_test.cpp", "behaviour/rocking_test.cpp"],
          "what passes by, what slides over seams, what rocks"),
     "stages/continuous/ccd_candidates.cpp":

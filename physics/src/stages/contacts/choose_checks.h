@@ -5,7 +5,7 @@
 //
 // Reads: motion bounds of bodies, the constraint graph's flags. Writes: separation bounds, of which
 // those that are used up leave the list. Leaves in scratch: ContactScratch::checks with space for
-// their results, and had_contacts for look_at_pair and solve_continuous (ccd_policy.h).
+// their results, and had_contacts for narrow_phase_pair and solve_continuous (ccd_policy.h).
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -15,7 +15,7 @@
 
 namespace jostle::physics {
 
-// Reads: checks that look_at_pair is done with. Leaves in scratch: ContactScratch::crowds and
+// Reads: checks that narrow_phase_pair is done with. Leaves in scratch: ContactScratch::crowds and
 // crowd_of, for decide_contacts and solve_continuous. One thread.
 void find_crowds(StepContext& step);
 

@@ -7,7 +7,7 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/choose_checks.h"
 #include "physics/src/stages/contacts/decide_contacts.h"
-#include "physics/src/stages/contacts/look_at_pair.h"
+#include "physics/src/stages/contacts/narrow_phase_pair.h"
 #include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
@@ -47,7 +47,7 @@ Skipped update_contacts(StepContext& step) {
             if (is_stopped(step))
                 check.done = true;  // as it was
             else
-                look_at_pair(step, check);
+                narrow_phase_pair(step, check);
         }
     });
     decide_contacts(step);

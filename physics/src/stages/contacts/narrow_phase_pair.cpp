@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/look_at_pair.h"
+#include "physics/src/stages/contacts/narrow_phase_pair.h"
 
 #include <optional>
 
@@ -289,7 +289,7 @@ void keep_for_crowds(StepContext& step, ContactCheck& check, const Manifold& man
 
 }  // namespace
 
-void look_at_pair(StepContext& step, ContactCheck& check) {
+void narrow_phase_pair(StepContext& step, ContactCheck& check) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     Contact& c = world.contacts.contacts[check.contact];

@@ -13,6 +13,6 @@
 
 namespace jostle::physics {
 
-void look_at_pair(StepContext& step, ContactCheck& check);
+void narrow_phase_pair(StepContext& step, ContactCheck& check);
 
 }  // namespace jostle::physics

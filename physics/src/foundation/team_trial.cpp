@@ -38,7 +38,7 @@ bool TeamTrial::shares(double last_ms) {
     }
     // The first one still finds records elsewhere.
     if (left_ < trial_steps - 1 && last_ms >= tuning::trial_gain * kept_ms_) lost_++;
-    const bool decided = lost_ > looked_at / 2;
+    const bool decided = lost_ > sample_count / 2;
     if (left_ > 0 && !decided) return !shared_;
     trying_ = false;
     if (!decided) shared_ = !shared_;

@@ -22,8 +22,8 @@ public:
     bool shares(double last_ms);
 
 private:
-    static constexpr int looked_at = 5;  // last steps before a trial, and of one
-    static constexpr int trial_steps = looked_at + 1;
+    static constexpr int sample_count = 5;  // last steps before a trial, and of one
+    static constexpr int trial_steps = sample_count + 1;
 
     bool last_are_long() const;
     double median() const;
@@ -33,7 +33,7 @@ private:
     int pause_ = tuning::first_trial_pause, left_ = tuning::first_trial_pause;
     int lost_ = 0;                          // steps of the trial that were no better
     double kept_ms_ = 0;                    // a step took before the trial
-    std::array<double, looked_at> last_{};  // ms, round and round
+    std::array<double, sample_count> last_{};  // ms, round and round
     std::size_t next_ = 0;
 };
 

@@ -249,7 +249,7 @@ inline constexpr int sweep_impacts = 16;  // of one body in one step; then it st
 // of their steps is .6 to 2 times what their work says. A look at two capsules takes .4 us, at two
 // boxes .7 to 1, at two hulls of 32 corners 2.9; this is none of them.
 inline constexpr std::int64_t body_work = 500;        // an awake body
-inline constexpr std::int64_t look_work = 1000;       // a narrow phase call
+inline constexpr std::int64_t narrow_phase_work = 1000;       // a narrow phase call
 inline constexpr std::int64_t composite_work = 3000;  // ... with a mesh or a compound, beside that
 inline constexpr std::int64_t contact_work = 40;      // a contact in a sub-step
 inline constexpr std::int64_t joint_work = 200;       // a joint in a sub-step
@@ -307,7 +307,7 @@ inline constexpr double quarantine_coordinate = 1e8;  // m
 // thread. A grain takes some microseconds, ten times a hand-over.
 inline constexpr int pair_grain = 64;    // shapes that ask for new pairs
 inline constexpr int bound_grain = 512;  // separation bounds
-inline constexpr int look_grain = 32;    // pairs in the narrow phase
+inline constexpr int narrow_phase_grain = 32;    // pairs in the narrow phase
 inline constexpr int body_grain = 256;   // bodies
 // Free bodies that listeners are shown together where they may be called at once. It decides what
 // they see, so it is the same for any number of threads.

@@ -43,7 +43,7 @@ void update_overload_level(WorldState& world, OverloadState to) {
 }  // namespace
 
 std::int64_t step_work(const StepProfile& profile) {
-    return (tuning::body_work * profile.bodies_awake + tuning::look_work * profile.pairs_checked +
+    return (tuning::body_work * profile.bodies_awake + tuning::narrow_phase_work * profile.pairs_checked +
             tuning::composite_work * profile.composites_checked +
             tuning::contact_work * profile.contact_substeps +
             tuning::joint_work * profile.joint_substeps + tuning::sweep_work * profile.sweeps +

@@ -265,16 +265,16 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     double lost = 5e-5 * minimum(size_of(a), size_of(b));
     if (a.core != Core::point && b.core != Core::point) {
         const Feature fa = feature_along(a, n), fb = feature_along(b, -n);
-        const double look_a = fa.count >= 3 ? dot(fa.normal, n) : -1;
-        const double look_b = fb.count >= 3 ? -dot(fb.normal, n) : -1;
+        const double alignment_a = fa.count >= 3 ? dot(fa.normal, n) : -1;
+        const double alignment_b = fb.count >= 3 ? -dot(fb.normal, n) : -1;
         // A face serves as reference while the normal is near its own. An edge that lies on it is
         // only there when the face is what touches.
         const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
-        const bool on_face = maximum(look_a, look_b) > 1 - 1e-9;
+        const bool on_face = maximum(alignment_a, alignment_b) > 1 - 1e-9;
         bool side_by_side =
             !on_face && witness.distance > 0 && add_along_edge(sink, a, b, fa, fb, n);
-        if (!side_by_side && maximum(look_a, look_b) >= least) {
-            if (look_a >= look_b - 1e-9)
+        if (!side_by_side && maximum(alignment_a, alignment_b) >= least) {
+            if (alignment_a >= alignment_b - 1e-9)
                 add_clipped(sink, fa, fb, n, true);
             else
                 add_clipped(sink, fb, fa, n, false);

@@ -31,7 +31,7 @@ public:
     }
 
     // From here to there, fractions of the motion, is what counts now.
-    void look_between(double from, double until) {
+    void set_interval(double from, double until) {
         const Float4 at = motion_ * lanes(from), end = motion_ * lanes(until);
         spread(low_ + smaller4(at, end), overlap_.low);
         spread(high_ + larger4(at, end), overlap_.high);

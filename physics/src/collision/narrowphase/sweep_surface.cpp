@@ -90,22 +90,22 @@ private:
         from_ = from;
         const Vec3 there = origin_ + motion_ * from, on = motion_ * (until - from);
         const Aabb box{box_.low + there + min(on, Vec3{}), box_.high + there + max(on, Vec3{})};
-        lanes_.look_between(from, minimum(until, best_.fraction));
-        const auto look_near = [&](const SurfaceTriangle& t) {
+        lanes_.set_interval(from, minimum(until, best_.fraction));
+        const auto test_triangle = [&](const SurfaceTriangle& t) {
             const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
                            max(t.corner[0], max(t.corner[1], t.corner[2]))};
             if (!overlap(own, box)) return;
             const double before = best_.fraction;
             look(t, until);
             // What comes later than that no longer counts.
-            if (best_.fraction < before) lanes_.look_between(from, minimum(until, best_.fraction));
+            if (best_.fraction < before) lanes_.set_interval(from, minimum(until, best_.fraction));
         };
         if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
             mesh->data->tree->nearest_first(
-                lanes_, [&](std::uint32_t index) { look_near(triangle_of(*mesh->data, index)); });
+                lanes_, [&](std::uint32_t index) { test_triangle(triangle_of(*mesh->data, index)); });
         else
             nearest_cell_first(*std::get<HeightField>(*surface_.geometry).data, box,
-                               origin_ + middle_ + motion_ * until, lanes_, look_near);
+                               origin_ + middle_ + motion_ * until, lanes_, test_triangle);
         std::sort(
             candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
                 return a.enters < b.enters || (a.enters == b.enters && a.triangle < b.triangle);

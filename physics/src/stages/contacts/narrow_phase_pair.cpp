@@ -164,7 +164,7 @@ SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PairA
         (tuning::speculative_margin + tuning::composite_slack) * scale_of_pair(world.bodies, c)};
 }
 
-void look_at_composite(StepContext& step, ContactCheck& check) {
+void narrow_phase_composite(StepContext& step, ContactCheck& check) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     const double dt = step.dt;
@@ -295,7 +295,7 @@ void narrow_phase_pair(StepContext& step, ContactCheck& check) {
     Contact& c = world.contacts.contacts[check.contact];
     ASSERT(c.queued);
     c.queued = false;
-    if (c.composite) return look_at_composite(step, check);
+    if (c.composite) return narrow_phase_composite(step, check);
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
         check.bounces = will_bounce(step, c, manifold, c.touching);

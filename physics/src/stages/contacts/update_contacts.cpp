@@ -40,7 +40,7 @@ Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     choose_checks(step);
     std::vector<ContactCheck>& checks = step.scratch.contacts.checks;
-    step.team.run(static_cast<int>(checks.size()), tuning::look_grain, [&](int begin, int end) {
+    step.team.run(static_cast<int>(checks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             ContactCheck& check = checks[static_cast<std::size_t>(k)];
             prefetch_ahead(step.world, checks, k, end);

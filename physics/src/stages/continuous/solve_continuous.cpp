@@ -351,7 +351,7 @@ private:
             t.fraction = Impact::never;
             if (searches(k))
                 for (const std::uint32_t other : t.candidates)
-                    if (!is_looked_at_by(k, world_.shapes.shapes[other].body))
+                    if (!is_tested_by(k, world_.shapes.shapes[other].body))
                         find_impact_with(t, other);
         } else {
             for (const std::uint32_t body : t.diverted)
@@ -366,7 +366,7 @@ private:
     }
 
     // Whether the other one looks at this TOI body in the same round: once is enough.
-    bool is_looked_at_by(std::size_t k, std::uint32_t other) const {
+    bool is_tested_by(std::size_t k, std::uint32_t other) const {
         const std::uint32_t known = toi_body_of(other);
         if (known == nobody || known >= k || bodies_[known].anew_in != round_) return false;
         const std::vector<std::uint32_t>& near = bodies_[known].candidates;

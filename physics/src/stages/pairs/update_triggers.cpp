@@ -18,7 +18,7 @@ bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     return shapes_overlap(pa, pb);
 }
 
-void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
+void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
                std::vector<Inside>& inside) {
     const ShapeRecord& shape = world.shapes.shapes[trigger];
     ASSERT(shape.trigger);
@@ -75,7 +75,7 @@ Skipped update_triggers(StepContext& step) {
     world.shapes.moving->flush();
     std::vector<Inside> inside;
     for (const std::uint32_t trigger : world.shapes.triggers)
-        look_into(world, trigger, step.scratch.pairs.in_trigger, inside);
+        test_trigger(world, trigger, step.scratch.pairs.in_trigger, inside);
     std::sort(inside.begin(), inside.end());
     inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
     const auto& before = world.triggers.inside;

@@ -64,7 +64,7 @@ std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch
 }
 
 // Islands with a body or a joint of which groups know nothing are refused.
-void look_at_islands(StepContext& step) {
+void classify_islands(StepContext& step) {
     const WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
     const std::size_t islands = world.islands.ids.size();
@@ -326,7 +326,7 @@ void find_joint_groups(StepContext& step) {
     scratch.awake.clear();
     scratch.grouped.clear();
     if (world.joints.ids.alive_count() == 0 || has_substep_listeners(world.listeners)) return;
-    look_at_islands(step);
+    classify_islands(step);
     if (scratch.active.empty()) return;
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);
     scratch.grouped.assign(world.bodies.awake.size(), 0);

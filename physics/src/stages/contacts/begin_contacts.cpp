@@ -30,7 +30,7 @@ Skipped begin_contacts(StepContext& step) {
     const bool asks = has_pre_solve_listeners(world.listeners);
     for (const NewContact& next : begins) {
         ASSERT(next.check < scratch.checks.size());
-        const ContactCheck& check = scratch.checks[next.check];
+        const NarrowPhaseTask& check = scratch.checks[next.check];
         ASSERT(world.contacts.ids.alive(check.contact) && !check.goes_on);
         std::uint32_t contact = check.contact;
         ASSERT(check.list >= 0);

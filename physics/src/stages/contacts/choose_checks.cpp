@@ -92,15 +92,15 @@ void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph
 
 // A composite pair that is looked at because of a part may have a bound still, which says nothing
 // of where the parts are: the look gives it another.
-void drop_bounds_of_checks(ContactStore& store, const std::vector<ContactCheck>& checks) {
-    const auto has_bound = [&](const ContactCheck& check) {
+void drop_bounds_of_checks(ContactStore& store, const std::vector<NarrowPhaseTask>& checks) {
+    const auto has_bound = [&](const NarrowPhaseTask& check) {
         return store.contacts[check.contact].has_bound;
     };
     if (std::none_of(checks.begin(), checks.end(), has_bound)) return;
     std::erase_if(store.bounds, [&](const SeparationBound& bound) {
         return store.contacts[bound.contact].queued;
     });
-    for (const ContactCheck& check : checks) store.contacts[check.contact].has_bound = false;
+    for (const NarrowPhaseTask& check : checks) store.contacts[check.contact].has_bound = false;
 }
 
 // Space for what threads will find.

@@ -15,7 +15,7 @@
 namespace jostle::physics {
 
 // One narrow phase call and what came of it. Small: there may be tens of thousands.
-struct ContactCheck {
+struct NarrowPhaseTask {
     std::uint32_t contact = 0;
     // Of a composite pair: its parts are in ContactScratch::parts[list]. Else: the manifold that
     // may begin is ContactScratch::fresh[list].
@@ -58,7 +58,7 @@ struct Crowd {
 
 struct ContactScratch {
     std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
-    std::vector<ContactCheck> checks;
+    std::vector<NarrowPhaseTask> checks;
     std::int32_t part_lists = 0;  // given to checks of composite pairs
     // Of checks without a lane, as far as fresh_count, in any order.
     UninitializedVector<Manifold> fresh;

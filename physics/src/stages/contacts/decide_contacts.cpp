@@ -28,7 +28,7 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
 }
 
 // No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
-void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
+void bound_or_end(WorldState& world, const NarrowPhaseTask& check, double near) {
     Contact& c = world.contacts.contacts[check.contact];
     ASSERT(!c.has_bound && !c.composite);
     if (c.touching) {
@@ -91,7 +91,7 @@ double begin_margin(const BodyStore& bodies, const Contact& c) {
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
 // step, and the pair gets a bound until something new may come near.
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
-    const ContactCheck& check = scratch.checks[k];
+    const NarrowPhaseTask& check = scratch.checks[k];
     auto& contacts = world.contacts.contacts;
     ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     const auto& found = scratch.parts[static_cast<std::size_t>(check.list)];
@@ -130,7 +130,7 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 }
 
 // What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
-void decide_bounce(WorldState& world, ContactScratch& scratch, ContactCheck& check) {
+void decide_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& check) {
     const Contact& c = world.contacts.contacts[check.contact];
     if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
         note_bouncing(world.bodies, c, scratch.bouncing);
@@ -143,7 +143,7 @@ void decide_bounce(WorldState& world, ContactScratch& scratch, ContactCheck& che
 }
 
 void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
-    ContactCheck& check = scratch.checks[k];
+    NarrowPhaseTask& check = scratch.checks[k];
     ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
     ASSERT(!c.queued);
@@ -164,7 +164,7 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
 void decide_contacts(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    std::vector<ContactCheck>& checks = scratch.checks;
+    std::vector<NarrowPhaseTask>& checks = scratch.checks;
     scratch.begins.clear();
     find_crowds(step);
     for (std::uint32_t k = 0; k < checks.size(); k++) {

@@ -193,11 +193,11 @@ void find_crowds(StepContext& step) {
     scratch.crowd_of.clear();
     scratch.crowd_bonds.clear();
     if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
-                     [](const ContactCheck& check) { return check.bounces; }))
+                     [](const NarrowPhaseTask& check) { return check.bounces; }))
         return;
     scratch.crowd_of.assign(world.bodies.awake.size(), no_crowd);
     const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
-    for (const ContactCheck& check : scratch.checks) {
+    for (const NarrowPhaseTask& check : scratch.checks) {
         if (!check.bounces) continue;
         const Contact& c = world.contacts.contacts[check.contact];
         join_crowds(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],

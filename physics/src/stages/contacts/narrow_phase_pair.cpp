@@ -164,7 +164,7 @@ SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PairA
         (tuning::speculative_margin + tuning::composite_slack) * scale_of_pair(world.bodies, c)};
 }
 
-void narrow_phase_composite(StepContext& step, ContactCheck& check) {
+void narrow_phase_composite(StepContext& step, NarrowPhaseTask& check) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     const double dt = step.dt;
@@ -271,7 +271,7 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
 
 // Of a pair that is about to bounce: decide_contacts knows whether in a crowd, which leaves the
 // manifold to the contact solver.
-void keep_for_crowds(StepContext& step, ContactCheck& check, const Manifold& manifold) {
+void keep_for_crowds(StepContext& step, NarrowPhaseTask& check, const Manifold& manifold) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     const Contact& c = world.contacts.contacts[check.contact];
@@ -289,7 +289,7 @@ void keep_for_crowds(StepContext& step, ContactCheck& check, const Manifold& man
 
 }  // namespace
 
-void narrow_phase_pair(StepContext& step, ContactCheck& check) {
+void narrow_phase_pair(StepContext& step, NarrowPhaseTask& check) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     Contact& c = world.contacts.contacts[check.contact];

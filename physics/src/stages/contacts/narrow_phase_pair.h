@@ -13,6 +13,6 @@
 
 namespace jostle::physics {
 
-void narrow_phase_pair(StepContext& step, ContactCheck& check);
+void narrow_phase_pair(StepContext& step, NarrowPhaseTask& check);
 
 }  // namespace jostle::physics

@@ -15,7 +15,7 @@ namespace {
 
 // Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
 // next, some checks before they are needed.
-void prefetch_ahead(const WorldState& world, const std::vector<ContactCheck>& checks, int k,
+void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>& checks, int k,
                     int end) {
     const auto contact_of = [&](int check) -> const Contact& {
         return world.contacts.contacts[checks[static_cast<std::size_t>(check)].contact];
@@ -39,10 +39,10 @@ void prefetch_ahead(const WorldState& world, const std::vector<ContactCheck>& ch
 Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     choose_checks(step);
-    std::vector<ContactCheck>& checks = step.scratch.contacts.checks;
+    std::vector<NarrowPhaseTask>& checks = step.scratch.contacts.checks;
     step.team.run(static_cast<int>(checks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            ContactCheck& check = checks[static_cast<std::size_t>(k)];
+            NarrowPhaseTask& check = checks[static_cast<std::size_t>(k)];
             prefetch_ahead(step.world, checks, k, end);
             if (is_stopped(step))
                 check.done = true;  // as it was

@@ -22,25 +22,25 @@ Skipped begin_contacts(StepContext& step) {
     if (world.bodies.awake.empty()) return nobody_awake;
     if (begins.empty()) return "no manifold begins";
     const auto key = [&](const NewContact& next) {
-        const Contact& c = world.contacts.contacts[scratch.checks[next.check].contact];
+        const Contact& c = world.contacts.contacts[scratch.tasks[next.task].contact];
         return std::tuple(c.shape_a, c.shape_b, next.part);
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
     const bool asks = has_pre_solve_listeners(world.listeners);
     for (const NewContact& next : begins) {
-        ASSERT(next.check < scratch.checks.size());
-        const NarrowPhaseTask& check = scratch.checks[next.check];
-        ASSERT(world.contacts.ids.alive(check.contact) && !check.goes_on);
-        std::uint32_t contact = check.contact;
-        ASSERT(check.list >= 0);
-        const auto list = static_cast<std::size_t>(check.list);
+        ASSERT(next.task < scratch.tasks.size());
+        const NarrowPhaseTask& task = scratch.tasks[next.task];
+        ASSERT(world.contacts.ids.alive(task.contact) && !task.goes_on);
+        std::uint32_t contact = task.contact;
+        ASSERT(task.list >= 0);
+        const auto list = static_cast<std::size_t>(task.list);
         const Manifold* manifold = nullptr;
         if (next.part >= 0) {
             ASSERT(static_cast<std::size_t>(next.part) < scratch.parts[list].size());
             const PartManifold& part =
                 scratch.parts[list][static_cast<std::size_t>(next.part)].part;
-            contact = create_part(world, check.contact, part.key);
+            contact = create_part(world, task.contact, part.key);
             manifold = &part.manifold;
         } else {
             manifold = &scratch.fresh[list];

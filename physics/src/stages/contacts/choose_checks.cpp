@@ -17,7 +17,7 @@ void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) 
     ASSERT(store.ids.alive(contact) && c.parent == none);
     if (c.queued) return;
     c.queued = true;
-    scratch.checks.push_back({.contact = contact, .list = c.composite ? scratch.part_lists++ : -1});
+    scratch.tasks.push_back({.contact = contact, .list = c.composite ? scratch.part_lists++ : -1});
 }
 
 // Who leans on something, before anything changes: stages/continuous/ccd_policy.h.
@@ -92,23 +92,23 @@ void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph
 
 // A composite pair that is looked at because of a part may have a bound still, which says nothing
 // of where the parts are: the look gives it another.
-void drop_bounds_of_checks(ContactStore& store, const std::vector<NarrowPhaseTask>& checks) {
-    const auto has_bound = [&](const NarrowPhaseTask& check) {
-        return store.contacts[check.contact].has_bound;
+void drop_bounds_of_checks(ContactStore& store, const std::vector<NarrowPhaseTask>& tasks) {
+    const auto has_bound = [&](const NarrowPhaseTask& task) {
+        return store.contacts[task.contact].has_bound;
     };
-    if (std::none_of(checks.begin(), checks.end(), has_bound)) return;
+    if (std::none_of(tasks.begin(), tasks.end(), has_bound)) return;
     std::erase_if(store.bounds, [&](const SeparationBound& bound) {
         return store.contacts[bound.contact].queued;
     });
-    for (const NarrowPhaseTask& check : checks) store.contacts[check.contact].has_bound = false;
+    for (const NarrowPhaseTask& task : tasks) store.contacts[task.contact].has_bound = false;
 }
 
 // Space for what threads will find.
 void make_space(ContactScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.part_lists);
-    ASSERT(lists <= scratch.checks.size());
+    ASSERT(lists <= scratch.tasks.size());
     if (scratch.parts.size() < lists) scratch.parts.resize(lists);
-    scratch.fresh.reserve_discarding(scratch.checks.size());
+    scratch.fresh.reserve_discarding(scratch.tasks.size());
     scratch.fresh_count = 0;
 }
 
@@ -117,14 +117,14 @@ void make_space(ContactScratch& scratch) {
 void choose_checks(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    scratch.checks.clear();
+    scratch.tasks.clear();
     scratch.part_lists = 0;
     note_contacts(world.bodies, scratch.had_contacts);
     scratch.bouncing.clear();
     drop_dormant_pairs(world.contacts);
     take_due_pairs(step);
     take_manifolds_to_rebuild(world.contacts, world.graph, scratch);
-    drop_bounds_of_checks(world.contacts, scratch.checks);
+    drop_bounds_of_checks(world.contacts, scratch.tasks);
     make_space(scratch);
 }
 

@@ -42,7 +42,7 @@ struct FoundPart {
 // A manifold that enters the constraint graph: of a check, and which part of it (-1: the check's
 // own).
 struct NewContact {
-    std::uint32_t check = 0;
+    std::uint32_t task = 0;
     std::int32_t part = -1;
 };
 
@@ -58,7 +58,7 @@ struct Crowd {
 
 struct ContactScratch {
     std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
-    std::vector<NarrowPhaseTask> checks;
+    std::vector<NarrowPhaseTask> tasks;
     std::int32_t part_lists = 0;  // given to checks of composite pairs
     // Of checks without a lane, as far as fresh_count, in any order.
     UninitializedVector<Manifold> fresh;

@@ -28,21 +28,21 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
 }
 
 // No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
-void bound_or_end(WorldState& world, const NarrowPhaseTask& check, double near) {
-    Contact& c = world.contacts.contacts[check.contact];
+void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
+    Contact& c = world.contacts.contacts[task.contact];
     ASSERT(!c.has_bound && !c.composite);
     if (c.touching) {
         report_end(world, c, world.events.contacts_ended);
-        end_touch(world, check.contact);
+        end_touch(world, task.contact);
     }
-    if (c.colour >= 0) remove_contact(world, check.contact);
-    forget_answer(world, check.contact);
+    if (c.colour >= 0) remove_contact(world, task.contact);
+    forget_answer(world, task.contact);
     if (!boxes_overlap(world, c)) {
-        destroy_contact(world, check.contact, world.events.contacts_ended);
+        destroy_contact(world, task.contact, world.events.contacts_ended);
         return;
     }
-    const float* d = check.direction;
-    add_separation_bound(world, check.contact, check.near - near,
+    const float* d = task.direction;
+    add_separation_bound(world, task.contact, task.near - near,
                          {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
@@ -91,11 +91,11 @@ double begin_margin(const BodyStore& bodies, const Contact& c) {
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
 // step, and the pair gets a bound until something new may come near.
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
-    const NarrowPhaseTask& check = scratch.checks[k];
+    const NarrowPhaseTask& task = scratch.tasks[k];
     auto& contacts = world.contacts.contacts;
-    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
-    const auto& found = scratch.parts[static_cast<std::size_t>(check.list)];
-    for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
+    ASSERT(task.list >= 0 && task.list < scratch.part_lists);
+    const auto& found = scratch.parts[static_cast<std::size_t>(task.list)];
+    for (std::uint32_t p = contacts[task.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
         const bool goes_on = std::any_of(found.begin(), found.end(),
                                          [&](const FoundPart& f) { return f.contact == p; });
@@ -105,20 +105,20 @@ void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
             destroy_contact(world, p, world.events.contacts_ended);
         p = next;
     }
-    if (found.empty() && !boxes_overlap(world, contacts[check.contact])) {
-        return destroy_contact(world, check.contact, world.events.contacts_ended);
+    if (found.empty() && !boxes_overlap(world, contacts[task.contact])) {
+        return destroy_contact(world, task.contact, world.events.contacts_ended);
     }
-    ASSERT(!contacts[check.contact].has_bound);
-    double clear = check.near;
-    const double margin = begin_margin(world.bodies, contacts[check.contact]);
+    ASSERT(!contacts[task.contact].has_bound);
+    double clear = task.near;
+    const double margin = begin_margin(world.bodies, contacts[task.contact]);
     for (std::size_t f = 0; f < found.size(); f++) {
         if (found[f].contact != none) continue;
-        if (begins(world, contacts[check.contact], found[f].gap_ahead))
+        if (begins(world, contacts[task.contact], found[f].gap_ahead))
             scratch.begins.push_back({k, static_cast<std::int32_t>(f)});
         else
             clear = minimum(clear, found[f].gap_ahead - margin);
     }
-    add_separation_bound(world, check.contact, clear);
+    add_separation_bound(world, task.contact, clear);
 }
 
 void note_bouncing(const BodyStore& bodies, const Contact& c,
@@ -130,33 +130,33 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 }
 
 // What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
-void decide_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& check) {
-    const Contact& c = world.contacts.contacts[check.contact];
+void decide_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
+    const Contact& c = world.contacts.contacts[task.contact];
     if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
         note_bouncing(world.bodies, c, scratch.bouncing);
-        if (!c.composite) check.list = -1;
-    } else if (check.list >= 0 && c.colour >= 0) {
-        write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(check.list)], false);
-        check.list = -1;
-        check.goes_on = true;
+        if (!c.composite) task.list = -1;
+    } else if (task.list >= 0 && c.colour >= 0) {
+        write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
+        task.list = -1;
+        task.goes_on = true;
     }
 }
 
 void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
-    NarrowPhaseTask& check = scratch.checks[k];
-    ASSERT(world.contacts.ids.alive(check.contact));
-    const Contact& c = world.contacts.contacts[check.contact];
+    NarrowPhaseTask& task = scratch.tasks[k];
+    ASSERT(world.contacts.ids.alive(task.contact));
+    const Contact& c = world.contacts.contacts[task.contact];
     ASSERT(!c.queued);
-    if (check.bounces) decide_bounce(world, scratch, check);
+    if (task.bounces) decide_bounce(world, scratch, task);
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
-    if (check.goes_on) return move_to_its_list(world, check.contact);
-    if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
+    if (task.goes_on) return move_to_its_list(world, task.contact);
+    if (task.list >= 0 && begins(world, c, task.gap_ahead)) {
         scratch.begins.push_back({k, -1});
         return;
     }
-    bound_or_end(world, check, begin_margin(world.bodies, c));
+    bound_or_end(world, task, begin_margin(world.bodies, c));
 }
 
 }  // namespace
@@ -164,13 +164,13 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
 void decide_contacts(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    std::vector<NarrowPhaseTask>& checks = scratch.checks;
+    std::vector<NarrowPhaseTask>& tasks = scratch.tasks;
     scratch.begins.clear();
     find_crowds(step);
-    for (std::uint32_t k = 0; k < checks.size(); k++) {
-        if (k + 8 < checks.size() && !checks[k + 8].done)
-            prefetch(world.contacts.contacts[checks[k + 8].contact]);
-        if (!checks[k].done) decide(world, scratch, k);
+    for (std::uint32_t k = 0; k < tasks.size(); k++) {
+        if (k + 8 < tasks.size() && !tasks[k + 8].done)
+            prefetch(world.contacts.contacts[tasks[k + 8].contact]);
+        if (!tasks[k].done) decide(world, scratch, k);
     }
 }
 

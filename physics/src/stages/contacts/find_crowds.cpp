@@ -192,16 +192,16 @@ void find_crowds(StepContext& step) {
     scratch.crowds.clear();
     scratch.crowd_of.clear();
     scratch.crowd_bonds.clear();
-    if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
-                     [](const NarrowPhaseTask& check) { return check.bounces; }))
+    if (std::none_of(scratch.tasks.begin(), scratch.tasks.end(),
+                     [](const NarrowPhaseTask& task) { return task.bounces; }))
         return;
     scratch.crowd_of.assign(world.bodies.awake.size(), no_crowd);
     const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
-    for (const NarrowPhaseTask& check : scratch.checks) {
-        if (!check.bounces) continue;
-        const Contact& c = world.contacts.contacts[check.contact];
+    for (const NarrowPhaseTask& task : scratch.tasks) {
+        if (!task.bounces) continue;
+        const Contact& c = world.contacts.contacts[task.contact];
         join_crowds(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
-                    check.closing, falls > 0);
+                    task.closing, falls > 0);
     }
     join_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& crowd : scratch.crowd_of)

@@ -164,14 +164,14 @@ SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PairA
         (tuning::speculative_margin + tuning::composite_slack) * scale_of_pair(world.bodies, c)};
 }
 
-void narrow_phase_composite(StepContext& step, NarrowPhaseTask& check) {
+void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     const double dt = step.dt;
-    const Contact& c = world.contacts.contacts[check.contact];
+    const Contact& c = world.contacts.contacts[task.contact];
     const double way = closing_way(world, c, dt);
     const double scale = scale_of_pair(world.bodies, c);
-    check.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
+    task.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> meeting;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
@@ -186,32 +186,32 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& check) {
     if (way > tuning::composite_slack * scale && is_even_surface(world, c))
         on_surface = way_on_surface(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
-                      tuning::speculative_margin * scale + check.near, parts, &step.scratch.stopped,
+                      tuning::speculative_margin * scale + task.near, parts, &step.scratch.stopped,
                       on_surface ? &*on_surface : nullptr);
     if (is_stopped(step)) {
-        check.done = true;  // as it was
+        task.done = true;  // as it was
         return;
     }
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
-    check.near = on_surface ? 0 : check.near - way_ahead;
-    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
-    std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
+    task.near = on_surface ? 0 : task.near - way_ahead;
+    ASSERT(task.list >= 0 && task.list < scratch.part_lists);
+    std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(task.list)];
     found.clear();
-    check.gap_ahead = 1e300;
+    task.gap_ahead = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
     for (const PartManifold& part : parts) {
         if (may_bounce) {
             const bool touches = is_touching(world, c, part.key);
             const bool meets = will_bounce(step, c, part.manifold, touches);
-            check.bounces |= meets;
+            task.bounces |= meets;
             if (meets || stays_apart(world, c, part.manifold, touches, dt)) {
-                check.near = minimum(check.near, 0);
+                task.near = minimum(task.near, 0);
                 continue;
             }
         }
         if (swept && !meeting && part.manifold.distance > tuning::touch_gap * scale) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
-        check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
+        task.gap_ahead = minimum(task.gap_ahead, found.back().gap_ahead);
     }
     match_parts(world, c, found);
 }
@@ -271,53 +271,53 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
 
 // Of a pair that is about to bounce: decide_contacts knows whether in a crowd, which leaves the
 // manifold to the contact solver.
-void keep_for_crowds(StepContext& step, NarrowPhaseTask& check, const Manifold& manifold) {
+void keep_for_crowds(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    const Contact& c = world.contacts.contacts[check.contact];
-    for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
-    check.near = smallest_gap(manifold);
-    check.gap_ahead = expected_gap(world, c, manifold, step.dt);
-    check.closing = manifold.count > 0
+    const Contact& c = world.contacts.contacts[task.contact];
+    for (int k = 0; k < 3; k++) task.direction[k] = static_cast<float>(manifold.normal[k]);
+    task.near = smallest_gap(manifold);
+    task.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    task.closing = manifold.count > 0
                         ? closing_speed(world, c, manifold)
                         : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
     if (manifold.count == 0) return;
-    check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
-    ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
-    scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+    task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+    ASSERT(static_cast<std::size_t>(task.list) < scratch.tasks.size());
+    scratch.fresh[static_cast<std::size_t>(task.list)] = manifold;
 }
 
 }  // namespace
 
-void narrow_phase_pair(StepContext& step, NarrowPhaseTask& check) {
+void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    Contact& c = world.contacts.contacts[check.contact];
+    Contact& c = world.contacts.contacts[task.contact];
     ASSERT(c.queued);
     c.queued = false;
-    if (c.composite) return narrow_phase_composite(step, check);
+    if (c.composite) return narrow_phase_composite(step, task);
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
-        check.bounces = will_bounce(step, c, manifold, c.touching);
-        if (check.bounces) return keep_for_crowds(step, check, manifold);
+        task.bounces = will_bounce(step, c, manifold, c.touching);
+        if (task.bounces) return keep_for_crowds(step, task, manifold);
         if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching, step.dt)) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
         }
     }
     if (manifold.count == 0)
-        for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
-    check.near = smallest_gap(manifold);
-    check.gap_ahead = expected_gap(world, c, manifold, step.dt);
+        for (int k = 0; k < 3; k++) task.direction[k] = static_cast<float>(manifold.normal[k]);
+    task.near = smallest_gap(manifold);
+    task.gap_ahead = expected_gap(world, c, manifold, step.dt);
     if (manifold.count > 0 && c.colour >= 0) {
-        check.goes_on = true;
+        task.goes_on = true;
         write_manifold(world, c, manifold, false);
-        check.done = is_in_its_list(world, c);
-    } else if (check.gap_ahead < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
+        task.done = is_in_its_list(world, c);
+    } else if (task.gap_ahead < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
         ASSERT(c.colour < 0 || manifold.count == 0);
-        check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
-        ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
-        scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+        task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+        ASSERT(static_cast<std::size_t>(task.list) < scratch.tasks.size());
+        scratch.fresh[static_cast<std::size_t>(task.list)] = manifold;
     }
 }
 

@@ -13,6 +13,6 @@
 
 namespace jostle::physics {
 
-void narrow_phase_pair(StepContext& step, NarrowPhaseTask& check);
+void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task);
 
 }  // namespace jostle::physics

@@ -15,10 +15,10 @@ namespace {
 
 // Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
 // next, some checks before they are needed.
-void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>& checks, int k,
+void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>& tasks, int k,
                     int end) {
-    const auto contact_of = [&](int check) -> const Contact& {
-        return world.contacts.contacts[checks[static_cast<std::size_t>(check)].contact];
+    const auto contact_of = [&](int task) -> const Contact& {
+        return world.contacts.contacts[tasks[static_cast<std::size_t>(task)].contact];
     };
     if (k + 12 < end) prefetch(contact_of(k + 12));
     if (k + 8 < end) {
@@ -39,19 +39,19 @@ void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>&
 Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     choose_checks(step);
-    std::vector<NarrowPhaseTask>& checks = step.scratch.contacts.checks;
-    step.team.run(static_cast<int>(checks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
+    std::vector<NarrowPhaseTask>& tasks = step.scratch.contacts.tasks;
+    step.team.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            NarrowPhaseTask& check = checks[static_cast<std::size_t>(k)];
-            prefetch_ahead(step.world, checks, k, end);
+            NarrowPhaseTask& task = tasks[static_cast<std::size_t>(k)];
+            prefetch_ahead(step.world, tasks, k, end);
             if (is_stopped(step))
-                check.done = true;  // as it was
+                task.done = true;  // as it was
             else
-                narrow_phase_pair(step, check);
+                narrow_phase_pair(step, task);
         }
     });
     decide_contacts(step);
-    step.world.profile.pairs_checked = static_cast<int>(checks.size());
+    step.world.profile.pairs_checked = static_cast<int>(tasks.size());
     step.world.profile.composites_checked = step.scratch.contacts.part_lists;
     return ran;
 }

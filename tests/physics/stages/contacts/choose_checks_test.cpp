@@ -26,12 +26,12 @@ struct Choice {
         choose_checks(step);
     }
     ~Choice() {
-        for (const NarrowPhaseTask& check : scratch.contacts.checks)
+        for (const NarrowPhaseTask& check : scratch.contacts.tasks)
             state.contacts.contacts[check.contact].queued = false;
     }
     std::vector<std::uint32_t> contacts() const {
         std::vector<std::uint32_t> chosen;
-        for (const NarrowPhaseTask& check : scratch.contacts.checks) chosen.push_back(check.contact);
+        for (const NarrowPhaseTask& check : scratch.contacts.tasks) chosen.push_back(check.contact);
         return chosen;
     }
 };

@@ -48,7 +48,7 @@ bool is_crowd(const Row& row) {
         const bool ground = c.body_a == 0 || c.body_b == 0;
         const auto [low, high] = std::minmax(c.body_a, c.body_b);
         if (high != low + 1) continue;
-        scratch.contacts.checks.push_back(
+        scratch.contacts.tasks.push_back(
             {.contact = k, .bounces = row.nears && (!ground || row.floor), .closing = row.speed});
     }
     find_crowds(step);

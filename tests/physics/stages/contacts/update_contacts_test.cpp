@@ -12,12 +12,12 @@ using namespace physics;
 // The checks of one second, after the pairs are known.
 int checks_of(World& world) {
     must(world.step(1.0 / 60));
-    int checks = 0;
+    int tasks = 0;
     for (int k = 0; k < 60; k++) {
         must(world.step(1.0 / 60));
-        checks += world.profile().pairs_checked;
+        tasks += world.profile().pairs_checked;
     }
-    return checks;
+    return tasks;
 }
 
 // It comes no nearer to the wall, however fast it falls. Turning would matter: it does not turn.

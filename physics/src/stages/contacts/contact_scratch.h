@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the narrow phase hands on within a step, and uses again in the next. choose_checks fills the
+// What the narrow phase hands on within a step, and uses again in the next. select_pairs fills the
 // checks, narrow_phase_pair their results, decide_contacts what begins; begin_contacts reads that.
 #pragma once
 

@@ -5,7 +5,7 @@
 
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/select_pairs.h"
 #include "physics/src/stages/contacts/decide_contacts.h"
 #include "physics/src/stages/contacts/narrow_phase_pair.h"
 #include "physics/src/stages/step_scratch.h"
@@ -38,7 +38,7 @@ void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>&
 
 Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
-    choose_checks(step);
+    select_pairs(step);
     std::vector<NarrowPhaseTask>& tasks = step.scratch.contacts.tasks;
     step.team.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {

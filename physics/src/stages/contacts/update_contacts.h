@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Narrow phase: where pairs touch. Chooses the pairs whose bodies could have met and the manifolds
-// that moved too far to be reused (choose_checks), looks at each on any thread (narrow_phase_pair), and
+// that moved too far to be reused (select_pairs), looks at each on any thread (narrow_phase_pair), and
 // decides one after the other what follows (decide_contacts). All others keep what they have.
 //
 // Reads: bodies, shapes, pairs. Writes: separation bounds, manifolds that go

@@ -2,7 +2,7 @@
 //
 // Which pairs are swept, and who resolves their impacts. Two stages must agree on both. What
 // update_contacts foresees, the contact solver resolves; all else solve_continuous does. Both read
-// ContactScratch::had_contacts, which choose_checks leaves.
+// ContactScratch::had_contacts, which select_pairs leaves.
 #pragma once
 
 #include "physics/src/foundation/tuning.h"

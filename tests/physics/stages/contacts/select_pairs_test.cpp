@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which pairs the narrow phase looks at.
-#include "physics/src/stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/select_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ struct Choice {
     StepScratch scratch;
     explicit Choice(World& w) : world(w) {
         StepContext step{state, scratch, *state.team, dt, {}};
-        choose_checks(step);
+        select_pairs(step);
     }
     ~Choice() {
         for (const NarrowPhaseTask& check : scratch.contacts.tasks)

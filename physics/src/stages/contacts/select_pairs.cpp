@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/choose_checks.h"
+#include "physics/src/stages/contacts/select_pairs.h"
 
 #include <algorithm>
 
@@ -114,7 +114,7 @@ void make_space(ContactScratch& scratch) {
 
 }  // namespace
 
-void choose_checks(StepContext& step) {
+void select_pairs(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     scratch.tasks.clear();

@@ -12,6 +12,6 @@
 
 namespace jostle::physics {
 
-void choose_checks(StepContext& step);
+void select_pairs(StepContext& step);
 
 }  // namespace jostle::physics

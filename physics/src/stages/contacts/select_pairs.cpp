@@ -41,7 +41,7 @@ void drop_dormant_pairs(ContactStore& store) {
 }
 
 // Takes the bounds off the list that may be used up in this step.
-void take_due_pairs(StepContext& step) {
+void select_due_pairs(StepContext& step) {
     WorldState& world = step.world;
     FlatArray<SeparationBound>& bounds = world.contacts.bounds;
     ContactScratch& scratch = step.scratch.contacts;
@@ -67,7 +67,7 @@ void take_due_pairs(StepContext& step) {
 }
 
 // A composite pair is looked at as a whole when any of its parts needs it.
-void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph,
+void select_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph,
                                ContactScratch& scratch) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
@@ -92,7 +92,7 @@ void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph
 
 // A composite pair that is looked at because of a part may have a bound still, which says nothing
 // of where the parts are: the look gives it another.
-void drop_bounds_of_checks(ContactStore& store, const std::vector<NarrowPhaseTask>& tasks) {
+void drop_selected_bounds(ContactStore& store, const std::vector<NarrowPhaseTask>& tasks) {
     const auto has_bound = [&](const NarrowPhaseTask& task) {
         return store.contacts[task.contact].has_bound;
     };
@@ -122,9 +122,9 @@ void select_pairs(StepContext& step) {
     note_contacts(world.bodies, scratch.had_contacts);
     scratch.bouncing.clear();
     drop_dormant_pairs(world.contacts);
-    take_due_pairs(step);
-    take_manifolds_to_rebuild(world.contacts, world.graph, scratch);
-    drop_bounds_of_checks(world.contacts, scratch.tasks);
+    select_due_pairs(step);
+    select_manifolds_to_rebuild(world.contacts, world.graph, scratch);
+    drop_selected_bounds(world.contacts, scratch.tasks);
     make_space(scratch);
 }
 

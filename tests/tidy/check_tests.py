@@ -144,7 +144,7 @@ COVERED_BY = {
     "stages/contacts/begin_contacts.cpp":
         (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
          "a world's manifolds begin there; the stores agree after each step"),
-    "stages/contacts/decide_contacts.cpp":
+    "stages/contacts/update_touching.cpp":
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/contact_events_test.cpp", "behaviour/sleeping_test.cpp"],
          "how often pairs are looked at; each touch begins and ends once; who is met asleep wakes"),
     "stages/contacts/narrow_phase_pair.cpp":

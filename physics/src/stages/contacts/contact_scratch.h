@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the narrow phase hands on within a step, and uses again in the next. select_pairs fills the
-// checks, narrow_phase_pair their results, decide_contacts what begins; begin_contacts reads that.
+// checks, narrow_phase_pair their results, update_touching what begins; begin_contacts reads that.
 #pragma once
 
 #include <atomic>

@@ -269,7 +269,7 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     return within(margin, pair);
 }
 
-// Of a pair that is about to bounce: decide_contacts knows whether in a crowd, which leaves the
+// Of a pair that is about to bounce: update_touching knows whether in a crowd, which leaves the
 // manifold to the contact solver.
 void keep_for_crowds(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
     WorldState& world = step.world;

@@ -4,7 +4,7 @@
 // on is written into its lane at once; one that may begin is kept.
 //
 // Reads: bodies, shapes. Writes: the pair's own lanes and cache, so pairs may be looked at on many
-// threads. Leaves in scratch: the check's result for decide_contacts; the manifolds found, in
+// threads. Leaves in scratch: the check's result for update_touching; the manifolds found, in
 // ContactScratch::fresh or parts, for begin_contacts.
 #pragma once
 

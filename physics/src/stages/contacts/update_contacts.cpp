@@ -6,7 +6,7 @@
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/select_pairs.h"
-#include "physics/src/stages/contacts/decide_contacts.h"
+#include "physics/src/stages/contacts/update_touching.h"
 #include "physics/src/stages/contacts/narrow_phase_pair.h"
 #include "physics/src/stages/step_scratch.h"
 
@@ -50,7 +50,7 @@ Skipped update_contacts(StepContext& step) {
                 narrow_phase_pair(step, task);
         }
     });
-    decide_contacts(step);
+    update_touching(step);
     step.world.profile.pairs_checked = static_cast<int>(tasks.size());
     step.world.profile.composites_checked = step.scratch.contacts.part_lists;
     return ran;

@@ -12,6 +12,6 @@
 
 namespace jostle::physics {
 
-void decide_contacts(StepContext& step);
+void update_touching(StepContext& step);
 
 }  // namespace jostle::physics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/decide_contacts.h"
+#include "physics/src/stages/contacts/update_touching.h"
 
 #include <algorithm>
 
@@ -161,7 +161,7 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
 
 }  // namespace
 
-void decide_contacts(StepContext& step) {
+void update_touching(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<NarrowPhaseTask>& tasks = scratch.tasks;

@@ -90,7 +90,7 @@ double begin_margin(const BodyStore& bodies, const Contact& c) {
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
 // step, and the pair gets a bound until something new may come near.
-void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
+void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const NarrowPhaseTask& task = scratch.tasks[k];
     auto& contacts = world.contacts.contacts;
     ASSERT(task.list >= 0 && task.list < scratch.part_lists);
@@ -130,7 +130,7 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 }
 
 // What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
-void decide_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
+void update_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
     const Contact& c = world.contacts.contacts[task.contact];
     if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
         note_bouncing(world.bodies, c, scratch.bouncing);
@@ -147,8 +147,8 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     ASSERT(world.contacts.ids.alive(task.contact));
     const Contact& c = world.contacts.contacts[task.contact];
     ASSERT(!c.queued);
-    if (task.bounces) decide_bounce(world, scratch, task);
-    if (c.composite) return decide_composite(world, scratch, k);
+    if (task.bounces) update_bounce(world, scratch, task);
+    if (c.composite) return update_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
     if (task.goes_on) return move_to_its_list(world, task.contact);

@@ -232,7 +232,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
-    const ContactAnswer answer = answer_of(world, contact);
+    const ContactModifier answer = answer_of(world, contact);
     if (!answer.enabled) disable(block, lane);
     block.mu[lane] = as_float(answer.friction);
     write_rolling(place, ma, mb, answer.surface_velocity, old.roll);

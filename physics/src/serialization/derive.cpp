@@ -50,7 +50,7 @@ void derive_all(WorldState& world) {
     world.islands.ids.rebuild_free_list();
     world.fields.ids.rebuild_free_list();
     world.fields.derive_active();
-    for (const ContactAnswer& answer : world.contacts.answers)
+    for (const ContactModifier& answer : world.contacts.answers)
         world.contacts.contacts[answer.contact].answered = true;
     derive_axes(world.bodies.statics);
     derive_axes(world.bodies.awake);

@@ -534,7 +534,7 @@ void visit_doors(V& v, WorldStores& world) {
     v.optional("answers", answers, 10);
     if (answers > 0) {
         v.enter("contacts");
-        visit_all(v, "answers", world.contacts.answers, [&](ContactAnswer& a) {
+        visit_all(v, "answers", world.contacts.answers, [&](ContactModifier& a) {
             v.field("contact", a.contact);
             v.field("friction", a.friction);
             v.field("restitution", a.restitution);

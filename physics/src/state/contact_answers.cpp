@@ -9,19 +9,19 @@
 namespace jostle::physics {
 namespace {
 
-std::vector<ContactAnswer>::const_iterator place_of_answer(const WorldState& world,
+std::vector<ContactModifier>::const_iterator place_of_answer(const WorldState& world,
                                                            std::uint32_t contact) {
     return std::lower_bound(
         world.contacts.answers.begin(), world.contacts.answers.end(), contact,
-        [](const ContactAnswer& a, std::uint32_t index) { return a.contact < index; });
+        [](const ContactModifier& a, std::uint32_t index) { return a.contact < index; });
 }
 
 }  // namespace
 
-ContactAnswer answer_of_materials(const WorldState& world, std::uint32_t shape_a,
+ContactModifier answer_of_materials(const WorldState& world, std::uint32_t shape_a,
                                   std::uint32_t shape_b) {
     const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
-    ContactAnswer answer{.friction = pair_friction(a.material, b.material),
+    ContactModifier answer{.friction = pair_friction(a.material, b.material),
                          .restitution = pair_restitution(a.material, b.material),
                          .surface_velocity = {}};
     if (a.material.surface_velocity != Vec3{} || b.material.surface_velocity != Vec3{})
@@ -30,7 +30,7 @@ ContactAnswer answer_of_materials(const WorldState& world, std::uint32_t shape_a
     return answer;
 }
 
-ContactAnswer answer_of(const WorldState& world, const Contact& contact) {
+ContactModifier answer_of(const WorldState& world, const Contact& contact) {
     if (!contact.answered) return answer_of_materials(world, contact.shape_a, contact.shape_b);
     const auto index = static_cast<std::uint32_t>(&contact - world.contacts.contacts.data());
     const auto place = place_of_answer(world, index);
@@ -38,7 +38,7 @@ ContactAnswer answer_of(const WorldState& world, const Contact& contact) {
     return *place;
 }
 
-void keep_answer(WorldState& world, const ContactAnswer& answer) {
+void keep_answer(WorldState& world, const ContactModifier& answer) {
     ASSERT(!world.contacts.contacts[answer.contact].answered);
     world.contacts.answers.insert(place_of_answer(world, answer.contact), answer);
     world.contacts.contacts[answer.contact].answered = true;

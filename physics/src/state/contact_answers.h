@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How the two shapes of a contact touch: as their materials give it, or as a listener answered when
-// its manifold began (ContactAnswer).
+// its manifold began (ContactModifier).
 #pragma once
 
 #include "physics/src/state/world_state.h"
@@ -9,13 +9,13 @@
 namespace jostle::physics {
 
 // As the materials of two shapes give it now; `contact` is not set.
-ContactAnswer answer_of_materials(const WorldState& world, std::uint32_t shape_a,
+ContactModifier answer_of_materials(const WorldState& world, std::uint32_t shape_a,
                                   std::uint32_t shape_b);
 // As it is for a contact: what a listener said counts before the materials.
-ContactAnswer answer_of(const WorldState& world, const Contact& contact);
+ContactModifier answer_of(const WorldState& world, const Contact& contact);
 
 // From the beginning of a manifold ...
-void keep_answer(WorldState& world, const ContactAnswer& answer);
+void keep_answer(WorldState& world, const ContactModifier& answer);
 // ... to its end. Does nothing when there is none.
 void forget_answer(WorldState& world, std::uint32_t contact);
 

@@ -70,7 +70,7 @@ struct SeparationBound {
 
 // What a listener said of a contact (jostle/physics/step_listener.h). Kept from the beginning of
 // its manifold to its end; composite pairs have one for each part.
-struct ContactAnswer {
+struct ContactModifier {
     std::uint32_t contact = none;
     double friction = 0, restitution = 0;
     Vec3 surface_velocity;  // m/s, world: of b against a
@@ -85,7 +85,7 @@ struct ContactStore {
     IdPool ids;
     FlatArray<Contact> contacts;
     FlatArray<SeparationBound> bounds;
-    std::vector<ContactAnswer> answers;  // rising by contact
+    std::vector<ContactModifier> answers;  // rising by contact
     bool some_dormant = true;            // of those with a bound, perhaps; not saved
     KeySet pairs;                        // pair_key() of each contact that is no part; derived
 };

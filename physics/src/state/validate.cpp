@@ -414,9 +414,9 @@ Fault check_fields(const WorldState& world) {
 }
 
 Fault check_answers(const WorldState& world) {
-    const std::vector<ContactAnswer>& answers = world.contacts.answers;
+    const std::vector<ContactModifier>& answers = world.contacts.answers;
     for (std::size_t i = 0; i < answers.size(); i++) {
-        const ContactAnswer& a = answers[i];
+        const ContactModifier& a = answers[i];
         if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "names no contact");
         if (i > 0 && answers[i - 1].contact >= a.contact) return at("answers", i, "is not rising");
         if (!(a.friction >= 0 && a.restitution >= 0 && a.restitution <= 1))

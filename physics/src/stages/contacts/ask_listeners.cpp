@@ -14,13 +14,13 @@ Vec3 velocity_at(const BodyWarm& body, Vec3 point) {
     return body.v + cross(body.w, point - body.center);
 }
 
-bool is_same(const ContactAnswer& a, const ContactAnswer& b) {
+bool is_same(const ContactModifier& a, const ContactModifier& b) {
     return a.friction == b.friction && a.restitution == b.restitution &&
            a.surface_velocity == b.surface_velocity && a.enabled == b.enabled;
 }
 
 // Listeners may return anything.
-void make_sound(ContactAnswer& answer) {
+void make_sound(ContactModifier& answer) {
     if (!(answer.friction >= 0 && answer.friction <= 1e6)) answer.friction = 0;
     answer.restitution = answer.restitution >= 0 ? minimum(answer.restitution, 1) : 0;
     if (!is_finite(answer.surface_velocity)) answer.surface_velocity = {};
@@ -28,7 +28,7 @@ void make_sound(ContactAnswer& answer) {
 
 }  // namespace
 
-ContactAnswer ask_listeners(const WorldState& world, const Meeting& m, ContactAnswer answer) {
+ContactModifier ask_listeners(const WorldState& world, const Meeting& m, ContactModifier answer) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),
@@ -57,8 +57,8 @@ bool ask_about_contact(WorldState& world, std::uint32_t index) {
     const ContactPlace place = place_of(world, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
-    const ContactAnswer given = answer_of_materials(world, c.shape_a, c.shape_b);
-    ContactAnswer answer = ask_listeners(world,
+    const ContactModifier given = answer_of_materials(world, c.shape_a, c.shape_b);
+    ContactModifier answer = ask_listeners(world,
                                          {c.shape_a, c.shape_b, normal_of(place), point,
                                           velocity_at(b, point) - velocity_at(a, point)},
                                          given);

@@ -626,7 +626,7 @@ private:
         std::vector<ImpactPoint> points = std::move(bodies_[index].points);
         ASSERT(!points.empty());
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
-        const ContactAnswer answer = answer_for(own, other, a, b, points);
+        const ContactModifier answer = answer_for(own, other, a, b, points);
         if (!answer.enabled) {
             passes_.push_back(pair_key(own, other));
             std::sort(passes_.begin(), passes_.end());
@@ -660,9 +660,9 @@ private:
     }
 
     // How two shapes touch that meet between sub-steps, and whether they do.
-    ContactAnswer answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
+    ContactModifier answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
                              const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
-        const ContactAnswer answer = answer_of_materials(world_, own, other);
+        const ContactModifier answer = answer_of_materials(world_, own, other);
         if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return answer;
         Vec3 point;
         for (const ImpactPoint& p : points)
@@ -672,7 +672,7 @@ private:
     }
     // What passes through each other by what listeners said before.
     void note_passes() {
-        for (const ContactAnswer& answer : world_.contacts.answers) {
+        for (const ContactModifier& answer : world_.contacts.answers) {
             const Contact* pair = &world_.contacts.contacts[answer.contact];
             if (pair->parent != none) pair = &world_.contacts.contacts[pair->parent];
             if (pass_through(world_, *pair))

@@ -192,7 +192,7 @@ COVERED_BY = {
         (["physics/stages/islands/assign_batches_test.cpp"], "one line: the bodies of a task's colour sets"),
     "stages/step_world.cpp":
         (["physics/world/profile_test.cpp", "physics/world/world_test.cpp"], "each stage ran or says why not; steps are counted"),
-    "state/contact_answers.cpp":
+    "state/contact_modifiers.cpp":
         (["behaviour/listeners_test.cpp"], "answers are kept as long as a manifold and forgotten with it"),
     "state/contact_store.h":
         (["physics/state/contact_graph_test.cpp"], "its lists and keys are walked there"),

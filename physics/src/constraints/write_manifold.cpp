@@ -7,7 +7,7 @@
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/pair_size.h"
 

@@ -4,7 +4,7 @@
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/body_sets.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"
 #include "physics/src/state/contact_load.h"

@@ -14,7 +14,7 @@
 #include "physics/src/constraints/system_matrix.h"
 #include "physics/src/foundation/messages.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/force_fields.h"
 #include "physics/src/state/joint_graph.h"
 #include "physics/src/world/body_change.h"

@@ -4,7 +4,7 @@
 #include "jostle/physics/step_listener.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/check.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {

@@ -10,7 +10,7 @@
 #include "physics/src/stages/contacts/find_crowds.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"
 #include "physics/src/state/pair_size.h"

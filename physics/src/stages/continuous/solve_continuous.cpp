@@ -24,7 +24,7 @@
 #include "physics/src/stages/continuous/toi_body.h"
 #include "physics/src/stages/continuous/toi_dependents.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/joint_graph.h"
 #include "physics/src/state/pair_size.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/state/contact_answers.h"
+#include "physics/src/state/contact_modifiers.h"
 
 #include <algorithm>
 

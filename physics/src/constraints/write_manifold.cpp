@@ -232,12 +232,12 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
-    const ContactModifier answer = answer_of(world, contact);
-    if (!answer.enabled) disable(block, lane);
-    block.mu[lane] = as_float(answer.friction);
-    write_rolling(place, ma, mb, answer.surface_velocity, old.roll);
+    const ContactModifier modifier = modifier_of(world, contact);
+    if (!modifier.enabled) disable(block, lane);
+    block.mu[lane] = as_float(modifier.friction);
+    write_rolling(place, ma, mb, modifier.surface_velocity, old.roll);
     ContactConstraintWideMeta& meta = *place.meta;
-    meta.restitution[lane] = as_float(answer.restitution);
+    meta.restitution[lane] = as_float(modifier.restitution);
     meta.moved[lane] = 0;
     put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
     put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*place.rolling, lane));

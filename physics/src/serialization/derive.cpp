@@ -50,8 +50,8 @@ void derive_all(WorldState& world) {
     world.islands.ids.rebuild_free_list();
     world.fields.ids.rebuild_free_list();
     world.fields.derive_active();
-    for (const ContactModifier& answer : world.contacts.answers)
-        world.contacts.contacts[answer.contact].answered = true;
+    for (const ContactModifier& modifier : world.contacts.modifiers)
+        world.contacts.contacts[modifier.contact].has_modifier = true;
     derive_axes(world.bodies.statics);
     derive_axes(world.bodies.awake);
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);

@@ -530,11 +530,11 @@ void visit_doors(V& v, WorldStores& world) {
         visit_all(v, "fields", world.fields.fields, [&](FieldDef& f) { visit_fields(v, f); });
         v.leave();
     }
-    auto answers = static_cast<std::uint32_t>(world.contacts.answers.size());
-    v.optional("answers", answers, 10);
-    if (answers > 0) {
+    auto modifiers = static_cast<std::uint32_t>(world.contacts.modifiers.size());
+    v.optional("answers", modifiers, 10);
+    if (modifiers > 0) {
         v.enter("contacts");
-        visit_all(v, "answers", world.contacts.answers, [&](ContactModifier& a) {
+        visit_all(v, "answers", world.contacts.modifiers, [&](ContactModifier& a) {
             v.field("contact", a.contact);
             v.field("friction", a.friction);
             v.field("restitution", a.restitution);

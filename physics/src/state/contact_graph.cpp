@@ -102,7 +102,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
         if (!c.composite) end_touch(world, contact);
     }
     if (c.colour >= 0) remove_contact(world, contact);
-    forget_answer(world, contact);
+    clear_modifier(world, contact);
     if (c.has_bound)
         std::erase_if(store.bounds, [&](const SeparationBound& w) { return w.contact == contact; });
     if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {

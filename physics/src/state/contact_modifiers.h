@@ -9,15 +9,15 @@
 namespace jostle::physics {
 
 // As the materials of two shapes give it now; `contact` is not set.
-ContactModifier answer_of_materials(const WorldState& world, std::uint32_t shape_a,
+ContactModifier material_modifier(const WorldState& world, std::uint32_t shape_a,
                                   std::uint32_t shape_b);
 // As it is for a contact: what a listener said counts before the materials.
-ContactModifier answer_of(const WorldState& world, const Contact& contact);
+ContactModifier modifier_of(const WorldState& world, const Contact& contact);
 
 // From the beginning of a manifold ...
-void keep_answer(WorldState& world, const ContactModifier& answer);
+void set_modifier(WorldState& world, const ContactModifier& modifier);
 // ... to its end. Does nothing when there is none.
-void forget_answer(WorldState& world, std::uint32_t contact);
+void clear_modifier(WorldState& world, std::uint32_t contact);
 
 // Whether two shapes pass through each other by what a listener answered: of several manifolds by
 // all.

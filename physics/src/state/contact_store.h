@@ -32,7 +32,7 @@ struct alignas(64) Contact {
     bool has_bound = false;    // has an entry on the list of separation bounds
     bool dormant = false;
     bool composite = false;  // has parts, below
-    bool answered = false;   // has an entry among ContactStore::answers
+    bool has_modifier = false;   // has an entry among ContactStore::answers
     bool queued = false;     // within a step: already among the pairs to look at
 
     double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
@@ -85,7 +85,7 @@ struct ContactStore {
     IdPool ids;
     FlatArray<Contact> contacts;
     FlatArray<SeparationBound> bounds;
-    std::vector<ContactModifier> answers;  // rising by contact
+    std::vector<ContactModifier> modifiers;  // rising by contact
     bool some_dormant = true;            // of those with a bound, perhaps; not saved
     KeySet pairs;                        // pair_key() of each contact that is no part; derived
 };

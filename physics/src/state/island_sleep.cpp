@@ -139,7 +139,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
                         report_end(world, c, ended);
                         end_touch(world, contact);
                     }
-                    forget_answer(world, contact);
+                    clear_modifier(world, contact);
                     add_separation_bound(world, contact, -1);
                     return;
                 }

@@ -413,12 +413,12 @@ Fault check_fields(const WorldState& world) {
     return {};
 }
 
-Fault check_answers(const WorldState& world) {
-    const std::vector<ContactModifier>& answers = world.contacts.answers;
-    for (std::size_t i = 0; i < answers.size(); i++) {
-        const ContactModifier& a = answers[i];
+Fault check_modifiers(const WorldState& world) {
+    const std::vector<ContactModifier>& modifiers = world.contacts.modifiers;
+    for (std::size_t i = 0; i < modifiers.size(); i++) {
+        const ContactModifier& a = modifiers[i];
         if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "names no contact");
-        if (i > 0 && answers[i - 1].contact >= a.contact) return at("answers", i, "is not rising");
+        if (i > 0 && modifiers[i - 1].contact >= a.contact) return at("answers", i, "is not rising");
         if (!(a.friction >= 0 && a.restitution >= 0 && a.restitution <= 1))
             return at("answers", i, "has a coefficient out of range");
     }
@@ -455,7 +455,7 @@ std::optional<std::string> find_fault(const WorldState& world) {
     // In this order: each relies on what those before it found sound.
     for (const auto check :
          {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,
-          check_graph, check_islands, check_fields, check_answers})
+          check_graph, check_islands, check_fields, check_modifiers})
         if (Fault f = check(world)) return f;
     return {};
 }

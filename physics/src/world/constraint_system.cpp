@@ -188,7 +188,7 @@ struct ConstraintSystemBuilder {
     void add_contact(const ContactView& view, const ContactSettings& settings) {
         const Contact& contact = world.contacts.contacts[view.contact];
         const ContactInfo& info = view.info;
-        const ContactModifier answer = answer_of(world, contact);
+        const ContactModifier answer = modifier_of(world, contact);
         const Vec3 n = info.normal;
         const Vec3 t1 =
             world.def.planar

@@ -20,15 +20,15 @@ bool is_same(const ContactModifier& a, const ContactModifier& b) {
 }
 
 // Listeners may return anything.
-void make_sound(ContactModifier& answer) {
-    if (!(answer.friction >= 0 && answer.friction <= 1e6)) answer.friction = 0;
-    answer.restitution = answer.restitution >= 0 ? minimum(answer.restitution, 1) : 0;
-    if (!is_finite(answer.surface_velocity)) answer.surface_velocity = {};
+void make_sound(ContactModifier& modifier) {
+    if (!(modifier.friction >= 0 && modifier.friction <= 1e6)) modifier.friction = 0;
+    modifier.restitution = modifier.restitution >= 0 ? minimum(modifier.restitution, 1) : 0;
+    if (!is_finite(modifier.surface_velocity)) modifier.surface_velocity = {};
 }
 
 }  // namespace
 
-ContactModifier ask_listeners(const WorldState& world, const Meeting& m, ContactModifier answer) {
+ContactModifier ask_listeners(const WorldState& world, const Meeting& m, ContactModifier modifier) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),
@@ -38,18 +38,18 @@ ContactModifier ask_listeners(const WorldState& world, const Meeting& m, Contact
                   .normal = m.normal,
                   .point = m.point,
                   .velocity = m.velocity,
-                  .friction = answer.friction,
-                  .restitution = answer.restitution,
-                  .surface_velocity = answer.surface_velocity,
-                  .enabled = answer.enabled};
+                  .friction = modifier.friction,
+                  .restitution = modifier.restitution,
+                  .surface_velocity = modifier.surface_velocity,
+                  .enabled = modifier.enabled};
     for (const auto& [listener, hooks] : world.listeners.order)
         if (hooks.pre_solve) listener->pre_solve(pair);
-    answer.friction = pair.friction;
-    answer.restitution = pair.restitution;
-    answer.surface_velocity = pair.surface_velocity;
-    answer.enabled = pair.enabled;
-    make_sound(answer);
-    return answer;
+    modifier.friction = pair.friction;
+    modifier.restitution = pair.restitution;
+    modifier.surface_velocity = pair.surface_velocity;
+    modifier.enabled = pair.enabled;
+    make_sound(modifier);
+    return modifier;
 }
 
 bool ask_about_contact(WorldState& world, std::uint32_t index) {
@@ -57,14 +57,14 @@ bool ask_about_contact(WorldState& world, std::uint32_t index) {
     const ContactPlace place = place_of(world, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
-    const ContactModifier given = answer_of_materials(world, c.shape_a, c.shape_b);
-    ContactModifier answer = ask_listeners(world,
+    const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
+    ContactModifier modifier = ask_listeners(world,
                                          {c.shape_a, c.shape_b, normal_of(place), point,
                                           velocity_at(b, point) - velocity_at(a, point)},
                                          given);
-    if (is_same(answer, given)) return false;
-    answer.contact = index;
-    keep_answer(world, answer);
+    if (is_same(modifier, given)) return false;
+    modifier.contact = index;
+    set_modifier(world, modifier);
     return true;
 }
 

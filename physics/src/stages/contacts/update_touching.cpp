@@ -36,7 +36,7 @@ void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
         end_touch(world, task.contact);
     }
     if (c.colour >= 0) remove_contact(world, task.contact);
-    forget_answer(world, task.contact);
+    clear_modifier(world, task.contact);
     if (!boxes_overlap(world, c)) {
         destroy_contact(world, task.contact, world.events.contacts_ended);
         return;

@@ -626,20 +626,20 @@ private:
         std::vector<ImpactPoint> points = std::move(bodies_[index].points);
         ASSERT(!points.empty());
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
-        const ContactModifier answer = answer_for(own, other, a, b, points);
-        if (!answer.enabled) {
+        const ContactModifier modifier = answer_for(own, other, a, b, points);
+        if (!modifier.enabled) {
             passes_.push_back(pair_key(own, other));
             std::sort(passes_.begin(), passes_.end());
             return recheck(index);
         }
         world_.profile.impacts++;
         file_wake(body_a, body_b);
-        if (answer.restitution > 0 && !bodies_[index].at_start)
+        if (modifier.restitution > 0 && !bodies_[index].at_start)
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
-        const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
+        const HardestPoint hit = resolve_impact(a, b, points, modifier.restitution, modifier.friction);
         report(own, other, hit);
         report_impulse(world_, own, other, hit);
-        if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
+        if (modifier.restitution > 0 && hit.approach > tuning::restitution_speed)
             note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t met = toi_body_of(body_b);
@@ -648,7 +648,7 @@ private:
         else
             bodies_[index].impacts++;
         recheck(index);
-        const bool bounced = answer.restitution > 0;
+        const bool bounced = modifier.restitution > 0;
         if (continue_after(body_a, a, sweep_a, at, bounced)) update_dependents(where_[body_a]);
         if (continue_after(body_b, b, sweep_b, at, bounced)) update_dependents(where_[body_b]);
     }
@@ -662,18 +662,18 @@ private:
     // How two shapes touch that meet between sub-steps, and whether they do.
     ContactModifier answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
                              const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
-        const ContactModifier answer = answer_of_materials(world_, own, other);
-        if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return answer;
+        const ContactModifier modifier = material_modifier(world_, own, other);
+        if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return modifier;
         Vec3 point;
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));
         const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-        return ask_listeners(world_, {own, other, points.front().normal, point, vb - va}, answer);
+        return ask_listeners(world_, {own, other, points.front().normal, point, vb - va}, modifier);
     }
     // What passes through each other by what listeners said before.
     void note_passes() {
-        for (const ContactModifier& answer : world_.contacts.answers) {
-            const Contact* pair = &world_.contacts.contacts[answer.contact];
+        for (const ContactModifier& modifier : world_.contacts.answers) {
+            const Contact* pair = &world_.contacts.contacts[modifier.contact];
             if (pair->parent != none) pair = &world_.contacts.contacts[pair->parent];
             if (pass_through(world_, *pair))
                 passes_.push_back(pair_key(pair->shape_a, pair->shape_b));

@@ -139,7 +139,7 @@ COVERED_BY = {
     "serialization/shared_geometry.cpp":
         (["physics/serialization/save_load_test.cpp", "physics/serialization/hostile_bytes_test.cpp"],
          "worlds of hulls, meshes, fields and compounds; and such bytes forged"),
-    "stages/contacts/ask_listeners.cpp":
+    "stages/contacts/call_contact_listeners.cpp":
         (["behaviour/listeners_test.cpp"], "one-way platforms, frictions and belts by what a listener answers"),
     "stages/contacts/begin_contacts.cpp":
         (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],

@@ -6,7 +6,7 @@
 
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/check.h"
-#include "physics/src/stages/contacts/ask_listeners.h"
+#include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"

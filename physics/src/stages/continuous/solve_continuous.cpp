@@ -12,7 +12,7 @@
 #include "physics/src/constraints/impact.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/ask_listeners.h"
+#include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/contacts/find_crowds.h"
 #include "physics/src/stages/continuous/bounce_events.h"
 #include "physics/src/stages/continuous/ccd_candidates.h"
@@ -668,7 +668,7 @@ private:
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));
         const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-        return ask_listeners(world_, {own, other, points.front().normal, point, vb - va}, modifier);
+        return call_contact_listeners(world_, {own, other, points.front().normal, point, vb - va}, modifier);
     }
     // What passes through each other by what listeners said before.
     void note_passes() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/ask_listeners.h"
+#include "physics/src/stages/contacts/call_contact_listeners.h"
 
 #include "jostle/physics/step_listener.h"
 #include "physics/src/constraint_graph/wide_rows.h"
@@ -28,7 +28,7 @@ void make_sound(ContactModifier& modifier) {
 
 }  // namespace
 
-ContactModifier ask_listeners(const WorldState& world, const Meeting& m, ContactModifier modifier) {
+ContactModifier call_contact_listeners(const WorldState& world, const Meeting& m, ContactModifier modifier) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),
@@ -58,7 +58,7 @@ bool ask_about_contact(WorldState& world, std::uint32_t index) {
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
-    ContactModifier modifier = ask_listeners(world,
+    ContactModifier modifier = call_contact_listeners(world,
                                          {c.shape_a, c.shape_b, normal_of(place), point,
                                           velocity_at(b, point) - velocity_at(a, point)},
                                          given);

@@ -20,7 +20,7 @@ struct Meeting {
 };
 
 // What all listeners make of an answer.
-ContactModifier ask_listeners(const WorldState& world, const Meeting& meeting, ContactModifier modifier);
+ContactModifier call_contact_listeners(const WorldState& world, const Meeting& meeting, ContactModifier modifier);
 
 // For a contact whose manifold was just written: keeps what they say, if it is not what the
 // materials give. Returns whether the manifold is to be written again.

@@ -41,7 +41,7 @@ struct ListenerStore {
         derive_wanted();
     }
     // What each wants of the step that begins.
-    void ask_hooks() {
+    void refresh_hooks() {
         for (Entry& entry : order) entry.hooks = entry.listener->hooks();
         derive_wanted();
     }

@@ -63,7 +63,7 @@ Status World::step(double dt) {
     const FpModeScope fp_mode;  // of listeners too
     const SteppingScope stepping(state_->listeners, *this);
     for (const auto& entry : listeners.order) entry.listener->before_step(*this, dt);
-    state_->listeners.ask_hooks();
+    state_->listeners.refresh_hooks();
     step_world(*state_, *scratch_, dt);
     for (const auto& entry : listeners.order) entry.listener->after_step(*this, dt);
     if (scratch_->stopped) return stopped();

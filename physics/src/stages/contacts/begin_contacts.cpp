@@ -53,7 +53,7 @@ Skipped begin_contacts(StepContext& step) {
         ASSERT(manifold->count >= 1 && manifold->count <= 4);
         add_contact(world, contact, manifold->count == 1);
         write_manifold(world, world.contacts.contacts[contact], *manifold, true);
-        if (asks && ask_about_contact(world, contact))
+        if (asks && modify_contact(world, contact))
             write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }
     begins.clear();

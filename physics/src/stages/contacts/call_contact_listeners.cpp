@@ -20,7 +20,7 @@ bool is_same(const ContactModifier& a, const ContactModifier& b) {
 }
 
 // Listeners may return anything.
-void make_sound(ContactModifier& modifier) {
+void sanitize(ContactModifier& modifier) {
     if (!(modifier.friction >= 0 && modifier.friction <= 1e6)) modifier.friction = 0;
     modifier.restitution = modifier.restitution >= 0 ? minimum(modifier.restitution, 1) : 0;
     if (!is_finite(modifier.surface_velocity)) modifier.surface_velocity = {};
@@ -48,11 +48,11 @@ ContactModifier call_contact_listeners(const WorldState& world, const Meeting& m
     modifier.restitution = pair.restitution;
     modifier.surface_velocity = pair.surface_velocity;
     modifier.enabled = pair.enabled;
-    make_sound(modifier);
+    sanitize(modifier);
     return modifier;
 }
 
-bool ask_about_contact(WorldState& world, std::uint32_t index) {
+bool modify_contact(WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
     const ContactPlace place = place_of(world, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);

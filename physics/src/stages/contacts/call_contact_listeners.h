@@ -24,6 +24,6 @@ ContactModifier call_contact_listeners(const WorldState& world, const Meeting& m
 
 // For a contact whose manifold was just written: keeps what they say, if it is not what the
 // materials give. Returns whether the manifold is to be written again.
-bool ask_about_contact(WorldState& world, std::uint32_t contact);
+bool modify_contact(WorldState& world, std::uint32_t contact);
 
 }  // namespace jostle::physics

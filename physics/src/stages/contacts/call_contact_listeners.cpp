@@ -28,7 +28,7 @@ void sanitize(ContactModifier& modifier) {
 
 }  // namespace
 
-ContactModifier call_contact_listeners(const WorldState& world, const Meeting& m, ContactModifier modifier) {
+ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& m, ContactModifier modifier) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),

@@ -13,14 +13,14 @@ inline bool has_pre_solve_listeners(const ListenerStore& listeners) {
 }
 
 // What is about to touch, by index of shape.
-struct Meeting {
+struct PreSolveContact {
     std::uint32_t shape_a, shape_b;
     Vec3 normal, point;  // unit, from a to b; m, world
     Vec3 velocity;       // m/s, of b against a there
 };
 
 // What all listeners make of an answer.
-ContactModifier call_contact_listeners(const WorldState& world, const Meeting& meeting, ContactModifier modifier);
+ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& meeting, ContactModifier modifier);
 
 // For a contact whose manifold was just written: keeps what they say, if it is not what the
 // materials give. Returns whether the manifold is to be written again.

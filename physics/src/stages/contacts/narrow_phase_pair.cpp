@@ -173,10 +173,10 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const double scale = scale_of_pair(world.bodies, c);
     task.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
     const bool swept = will_be_swept(step, c, way);
-    std::optional<double> meeting;
+    std::optional<double> pre_solve_contact;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
-        meeting = time_to_meeting(world, c, dt);
-    const double time = meeting && *meeting > 0 ? *meeting : time_to_middle(world, c, way, dt);
+        pre_solve_contact = time_to_meeting(world, c, dt);
+    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
     std::vector<PartManifold> parts;
     const PairAhead pair(world, c, time);
@@ -209,7 +209,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
                 continue;
             }
         }
-        if (swept && !meeting && part.manifold.distance > tuning::touch_gap * scale) continue;
+        if (swept && !pre_solve_contact && part.manifold.distance > tuning::touch_gap * scale) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
         task.gap_ahead = minimum(task.gap_ahead, found.back().gap_ahead);
     }
@@ -254,11 +254,11 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
         near = {now.normal, smallest_gap(now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
         if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= ahead) return now;
-        const std::optional<double> meeting =
+        const std::optional<double> pre_solve_contact =
             swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
-        if (!meeting) return now;
-        if (*meeting > 0)
-            return within(ahead, PairAhead(world, c, minimum(dt, *meeting + past / most)));
+        if (!pre_solve_contact) return now;
+        if (*pre_solve_contact > 0)
+            return within(ahead, PairAhead(world, c, minimum(dt, *pre_solve_contact + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }

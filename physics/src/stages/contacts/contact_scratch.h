@@ -46,7 +46,7 @@ struct NewContact {
     std::int32_t part = -1;
 };
 
-// Bodies that are about to bounce off each other: find_crowds.h.
+// Bodies that are about to bounce off each other: find_clusters.h.
 struct Crowd {
     std::uint32_t part_of = 0;  // itself, unless it was joined to another
     int bodies = 0;

@@ -7,7 +7,7 @@
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_modifiers.h"
@@ -166,7 +166,7 @@ void update_touching(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<NarrowPhaseTask>& tasks = scratch.tasks;
     scratch.begins.clear();
-    find_crowds(step);
+    find_clusters(step);
     for (std::uint32_t k = 0; k < tasks.size(); k++) {
         if (k + 8 < tasks.size() && !tasks[k + 8].done)
             prefetch(world.contacts.contacts[tasks[k + 8].contact]);

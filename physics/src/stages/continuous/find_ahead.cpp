@@ -3,7 +3,7 @@
 
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/separation_bounds.h"

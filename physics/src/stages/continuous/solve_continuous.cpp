@@ -13,7 +13,7 @@
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/call_contact_listeners.h"
-#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/continuous/bounce_events.h"
 #include "physics/src/stages/continuous/ccd_candidates.h"
 #include "physics/src/stages/continuous/ccd_policy.h"

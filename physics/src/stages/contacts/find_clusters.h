@@ -17,7 +17,7 @@ namespace jostle::physics {
 
 // Reads: checks that narrow_phase_pair is done with. Leaves in scratch: ContactScratch::crowds and
 // crowd_of, for update_touching and solve_continuous. One thread.
-void find_crowds(StepContext& step);
+void find_clusters(StepContext& step);
 
 // Whether two shapes bounce off each other in a crowd: one of their bodies is in one.
 bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_clusters.h"
 
 #include <algorithm>
 #include <utility>
@@ -186,7 +186,7 @@ double kept_of(const Material& a, const Material& b) {
 
 }  // namespace
 
-void find_crowds(StepContext& step) {
+void find_clusters(StepContext& step) {
     const WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     scratch.crowds.clear();

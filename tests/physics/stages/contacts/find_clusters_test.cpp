@@ -2,7 +2,7 @@
 //
 // When what bounces is a crowd: balls in a row on the floor, of which the lowest is about to hit it
 // and each other one the one below.
-#include "physics/src/stages/contacts/find_crowds.h"
+#include "physics/src/stages/contacts/find_clusters.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ bool is_crowd(const Row& row) {
         scratch.contacts.tasks.push_back(
             {.contact = k, .bounces = row.nears && (!ground || row.floor), .closing = row.speed});
     }
-    find_crowds(step);
+    find_clusters(step);
     return bounces_in_crowd(state, scratch.contacts, 1, 2);
 }
 

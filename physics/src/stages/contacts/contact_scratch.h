@@ -47,7 +47,7 @@ struct NewContact {
 };
 
 // Bodies that are about to bounce off each other: find_clusters.h.
-struct Crowd {
+struct BodyCluster {
     std::uint32_t part_of = 0;  // itself, unless it was joined to another
     int bodies = 0;
     int row = 0;            // bodies in its longest row, from one to the next
@@ -69,7 +69,7 @@ struct ContactScratch {
     std::vector<std::uint8_t> had_contacts;
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
-    std::vector<Crowd> crowds;
+    std::vector<BodyCluster> crowds;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd_bonds;  // awake bodies side by side
     std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
 };

@@ -26,7 +26,7 @@ bool is_member(const BodyCold& cold) {
 }
 
 // The crowd that one has become part of.
-std::uint32_t crowd_root(std::vector<Crowd>& crowds, std::uint32_t crowd) {
+std::uint32_t crowd_root(std::vector<BodyCluster>& crowds, std::uint32_t crowd) {
     while (crowds[crowd].part_of != crowd) {
         crowds[crowd].part_of = crowds[crowds[crowd].part_of].part_of;
         crowd = crowds[crowd].part_of;
@@ -55,7 +55,7 @@ void join_crowds(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, 
         scratch.crowd_bonds.push_back({a.at, b.at});
         if (other < crowd) std::swap(crowd, other);
         if (other != crowd) {
-            Crowd &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
+            BodyCluster &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
             gone.part_of = crowd;
             into.bodies += gone.bodies;
             into.held |= gone.held;
@@ -209,7 +209,7 @@ void find_clusters(StepContext& step) {
     Rows rows(scratch);
     for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++) {
         if (scratch.crowd_of[awake] == no_crowd) continue;
-        Crowd& crowd = scratch.crowds[scratch.crowd_of[awake]];
+        BodyCluster& crowd = scratch.crowds[scratch.crowd_of[awake]];
         if (!crowd.held || crowd.bodies < least_crowd || crowd.row > 0) continue;
         crowd.row = rows.longest_from(awake);
         if (crowd.row < least_crowd) continue;

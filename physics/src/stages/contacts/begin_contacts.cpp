@@ -31,7 +31,7 @@ Skipped begin_contacts(StepContext& step) {
     for (const NewContact& next : begins) {
         ASSERT(next.task < scratch.tasks.size());
         const NarrowPhaseTask& task = scratch.tasks[next.task];
-        ASSERT(world.contacts.ids.alive(task.contact) && !task.goes_on);
+        ASSERT(world.contacts.ids.alive(task.contact) && !task.persists);
         std::uint32_t contact = task.contact;
         ASSERT(task.list >= 0);
         const auto list = static_cast<std::size_t>(task.list);

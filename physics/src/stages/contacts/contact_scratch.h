@@ -20,12 +20,12 @@ struct NarrowPhaseTask {
     // Of a composite pair: its parts are in ContactScratch::parts[list]. Else: the manifold that
     // may begin is ContactScratch::fresh[list].
     std::int32_t list = -1;
-    bool goes_on = false;     // has points, and a lane that they were written to ...
+    bool persists = false;     // has points, and a lane that they were written to ...
     bool done = false;        // ... and stays in: nothing is left to decide
     bool bounces = false;     // its bodies are to be swept, however slow: ccd_policy.h
     double closing = 0;       // m/s: how fast those do that bounce
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
-    double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
+    double predicted_gap = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now
     // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
     // speculative margin is among its parts.
@@ -35,7 +35,7 @@ struct NarrowPhaseTask {
 // One manifold of a composite pair.
 struct FoundPart {
     PartManifold part;
-    double gap_ahead = 0;
+    double predicted_gap = 0;
     std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
 };
 
@@ -48,18 +48,18 @@ struct NewContact {
 
 // Bodies that are about to bounce off each other: find_clusters.h.
 struct BodyCluster {
-    std::uint32_t part_of = 0;  // itself, unless it was joined to another
+    std::uint32_t cluster_parent = 0;  // itself, unless it was joined to another
     int bodies = 0;
     int row = 0;            // bodies in its longest row, from one to the next
     bool held = false;      // by a wall that is near, or by what one of them leans on
     double fastest = 0;     // m/s: closing speed
-    double least_kept = 0;  // what keeps less of its energy at an impact bounces in a crowd
+    double min_retained_energy = 0;  // what keeps less of its energy at an impact bounces in a crowd
 };
 
 struct ContactScratch {
     std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
     std::vector<NarrowPhaseTask> tasks;
-    std::int32_t part_lists = 0;  // given to checks of composite pairs
+    std::int32_t child_list_count = 0;  // given to checks of composite pairs
     // Of checks without a lane, as far as fresh_count, in any order.
     UninitializedVector<Manifold> fresh;
     std::atomic<int> fresh_count = 0;
@@ -69,9 +69,9 @@ struct ContactScratch {
     std::vector<std::uint8_t> had_contacts;
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
-    std::vector<BodyCluster> crowds;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd_bonds;  // awake bodies side by side
-    std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
+    std::vector<BodyCluster> clusters;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> cluster_edges;  // awake bodies side by side
+    std::vector<std::uint32_t> cluster_of;  // by awake body; empty where nobody is about to bounce
 };
 
 }  // namespace jostle::physics

@@ -16,55 +16,55 @@
 namespace jostle::physics {
 namespace {
 
-constexpr std::uint32_t no_crowd = 0xffffffff;
+constexpr std::uint32_t no_cluster = 0xffffffff;
 
 // Of two bodies it is plain who meets whom first.
-constexpr int least_crowd = 3;
+constexpr int min_cluster_size = 3;
 
 bool is_member(const BodyCold& cold) {
     return cold.type == BodyType::dynamic && cold.set == BodySet::awake && !cold.asleep_in_place;
 }
 
 // The crowd that one has become part of.
-std::uint32_t crowd_root(std::vector<BodyCluster>& crowds, std::uint32_t crowd) {
-    while (crowds[crowd].part_of != crowd) {
-        crowds[crowd].part_of = crowds[crowds[crowd].part_of].part_of;
-        crowd = crowds[crowd].part_of;
+std::uint32_t cluster_root(std::vector<BodyCluster>& clusters, std::uint32_t cluster) {
+    while (clusters[cluster].cluster_parent != cluster) {
+        clusters[cluster].cluster_parent = clusters[clusters[cluster].cluster_parent].cluster_parent;
+        cluster = clusters[cluster].cluster_parent;
     }
-    return crowd;
+    return cluster;
 }
 
 // What leans on others, and is pressed against them, is held by them.
-std::uint32_t crowd_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
-    std::uint32_t& crowd = scratch.crowd_of[cold.at];
-    if (crowd == no_crowd) {
-        crowd = static_cast<std::uint32_t>(scratch.crowds.size());
-        scratch.crowds.push_back(
-            {.part_of = crowd, .bodies = 1, .held = pressed && scratch.had_contacts[cold.at] != 0});
+std::uint32_t cluster_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
+    std::uint32_t& cluster = scratch.cluster_of[cold.at];
+    if (cluster == no_cluster) {
+        cluster = static_cast<std::uint32_t>(scratch.clusters.size());
+        scratch.clusters.push_back(
+            {.cluster_parent = cluster, .bodies = 1, .held = pressed && scratch.had_contacts[cold.at] != 0});
     }
-    return crowd_root(scratch.crowds, crowd);
+    return cluster_root(scratch.clusters, cluster);
 }
 
 // `closing`: m/s. Of two the second may be what holds the first.
-void join_crowds(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
+void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
                  bool pressed) {
-    if (!is_member(a)) return is_member(b) ? join_crowds(scratch, b, a, closing, pressed) : void();
-    std::uint32_t crowd = crowd_with(scratch, a, pressed);
+    if (!is_member(a)) return is_member(b) ? merge_clusters(scratch, b, a, closing, pressed) : void();
+    std::uint32_t cluster = cluster_with(scratch, a, pressed);
     if (is_member(b)) {
-        std::uint32_t other = crowd_with(scratch, b, pressed);
-        scratch.crowd_bonds.push_back({a.at, b.at});
-        if (other < crowd) std::swap(crowd, other);
-        if (other != crowd) {
-            BodyCluster &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
-            gone.part_of = crowd;
+        std::uint32_t other = cluster_with(scratch, b, pressed);
+        scratch.cluster_edges.push_back({a.at, b.at});
+        if (other < cluster) std::swap(cluster, other);
+        if (other != cluster) {
+            BodyCluster &into = scratch.clusters[cluster], &gone = scratch.clusters[other];
+            gone.cluster_parent = cluster;
             into.bodies += gone.bodies;
             into.held |= gone.held;
             into.fastest = maximum(into.fastest, gone.fastest);
         }
     } else {
-        scratch.crowds[crowd].held = true;
+        scratch.clusters[cluster].held = true;
     }
-    scratch.crowds[crowd].fastest = maximum(scratch.crowds[crowd].fastest, closing);
+    scratch.clusters[cluster].fastest = maximum(scratch.clusters[cluster].fastest, closing);
 }
 
 // Whether something that does not move freely is within a length of a body's middle.
@@ -75,17 +75,17 @@ bool is_wall_near(const WorldState& world, std::uint32_t shape, Vec3 center, dou
 }
 
 // What is so near that it may be struck within the step belongs to the crowd, wherever it goes now.
-void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pressed) {
+void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pressed) {
     const WorldState& world = step.world;
     struct Member {
         std::uint32_t awake;
         double way;  // m: how far the fastest of its crowd come in the step
     };
     std::vector<Member> members;  // before anybody else joins: the order says nothing
-    for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++)
-        if (const std::uint32_t crowd = scratch.crowd_of[awake]; crowd != no_crowd)
+    for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++)
+        if (const std::uint32_t cluster = scratch.cluster_of[awake]; cluster != no_cluster)
             members.push_back(
-                {awake, scratch.crowds[crowd_root(scratch.crowds, crowd)].fastest * step.dt});
+                {awake, scratch.clusters[cluster_root(scratch.clusters, cluster)].fastest * step.dt});
     for (const Member& member : members) {
         const BodyWarm& warm = world.bodies.awake[member.awake];
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -101,7 +101,7 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
                     : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
                                                    cold.inner_radius + member.way);
-            if (near) join_crowds(scratch, cold, cold_other, 0, pressed);
+            if (near) merge_clusters(scratch, cold, cold_other, 0, pressed);
         });
     }
 }
@@ -111,12 +111,12 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
 class Rows {
 public:
     explicit Rows(const ContactScratch& scratch)
-        : first_(scratch.crowd_of.size() + 1, 0), steps_(scratch.crowd_of.size(), not_seen) {
-        for (const auto& [a, b] : scratch.crowd_bonds) first_[a]++, first_[b]++;
+        : first_(scratch.cluster_of.size() + 1, 0), steps_(scratch.cluster_of.size(), not_seen) {
+        for (const auto& [a, b] : scratch.cluster_edges) first_[a]++, first_[b]++;
         std::uint32_t sum = 0;
         for (std::uint32_t& end : first_) end = sum += end;
         beside_.resize(sum);
-        for (const auto& [a, b] : scratch.crowd_bonds)
+        for (const auto& [a, b] : scratch.cluster_edges)
             beside_[--first_[a]] = b, beside_[--first_[b]] = a;
     }
 
@@ -159,7 +159,7 @@ private:
 
 // Which share of the energy each impact has to keep so that, after so many and among so many
 // bodies, each has the energy of `noise` from that of `speed`: a root, by halves.
-double share_kept(double speed, double noise, int impacts, int bodies) {
+double retained_energy_fraction(double speed, double noise, int impacts, int bodies) {
     const double left = noise * noise * bodies / maximum(speed * speed, 1e-30);
     if (!(left < 1)) return 1;
     double low = 0, high = 1;
@@ -179,7 +179,7 @@ double share_kept(double speed, double noise, int impacts, int bodies) {
 // of its motion along the surface, on the mean over all directions a seventh of all; where it
 // slips, mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the
 // whole, twice.
-double kept_of(const Material& a, const Material& b) {
+double retained_energy(const Material& a, const Material& b) {
     const double e = pair_restitution(a, b);
     return e * e * (1 - minimum(1.0 / 7, 0.8 * pair_friction(a, b) * (1 + e)));
 }
@@ -189,53 +189,53 @@ double kept_of(const Material& a, const Material& b) {
 void find_clusters(StepContext& step) {
     const WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
-    scratch.crowds.clear();
-    scratch.crowd_of.clear();
-    scratch.crowd_bonds.clear();
+    scratch.clusters.clear();
+    scratch.cluster_of.clear();
+    scratch.cluster_edges.clear();
     if (std::none_of(scratch.tasks.begin(), scratch.tasks.end(),
                      [](const NarrowPhaseTask& task) { return task.bounces; }))
         return;
-    scratch.crowd_of.assign(world.bodies.awake.size(), no_crowd);
+    scratch.cluster_of.assign(world.bodies.awake.size(), no_cluster);
     const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
     for (const NarrowPhaseTask& task : scratch.tasks) {
         if (!task.bounces) continue;
         const Contact& c = world.contacts.contacts[task.contact];
-        join_crowds(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
+        merge_clusters(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
                     task.closing, falls > 0);
     }
-    join_neighbours(step, scratch, falls > 0);
-    for (std::uint32_t& crowd : scratch.crowd_of)
-        if (crowd != no_crowd) crowd = crowd_root(scratch.crowds, crowd);
+    merge_neighbours(step, scratch, falls > 0);
+    for (std::uint32_t& cluster : scratch.cluster_of)
+        if (cluster != no_cluster) cluster = cluster_root(scratch.clusters, cluster);
     Rows rows(scratch);
-    for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++) {
-        if (scratch.crowd_of[awake] == no_crowd) continue;
-        BodyCluster& crowd = scratch.crowds[scratch.crowd_of[awake]];
-        if (!crowd.held || crowd.bodies < least_crowd || crowd.row > 0) continue;
-        crowd.row = rows.longest_from(awake);
-        if (crowd.row < least_crowd) continue;
-        crowd.least_kept = share_kept(crowd.fastest, maximum(tuning::restitution_speed, falls),
-                                      2 * crowd.row, crowd.bodies);
+    for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++) {
+        if (scratch.cluster_of[awake] == no_cluster) continue;
+        BodyCluster& cluster = scratch.clusters[scratch.cluster_of[awake]];
+        if (!cluster.held || cluster.bodies < min_cluster_size || cluster.row > 0) continue;
+        cluster.row = rows.longest_from(awake);
+        if (cluster.row < min_cluster_size) continue;
+        cluster.min_retained_energy = retained_energy_fraction(cluster.fastest, maximum(tuning::restitution_speed, falls),
+                                      2 * cluster.row, cluster.bodies);
     }
 }
 
-bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
+bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
                       std::uint32_t shape_b) {
-    if (scratch.crowds.empty()) return false;
+    if (scratch.clusters.empty()) return false;
     const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
-    const auto least_kept = [&](const ShapeRecord& shape) {
+    const auto min_retained_energy = [&](const ShapeRecord& shape) {
         const BodyCold& cold = world.bodies.cold[shape.body];
-        if (!is_member(cold) || cold.at >= scratch.crowd_of.size()) return 0.0;
-        const std::uint32_t crowd = scratch.crowd_of[cold.at];
-        return crowd == no_crowd ? 0.0 : scratch.crowds[crowd].least_kept;
+        if (!is_member(cold) || cold.at >= scratch.cluster_of.size()) return 0.0;
+        const std::uint32_t cluster = scratch.cluster_of[cold.at];
+        return cluster == no_cluster ? 0.0 : scratch.clusters[cluster].min_retained_energy;
     };
-    const double least = maximum(least_kept(a), least_kept(b));
-    return least > 0 && kept_of(a.material, b.material) < least;
+    const double least = maximum(min_retained_energy(a), min_retained_energy(b));
+    return least > 0 && retained_energy(a.material, b.material) < least;
 }
 
 bool bounces_alone(const StepContext& step, std::uint32_t shape_a, std::uint32_t shape_b) {
     const ContactScratch& scratch = step.scratch.contacts;
     return !scratch.bouncing.empty() && bounces(step.world, shape_a, shape_b) &&
-           !bounces_in_crowd(step.world, scratch, shape_a, shape_b);
+           !bounces_in_cluster(step.world, scratch, shape_a, shape_b);
 }
 
 }  // namespace jostle::physics

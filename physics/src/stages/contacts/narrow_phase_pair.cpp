@@ -194,10 +194,10 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     }
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     task.near = on_surface ? 0 : task.near - way_ahead;
-    ASSERT(task.list >= 0 && task.list < scratch.part_lists);
+    ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(task.list)];
     found.clear();
-    task.gap_ahead = 1e300;
+    task.predicted_gap = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
     for (const PartManifold& part : parts) {
         if (may_bounce) {
@@ -211,7 +211,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         }
         if (swept && !pre_solve_contact && part.manifold.distance > tuning::touch_gap * scale) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
-        task.gap_ahead = minimum(task.gap_ahead, found.back().gap_ahead);
+        task.predicted_gap = minimum(task.predicted_gap, found.back().predicted_gap);
     }
     match_parts(world, c, found);
 }
@@ -271,13 +271,13 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
 
 // Of a pair that is about to bounce: update_touching knows whether in a crowd, which leaves the
 // manifold to the contact solver.
-void keep_for_crowds(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
+void defer_to_clusters(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     const Contact& c = world.contacts.contacts[task.contact];
     for (int k = 0; k < 3; k++) task.direction[k] = static_cast<float>(manifold.normal[k]);
     task.near = smallest_gap(manifold);
-    task.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    task.predicted_gap = expected_gap(world, c, manifold, step.dt);
     task.closing = manifold.count > 0
                         ? closing_speed(world, c, manifold)
                         : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
@@ -299,7 +299,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
         task.bounces = will_bounce(step, c, manifold, c.touching);
-        if (task.bounces) return keep_for_crowds(step, task, manifold);
+        if (task.bounces) return defer_to_clusters(step, task, manifold);
         if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching, step.dt)) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
@@ -308,12 +308,12 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     if (manifold.count == 0)
         for (int k = 0; k < 3; k++) task.direction[k] = static_cast<float>(manifold.normal[k]);
     task.near = smallest_gap(manifold);
-    task.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    task.predicted_gap = expected_gap(world, c, manifold, step.dt);
     if (manifold.count > 0 && c.colour >= 0) {
-        task.goes_on = true;
+        task.persists = true;
         write_manifold(world, c, manifold, false);
         task.done = is_in_its_list(world, c);
-    } else if (task.gap_ahead < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
+    } else if (task.predicted_gap < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         ASSERT(static_cast<std::size_t>(task.list) < scratch.tasks.size());

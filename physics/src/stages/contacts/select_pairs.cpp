@@ -17,7 +17,7 @@ void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) 
     ASSERT(store.ids.alive(contact) && c.parent == none);
     if (c.queued) return;
     c.queued = true;
-    scratch.tasks.push_back({.contact = contact, .list = c.composite ? scratch.part_lists++ : -1});
+    scratch.tasks.push_back({.contact = contact, .list = c.composite ? scratch.child_list_count++ : -1});
 }
 
 // Who leans on something, before anything changes: stages/continuous/ccd_policy.h.
@@ -105,7 +105,7 @@ void drop_selected_bounds(ContactStore& store, const std::vector<NarrowPhaseTask
 
 // Space for what threads will find.
 void make_space(ContactScratch& scratch) {
-    const auto lists = static_cast<std::size_t>(scratch.part_lists);
+    const auto lists = static_cast<std::size_t>(scratch.child_list_count);
     ASSERT(lists <= scratch.tasks.size());
     if (scratch.parts.size() < lists) scratch.parts.resize(lists);
     scratch.fresh.reserve_discarding(scratch.tasks.size());
@@ -118,7 +118,7 @@ void select_pairs(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     scratch.tasks.clear();
-    scratch.part_lists = 0;
+    scratch.child_list_count = 0;
     note_contacts(world.bodies, scratch.had_contacts);
     scratch.bouncing.clear();
     drop_dormant_pairs(world.contacts);

@@ -52,7 +52,7 @@ Skipped update_contacts(StepContext& step) {
     });
     update_touching(step);
     step.world.profile.pairs_checked = static_cast<int>(tasks.size());
-    step.world.profile.composites_checked = step.scratch.contacts.part_lists;
+    step.world.profile.composites_checked = step.scratch.contacts.child_list_count;
     return ran;
 }
 

@@ -64,14 +64,14 @@ double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t
 
 // Whether a manifold begins. One with a body that sleeps begins only when they meet,
 // and wakes it and as much around it as the impact will stir.
-bool begins(WorldState& world, const Contact& c, double gap_ahead) {
+bool begins(WorldState& world, const Contact& c, double predicted_gap) {
     const double scale = scale_of_pair(world.bodies, c);
-    if (!has_asleep(world.bodies, c)) return gap_ahead < tuning::speculative_margin * scale;
+    if (!has_asleep(world.bodies, c)) return predicted_gap < tuning::speculative_margin * scale;
     const double speed = closing_way(world, c, 1);
     // What comes to rest beside a sleeper, however near, does not wake it.
     const double slow = tuning::sleep_speed * speed_scale(size_of_pair(world.bodies, c),
                                                           gravity_ratio_squared(world.def.gravity));
-    if (gap_ahead >= (speed < slow ? 0 : tuning::wake_gap * scale)) return false;
+    if (predicted_gap >= (speed < slow ? 0 : tuning::wake_gap * scale)) return false;
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         if (is_asleep(world.bodies.cold[body]))
             world.wake_requests.push_back(
@@ -93,13 +93,13 @@ double begin_margin(const BodyStore& bodies, const Contact& c) {
 void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const NarrowPhaseTask& task = scratch.tasks[k];
     auto& contacts = world.contacts.contacts;
-    ASSERT(task.list >= 0 && task.list < scratch.part_lists);
+    ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     const auto& found = scratch.parts[static_cast<std::size_t>(task.list)];
     for (std::uint32_t p = contacts[task.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
-        const bool goes_on = std::any_of(found.begin(), found.end(),
+        const bool persists = std::any_of(found.begin(), found.end(),
                                          [&](const FoundPart& f) { return f.contact == p; });
-        if (goes_on)
+        if (persists)
             move_to_its_list(world, p);
         else
             destroy_contact(world, p, world.events.contacts_ended);
@@ -113,10 +113,10 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     const double margin = begin_margin(world.bodies, contacts[task.contact]);
     for (std::size_t f = 0; f < found.size(); f++) {
         if (found[f].contact != none) continue;
-        if (begins(world, contacts[task.contact], found[f].gap_ahead))
+        if (begins(world, contacts[task.contact], found[f].predicted_gap))
             scratch.begins.push_back({k, static_cast<std::int32_t>(f)});
         else
-            clear = minimum(clear, found[f].gap_ahead - margin);
+            clear = minimum(clear, found[f].predicted_gap - margin);
     }
     add_separation_bound(world, task.contact, clear);
 }
@@ -132,13 +132,13 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 // What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
 void update_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
     const Contact& c = world.contacts.contacts[task.contact];
-    if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
+    if (c.composite || !bounces_in_cluster(world, scratch, c.shape_a, c.shape_b)) {
         note_bouncing(world.bodies, c, scratch.bouncing);
         if (!c.composite) task.list = -1;
     } else if (task.list >= 0 && c.colour >= 0) {
         write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
         task.list = -1;
-        task.goes_on = true;
+        task.persists = true;
     }
 }
 
@@ -151,8 +151,8 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     if (c.composite) return update_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
-    if (task.goes_on) return move_to_its_list(world, task.contact);
-    if (task.list >= 0 && begins(world, c, task.gap_ahead)) {
+    if (task.persists) return move_to_its_list(world, task.contact);
+    if (task.list >= 0 && begins(world, c, task.predicted_gap)) {
         scratch.begins.push_back({k, -1});
         return;
     }

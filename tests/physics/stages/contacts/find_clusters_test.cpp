@@ -52,7 +52,7 @@ bool is_crowd(const Row& row) {
             {.contact = k, .bounces = row.nears && (!ground || row.floor), .closing = row.speed});
     }
     find_clusters(step);
-    return bounces_in_crowd(state, scratch.contacts, 1, 2);
+    return bounces_in_cluster(state, scratch.contacts, 1, 2);
 }
 
 // Of 4 m/s five balls that keep half and a floor leave 4 / 2^10 m/s: no order. Of 0.9 they leave

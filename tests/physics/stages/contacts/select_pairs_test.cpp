@@ -90,7 +90,7 @@ TEST(ChooseChecks, a_pair_of_many_parts_is_looked_at_as_a_whole) {
     ASSERT_EQ(parts, 2);
     const Choice choice(world);
     EXPECT_EQ(choice.contacts(), Contacts{pair});
-    EXPECT_EQ(choice.scratch.contacts.part_lists, 1);
+    EXPECT_EQ(choice.scratch.contacts.child_list_count, 1);
 }
 
 // What sleeps on both sides needs no bound; its limit is kept for when it wakes.

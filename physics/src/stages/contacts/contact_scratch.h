@@ -33,7 +33,7 @@ struct NarrowPhaseTask {
 };
 
 // One manifold of a composite pair.
-struct FoundPart {
+struct FoundChild {
     PartManifold part;
     double predicted_gap = 0;
     std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
@@ -63,7 +63,7 @@ struct ContactScratch {
     // Of checks without a lane, as far as fresh_count, in any order.
     UninitializedVector<Manifold> fresh;
     std::atomic<int> fresh_count = 0;
-    std::vector<std::vector<FoundPart>> parts;
+    std::vector<std::vector<FoundChild>> parts;
     std::vector<NewContact> begins;
     // By awake body: whether it had contacts in the constraint graph when the step began.
     std::vector<std::uint8_t> had_contacts;

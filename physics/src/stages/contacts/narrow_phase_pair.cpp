@@ -117,14 +117,14 @@ bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, b
 
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of
 // a surface the one with the nearest normal.
-void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
+void match_parts(WorldState& world, const Contact& pair, std::vector<FoundChild>& found) {
     for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part) {
         const Contact& part = world.contacts.contacts[p];
         if (part.colour < 0) continue;
         const Vec3 normal = normal_of(place_of(world, part));
-        FoundPart* best = nullptr;
+        FoundChild* best = nullptr;
         double most = tuning::same_part;
-        for (FoundPart& f : found) {
+        for (FoundChild& f : found) {
             if (f.contact != none || f.part.key != part.key) continue;
             const double like = dot(f.part.manifold.normal, normal);
             if (like > most) {
@@ -195,7 +195,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     task.near = on_surface ? 0 : task.near - way_ahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
-    std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(task.list)];
+    std::vector<FoundChild>& found = scratch.parts[static_cast<std::size_t>(task.list)];
     found.clear();
     task.predicted_gap = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);

@@ -98,7 +98,7 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     for (std::uint32_t p = contacts[task.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
         const bool persists = std::any_of(found.begin(), found.end(),
-                                         [&](const FoundPart& f) { return f.contact == p; });
+                                         [&](const FoundChild& f) { return f.contact == p; });
         if (persists)
             move_to_its_list(world, p);
         else

@@ -45,7 +45,7 @@ struct alignas(64) Contact {
     std::uint32_t parent = none;
     std::uint32_t first_part = none;   // of a composite
     std::uint32_t next_part = none;    // of the same parent
-    std::uint64_t key = 0;             // which part: PartManifold::key
+    std::uint64_t key = 0;             // which part: ChildManifold::key
     std::uint32_t parts_touching = 0;  // of a composite; `touching` is what was last reported
 };
 static_assert(sizeof(Contact) == 128);  // two cache lines

@@ -120,10 +120,10 @@ void find_contact(const Placed& there, const Placed& still, Vec3 motion, double 
         hit.normal = -d.normal;
         return;
     }
-    std::vector<PartManifold> parts;
+    std::vector<ChildManifold> parts;
     collide_composite(there, still, 10 * gap, parts);
     const Manifold* best = nullptr;
-    for (const PartManifold& part : parts)
+    for (const ChildManifold& part : parts)
         if (best == nullptr || part.manifold.distance < best->distance) best = &part.manifold;
     hit.normal = best != nullptr ? -best->normal : normalized(-motion);
     hit.point = best != nullptr ? best->point[0] : there.position;
@@ -462,7 +462,7 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
     const Geometry ga = stored(a), gb = stored(b);
     const Placed pa = placed(ga, {pose_a.position, unit(pose_a.rotation)}),
                  pb = placed(gb, {pose_b.position, unit(pose_b.rotation)});
-    std::vector<PartManifold> parts;
+    std::vector<ChildManifold> parts;
     if (is_composite(kind_of(a)) || is_composite(kind_of(b))) {
         collide_composite(pa, pb, margin, parts);
     } else {
@@ -470,7 +470,7 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
         parts.push_back({0, collide(pa, pb, margin, cache)});
     }
     std::vector<ContactManifold> manifolds;
-    for (const PartManifold& part : parts) {
+    for (const ChildManifold& part : parts) {
         if (part.manifold.count == 0) continue;
         ContactManifold m{.normal = part.manifold.normal, .points = {}};
         for (int k = 0; k < part.manifold.count; k++)

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& s
 
 // Neither is a compound.
 void collide_parts(const Placed& a, const Placed& b, double margin, std::uint64_t key,
-                   const SurfaceWay* way, std::vector<PartManifold>& out) {
+                   const SurfaceWay* way, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
@@ -103,7 +103,7 @@ void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit
 }  // namespace
 
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped,
+                       std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
                        const SurfaceWay* way) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
         collide_parts(pa, pb, margin, key, way, out);

@@ -14,7 +14,7 @@
 
 namespace jostle::physics {
 
-struct PartManifold {
+struct ChildManifold {
     std::uint64_t key =
         0;  // child of a in the upper half, of b in the lower, each plus one; pieces
             // of a surface have no key of their own and are told apart by normal
@@ -31,7 +31,7 @@ inline bool is_composite(ShapeKind kind) {
 // `stopped`: looked at between parts; when it is set, parts are missing.
 // `way`: of what is not a surface; triangles that it does not come near on it have no part either.
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr,
+                       std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
                        const SurfaceWay* way = nullptr);
 
 // Whether two shapes of any kind share a point.

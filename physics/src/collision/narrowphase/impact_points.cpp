@@ -11,7 +11,7 @@ namespace jostle::physics {
 std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b, double fraction,
                                          double gap) {
     const Placed pa = placed_at(a, fraction), pb = placed_at(b, fraction);
-    std::vector<PartManifold> parts;
+    std::vector<ChildManifold> parts;
     if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
         collide_composite(pa, pb, gap, parts);
     } else {
@@ -19,7 +19,7 @@ std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& 
         parts.push_back({0, collide(pa, pb, gap, cache)});
     }
     std::vector<ImpactPoint> points;
-    for (const PartManifold& part : parts)
+    for (const ChildManifold& part : parts)
         for (int k = 0; k < part.manifold.count; k++)
             points.push_back({part.manifold.point[k], part.manifold.normal});
     return points;

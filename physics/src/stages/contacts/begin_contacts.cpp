@@ -38,7 +38,7 @@ Skipped begin_contacts(StepContext& step) {
         const Manifold* manifold = nullptr;
         if (next.part >= 0) {
             ASSERT(static_cast<std::size_t>(next.part) < scratch.parts[list].size());
-            const PartManifold& part =
+            const ChildManifold& part =
                 scratch.parts[list][static_cast<std::size_t>(next.part)].part;
             contact = create_part(world, task.contact, part.key);
             manifold = &part.manifold;

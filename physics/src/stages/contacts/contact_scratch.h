@@ -34,7 +34,7 @@ struct NarrowPhaseTask {
 
 // One manifold of a composite pair.
 struct FoundChild {
-    PartManifold part;
+    ChildManifold part;
     double predicted_gap = 0;
     std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
 };

@@ -178,7 +178,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         pre_solve_contact = time_to_meeting(world, c, dt);
     const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
-    std::vector<PartManifold> parts;
+    std::vector<ChildManifold> parts;
     const PairAhead pair(world, c, time);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
@@ -192,14 +192,14 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         task.done = true;  // as it was
         return;
     }
-    for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
+    for (ChildManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     task.near = on_surface ? 0 : task.near - way_ahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundChild>& found = scratch.parts[static_cast<std::size_t>(task.list)];
     found.clear();
     task.predicted_gap = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
-    for (const PartManifold& part : parts) {
+    for (const ChildManifold& part : parts) {
         if (may_bounce) {
             const bool touches = is_touching(world, c, part.key);
             const bool meets = will_bounce(step, c, part.manifold, touches);

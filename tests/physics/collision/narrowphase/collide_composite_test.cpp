@@ -130,19 +130,19 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
         const Transform pose_a{random.vector(3), random_rotation(random)};
         const Transform pose_b{pose_a.position + random.vector(2), random_rotation(random)};
         const Placed pa = placed(a, pose_a), pb = placed(b, pose_b);
-        std::vector<PartManifold> manifolds, turned;
+        std::vector<ChildManifold> manifolds, turned;
         collide_composite(pa, pb, look_ahead, manifolds);
         collide_composite(pb, pa, look_ahead, turned);
         std::vector<Vec3> normals;
-        for (const PartManifold& part : manifolds) normals.push_back(part.manifold.normal);
-        for (const PartManifold& part : turned) normals.push_back(-part.manifold.normal);
+        for (const ChildManifold& part : manifolds) normals.push_back(part.manifold.normal);
+        for (const ChildManifold& part : turned) normals.push_back(-part.manifold.normal);
         const double truth = nearest(parts_of(a, pose_a), parts_of(b, pose_b), normals);
         if (std::fabs(truth) < 1e-4 || std::fabs(truth - look_ahead) < 1e-4) continue;
         EXPECT_EQ(shapes_overlap(pa, pb), truth < 0) << truth;
         EXPECT_EQ(shapes_overlap(pb, pa), truth < 0) << truth;
         EXPECT_EQ(manifolds.empty(), turned.empty());
         double least = 1e300;
-        for (const PartManifold& part : manifolds) {
+        for (const ChildManifold& part : manifolds) {
             ASSERT_GT(part.manifold.count, 0);
             ASSERT_LE(part.manifold.count, 4);
             ASSERT_NEAR(length(part.manifold.normal), 1, 1e-9);
@@ -187,7 +187,7 @@ TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
         const Placed ground = placed(field, {}), lying = placed(box, pose);
         if (!shapes_overlap(ground, lying)) continue;
         touching++;
-        std::vector<PartManifold> manifolds;
+        std::vector<ChildManifold> manifolds;
         collide_composite(ground, lying, look_ahead, manifolds);
         EXPECT_FALSE(manifolds.empty()) << "round " << round;
     }

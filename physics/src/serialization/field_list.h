@@ -368,10 +368,10 @@ void visit_fields(V& v, Contact& c) {
     for (float& x : c.load) v.field("load", x);
     v.field("composite", c.composite);
     v.field("parent", c.parent);
-    v.field("first_part", c.first_part);
-    v.field("next_part", c.next_part);
+    v.field("first_child", c.first_child);
+    v.field("next_child", c.next_child);
     v.field("key", c.key);
-    v.field("parts_touching", c.parts_touching);
+    v.field("touching_children", c.touching_children);
     for (int side = 0; side < 2; side++) {
         v.field("next", c.next[side]);
         v.field("prev", c.prev[side]);

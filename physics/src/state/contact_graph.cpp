@@ -50,13 +50,13 @@ std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_
     return index;
 }
 
-void unlink_part(ContactStore& store, std::uint32_t part) {
-    std::uint32_t* at = &store.contacts[store.contacts[part].parent].first_part;
-    while (*at != part) {
+void unlink_child(ContactStore& store, std::uint32_t child) {
+    std::uint32_t* at = &store.contacts[store.contacts[child].parent].first_child;
+    while (*at != child) {
         ASSERT(*at != none);
-        at = &store.contacts[*at].next_part;
+        at = &store.contacts[*at].next_child;
     }
-    *at = store.contacts[part].next_part;
+    *at = store.contacts[child].next_child;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
     return index;
 }
 
-std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key) {
+std::uint32_t create_child_contact(WorldState& world, std::uint32_t parent, std::uint64_t key) {
     auto& contacts = world.contacts.contacts;
     ASSERT(contacts[parent].composite && contacts[parent].parent == none);
     const std::uint32_t index =
@@ -82,8 +82,8 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
     contacts[index].parent = parent;
     contacts[index].key = key;
     // At the end: parts keep the order in which they came.
-    std::uint32_t* last = &contacts[parent].first_part;
-    while (*last != none) last = &contacts[*last].next_part;
+    std::uint32_t* last = &contacts[parent].first_child;
+    while (*last != none) last = &contacts[*last].next_child;
     *last = index;
     return index;
 }
@@ -91,12 +91,12 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
     ContactStore& store = world.contacts;
     ASSERT(store.ids.alive(contact));
-    while (store.contacts[contact].first_part != none)
-        destroy_contact(world, store.contacts[contact].first_part, ended);
+    while (store.contacts[contact].first_child != none)
+        destroy_contact(world, store.contacts[contact].first_child, ended);
     Contact& c = store.contacts[contact];
     if (c.parent != none) {
         if (c.touching) end_touch(world, contact);
-        unlink_part(store, contact);
+        unlink_child(store, contact);
     } else if (c.touching) {
         report_end(world, c, ended);
         if (!c.composite) end_touch(world, contact);
@@ -120,7 +120,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
 void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {
     Contact& c = world.contacts.contacts[pair];
     ASSERT(world.contacts.ids.alive(pair) && c.parent == none);
-    if (!c.touching || c.parts_touching > 0) return;
+    if (!c.touching || c.touching_children > 0) return;
     c.touching = false;
     report_end(world, c, ended);
 }
@@ -191,7 +191,7 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
     ASSERT(!c.touching && !c.composite);
     c.touching = true;
     if (is_dynamic(world, c.body_b)) note_masses(world, c);
-    if (c.parent != none) world.contacts.contacts[c.parent].parts_touching++;
+    if (c.parent != none) world.contacts.contacts[c.parent].touching_children++;
     if (is_dynamic(world, c.body_b))
         join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
 }
@@ -206,8 +206,8 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.
-        ASSERT(parent.parts_touching > 0);
-        parent.parts_touching--;
+        ASSERT(parent.touching_children > 0);
+        parent.touching_children--;
         world.changed_pairs.push_back(c.parent);
     }
     if (is_dynamic(world, c.body_b))

@@ -13,7 +13,7 @@ namespace jostle::physics {
 // shapes so that a is dynamic.
 std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b);
 // A manifold of a composite pair; it is not in the constraint graph yet.
-std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key);
+std::uint32_t create_child_contact(WorldState& world, std::uint32_t parent, std::uint64_t key);
 // Destroys its parts, takes it out of the constraint graph, ends its touch and reports the end (to
 // `ended`) when it was touching.
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended);

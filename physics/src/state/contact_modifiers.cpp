@@ -52,9 +52,9 @@ void clear_modifier(WorldState& world, std::uint32_t contact) {
 
 bool pass_through(const WorldState& world, const Contact& pair) {
     if (!pair.composite) return pair.has_modifier && !modifier_of(world, pair).enabled;
-    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part)
+    for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child)
         if (!pass_through(world, world.contacts.contacts[p])) return false;
-    return pair.first_part != none;
+    return pair.first_child != none;
 }
 
 }  // namespace jostle::physics

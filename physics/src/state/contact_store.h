@@ -43,10 +43,10 @@ struct alignas(64) Contact {
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.
     std::uint32_t parent = none;
-    std::uint32_t first_part = none;   // of a composite
-    std::uint32_t next_part = none;    // of the same parent
+    std::uint32_t first_child = none;   // of a composite
+    std::uint32_t next_child = none;    // of the same parent
     std::uint64_t key = 0;             // which part: ChildManifold::key
-    std::uint32_t parts_touching = 0;  // of a composite; `touching` is what was last reported
+    std::uint32_t touching_children = 0;  // of a composite; `touching` is what was last reported
 };
 static_assert(sizeof(Contact) == 128);  // two cache lines
 

@@ -135,30 +135,30 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
     };
     if (c.parent != none) {
         if (!exists(c.parent) || !contacts[c.parent].composite || c.composite || c.has_bound ||
-            c.first_part != none || contacts[c.parent].shape_a != c.shape_a ||
+            c.first_child != none || contacts[c.parent].shape_a != c.shape_a ||
             contacts[c.parent].shape_b != c.shape_b)
             return at("contacts", i, "is a part of a pair that is none");
         std::size_t met = 0, steps = 0;
-        for (std::uint32_t p = contacts[c.parent].first_part; p != none;
-             p = contacts[p].next_part) {
+        for (std::uint32_t p = contacts[c.parent].first_child; p != none;
+             p = contacts[p].next_child) {
             if (!exists(p) || ++steps > contacts.size())
                 return at("contacts", c.parent, "has a broken list of parts");
             met += p == i ? 1 : 0;
         }
         if (met != 1) return at("contacts", i, "is not on its pair's list of parts");
-    } else if (!c.composite && (c.first_part != none || c.parts_touching != 0)) {
+    } else if (!c.composite && (c.first_child != none || c.touching_children != 0)) {
         return at("contacts", i, "has parts but is not composite");
     }
     if (!c.composite) return {};
     if (c.colour >= 0) return at("contacts", i, "is composite but has a manifold");
     std::uint32_t touching = 0;
     std::size_t steps = 0;
-    for (std::uint32_t p = c.first_part; p != none; p = contacts[p].next_part) {
+    for (std::uint32_t p = c.first_child; p != none; p = contacts[p].next_child) {
         if (!exists(p) || contacts[p].parent != i || ++steps > contacts.size())
             return at("contacts", i, "has a broken list of parts");
         touching += contacts[p].touching ? 1 : 0;
     }
-    if (touching != c.parts_touching) return at("contacts", i, "counts its touching parts wrongly");
+    if (touching != c.touching_children) return at("contacts", i, "counts its touching parts wrongly");
     return {};
 }
 

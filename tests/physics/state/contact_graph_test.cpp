@@ -144,15 +144,15 @@ struct Parts : Balls {
 TEST(ContactGraph, parts_keep_the_order_in_which_they_came) {
     Parts scene;
     ASSERT_TRUE(scene.contact(scene.pair).composite);
-    const std::uint32_t first = create_part(scene.state, scene.pair, 5);
-    const std::uint32_t second = create_part(scene.state, scene.pair, 3);
-    const std::uint32_t third = create_part(scene.state, scene.pair, 4);
-    EXPECT_EQ(scene.contact(scene.pair).first_part, first);
-    EXPECT_EQ(scene.contact(first).next_part, second);
-    EXPECT_EQ(scene.contact(second).next_part, third);
+    const std::uint32_t first = create_child_contact(scene.state, scene.pair, 5);
+    const std::uint32_t second = create_child_contact(scene.state, scene.pair, 3);
+    const std::uint32_t third = create_child_contact(scene.state, scene.pair, 4);
+    EXPECT_EQ(scene.contact(scene.pair).first_child, first);
+    EXPECT_EQ(scene.contact(first).next_child, second);
+    EXPECT_EQ(scene.contact(second).next_child, third);
     EXPECT_EQ(scene.contact(third).parent, scene.pair);
     destroy_contact(scene.state, second, scene.ended);
-    EXPECT_EQ(scene.contact(first).next_part, third);
+    EXPECT_EQ(scene.contact(first).next_child, third);
     destroy_contact(scene.state, scene.pair, scene.ended);
     EXPECT_EQ(scene.contacts_of(scene.one), std::vector<std::uint32_t>{}) << "parts go with it";
     EXPECT_EQ(scene.state.contacts.ids.alive_count(), 0u);
@@ -160,12 +160,12 @@ TEST(ContactGraph, parts_keep_the_order_in_which_they_came) {
 
 TEST(ContactGraph, a_pair_ends_to_touch_once_when_its_last_part_does) {
     Parts scene;
-    const std::uint32_t first = create_part(scene.state, scene.pair, 1);
-    const std::uint32_t second = create_part(scene.state, scene.pair, 2);
+    const std::uint32_t first = create_child_contact(scene.state, scene.pair, 1);
+    const std::uint32_t second = create_child_contact(scene.state, scene.pair, 2);
     begin_touch(scene.state, first);
     begin_touch(scene.state, second);
     scene.state.contacts.contacts[scene.pair].touching = true;  // as link_islands reports it
-    EXPECT_EQ(scene.contact(scene.pair).parts_touching, 2u);
+    EXPECT_EQ(scene.contact(scene.pair).touching_children, 2u);
     std::vector<ContactEnd>& reported = scene.ended;
     end_touch(scene.state, first);
     end_touch_of_pair(scene.state, scene.pair, reported);

@@ -14,7 +14,7 @@ namespace {
 
 // Of one pair of shapes. Two bodies that touch in so many places lie in one another; what they are
 // made of could have a billion pairs, which no memory holds.
-constexpr std::size_t part_manifolds_max = 1 << 14;
+constexpr std::size_t child_manifolds_max = 1 << 14;
 
 bool is_surface(const Placed& shape) {
     const ShapeKind kind = kind_of(*shape.geometry);
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& s
 }
 
 // Neither is a compound.
-void collide_parts(const Placed& a, const Placed& b, double margin, std::uint64_t key,
+void collide_children(const Placed& a, const Placed& b, double margin, std::uint64_t key,
                    const SurfaceWay* way, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
@@ -106,8 +106,8 @@ void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
                        const SurfaceWay* way) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
-        collide_parts(pa, pb, margin, key, way, out);
-        return out.size() >= part_manifolds_max ||
+        collide_children(pa, pb, margin, key, way, out);
+        return out.size() >= child_manifolds_max ||
                (stopped != nullptr && stopped->load(std::memory_order_relaxed));
     });
 }

@@ -351,7 +351,7 @@ BallWay ball_way(const SweptShape& shape, const Search& way) {
 
 // Whether the balls around two convex shapes never touch: of parts of bodies they say more than
 // those around the bodies.
-bool parts_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+bool children_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
     const BallWay ba = ball_way(a, way), bb = ball_way(b, way);
     const Vec3 apart = bb.center - ba.center, motion = bb.motion - ba.motion;
@@ -508,7 +508,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
         }
         return first ? best : turned_round(best);
     }
-    if (is_convex(ka) && is_convex(kb) && parts_pass_by(a, b, way)) return {};
+    if (is_convex(ka) && is_convex(kb) && children_pass_by(a, b, way)) return {};
     if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, way);
     if (is_convex(ka) && is_convex(kb))
         return rods_pass_by(a, b, way) ? Impact{} : convex_impact(a, b, way);

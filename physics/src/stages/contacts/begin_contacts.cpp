@@ -23,7 +23,7 @@ Skipped begin_contacts(StepContext& step) {
     if (begins.empty()) return "no manifold begins";
     const auto key = [&](const NewContact& next) {
         const Contact& c = world.contacts.contacts[scratch.tasks[next.task].contact];
-        return std::tuple(c.shape_a, c.shape_b, next.part);
+        return std::tuple(c.shape_a, c.shape_b, next.child);
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
@@ -36,12 +36,12 @@ Skipped begin_contacts(StepContext& step) {
         ASSERT(task.list >= 0);
         const auto list = static_cast<std::size_t>(task.list);
         const Manifold* manifold = nullptr;
-        if (next.part >= 0) {
-            ASSERT(static_cast<std::size_t>(next.part) < scratch.parts[list].size());
-            const ChildManifold& part =
-                scratch.parts[list][static_cast<std::size_t>(next.part)].part;
-            contact = create_part(world, task.contact, part.key);
-            manifold = &part.manifold;
+        if (next.child >= 0) {
+            ASSERT(static_cast<std::size_t>(next.child) < scratch.children[list].size());
+            const ChildManifold& child =
+                scratch.children[list][static_cast<std::size_t>(next.child)].child;
+            contact = create_child_contact(world, task.contact, child.key);
+            manifold = &child.manifold;
         } else {
             manifold = &scratch.fresh[list];
         }

@@ -34,7 +34,7 @@ struct NarrowPhaseTask {
 
 // One manifold of a composite pair.
 struct FoundChild {
-    ChildManifold part;
+    ChildManifold child;
     double predicted_gap = 0;
     std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
 };
@@ -43,7 +43,7 @@ struct FoundChild {
 // own).
 struct NewContact {
     std::uint32_t task = 0;
-    std::int32_t part = -1;
+    std::int32_t child = -1;
 };
 
 // Bodies that are about to bounce off each other: find_clusters.h.
@@ -63,7 +63,7 @@ struct ContactScratch {
     // Of checks without a lane, as far as fresh_count, in any order.
     UninitializedVector<Manifold> fresh;
     std::atomic<int> fresh_count = 0;
-    std::vector<std::vector<FoundChild>> parts;
+    std::vector<std::vector<FoundChild>> children;
     std::vector<NewContact> begins;
     // By awake body: whether it had contacts in the constraint graph when the step began.
     std::vector<std::uint8_t> had_contacts;

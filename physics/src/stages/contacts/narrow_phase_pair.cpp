@@ -117,16 +117,16 @@ bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, b
 
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of
 // a surface the one with the nearest normal.
-void match_parts(WorldState& world, const Contact& pair, std::vector<FoundChild>& found) {
-    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part) {
-        const Contact& part = world.contacts.contacts[p];
-        if (part.colour < 0) continue;
-        const Vec3 normal = normal_of(place_of(world, part));
+void match_children(WorldState& world, const Contact& pair, std::vector<FoundChild>& found) {
+    for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child) {
+        const Contact& child = world.contacts.contacts[p];
+        if (child.colour < 0) continue;
+        const Vec3 normal = normal_of(place_of(world, child));
         FoundChild* best = nullptr;
         double most = tuning::same_part;
         for (FoundChild& f : found) {
-            if (f.contact != none || f.part.key != part.key) continue;
-            const double like = dot(f.part.manifold.normal, normal);
+            if (f.contact != none || f.child.key != child.key) continue;
+            const double like = dot(f.child.manifold.normal, normal);
             if (like > most) {
                 most = like;
                 best = &f;
@@ -134,13 +134,13 @@ void match_parts(WorldState& world, const Contact& pair, std::vector<FoundChild>
         }
         if (best == nullptr) continue;
         best->contact = p;
-        write_manifold(world, part, best->part.manifold, false);
+        write_manifold(world, child, best->child.manifold, false);
     }
 }
 
 // Whether a part of a composite pair touches.
 bool is_touching(const WorldState& world, const Contact& pair, std::uint64_t key) {
-    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part)
+    for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child)
         if (world.contacts.contacts[p].key == key && world.contacts.contacts[p].touching)
             return true;
     return false;
@@ -178,7 +178,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         pre_solve_contact = time_to_meeting(world, c, dt);
     const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
-    std::vector<ChildManifold> parts;
+    std::vector<ChildManifold> children;
     const PairAhead pair(world, c, time);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
@@ -186,34 +186,34 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     if (way > tuning::composite_slack * scale && is_even_surface(world, c))
         on_surface = way_on_surface(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
-                      tuning::speculative_margin * scale + task.near, parts, &step.scratch.stopped,
+                      tuning::speculative_margin * scale + task.near, children, &step.scratch.stopped,
                       on_surface ? &*on_surface : nullptr);
     if (is_stopped(step)) {
         task.done = true;  // as it was
         return;
     }
-    for (ChildManifold& part : parts) pair.count_back(part.manifold, way_ahead);
+    for (ChildManifold& child : children) pair.count_back(child.manifold, way_ahead);
     task.near = on_surface ? 0 : task.near - way_ahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
-    std::vector<FoundChild>& found = scratch.parts[static_cast<std::size_t>(task.list)];
+    std::vector<FoundChild>& found = scratch.children[static_cast<std::size_t>(task.list)];
     found.clear();
     task.predicted_gap = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
-    for (const ChildManifold& part : parts) {
+    for (const ChildManifold& child : children) {
         if (may_bounce) {
-            const bool touches = is_touching(world, c, part.key);
-            const bool meets = will_bounce(step, c, part.manifold, touches);
+            const bool touches = is_touching(world, c, child.key);
+            const bool meets = will_bounce(step, c, child.manifold, touches);
             task.bounces |= meets;
-            if (meets || stays_apart(world, c, part.manifold, touches, dt)) {
+            if (meets || stays_apart(world, c, child.manifold, touches, dt)) {
                 task.near = minimum(task.near, 0);
                 continue;
             }
         }
-        if (swept && !pre_solve_contact && part.manifold.distance > tuning::touch_gap * scale) continue;
-        found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
+        if (swept && !pre_solve_contact && child.manifold.distance > tuning::touch_gap * scale) continue;
+        found.push_back({child, expected_gap(world, c, child.manifold, dt), none});
         task.predicted_gap = minimum(task.predicted_gap, found.back().predicted_gap);
     }
-    match_parts(world, c, found);
+    match_children(world, c, found);
 }
 
 // How two that do not touch are nearest.

@@ -66,7 +66,7 @@ void PairAhead::count_back(Manifold& m, double way) const {
 // The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after its
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
 double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
-    const bool touching = c.composite ? c.parts_touching > 0 : c.touching;
+    const bool touching = c.composite ? c.touching_children > 0 : c.touching;
     if (!touching || way < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =

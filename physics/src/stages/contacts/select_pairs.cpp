@@ -107,7 +107,7 @@ void drop_selected_bounds(ContactStore& store, const std::vector<NarrowPhaseTask
 void make_space(ContactScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.child_list_count);
     ASSERT(lists <= scratch.tasks.size());
-    if (scratch.parts.size() < lists) scratch.parts.resize(lists);
+    if (scratch.children.size() < lists) scratch.children.resize(lists);
     scratch.fresh.reserve_discarding(scratch.tasks.size());
     scratch.fresh_count = 0;
 }

@@ -94,9 +94,9 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     const NarrowPhaseTask& task = scratch.tasks[k];
     auto& contacts = world.contacts.contacts;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
-    const auto& found = scratch.parts[static_cast<std::size_t>(task.list)];
-    for (std::uint32_t p = contacts[task.contact].first_part; p != none;) {
-        const std::uint32_t next = contacts[p].next_part;
+    const auto& found = scratch.children[static_cast<std::size_t>(task.list)];
+    for (std::uint32_t p = contacts[task.contact].first_child; p != none;) {
+        const std::uint32_t next = contacts[p].next_child;
         const bool persists = std::any_of(found.begin(), found.end(),
                                          [&](const FoundChild& f) { return f.contact == p; });
         if (persists)

@@ -70,10 +70,10 @@ void report_composites(WorldState& world) {
         Contact& c = world.contacts.contacts[pair];
         if (!c.composite) continue;
         end_touch_of_pair(world, pair, world.events.contacts_ended);
-        if (c.touching || c.parts_touching == 0) continue;
-        std::uint32_t first = c.first_part;
+        if (c.touching || c.touching_children == 0) continue;
+        std::uint32_t first = c.first_child;
         while (!world.contacts.contacts[first].touching) {
-            first = world.contacts.contacts[first].next_part;
+            first = world.contacts.contacts[first].next_child;
             ASSERT(first != none);
         }
         report_begin(world, world.contacts.contacts[first]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What rocks without slipping neither gains nor loses: contacts are centred in time
-// (stages/contacts/pair_ahead.h).
+// (stages/contacts/predicted_pair.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>

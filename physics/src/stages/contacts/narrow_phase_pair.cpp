@@ -8,7 +8,7 @@
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/predicted_pair.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"

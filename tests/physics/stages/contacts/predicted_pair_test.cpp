@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A pair as it will be later in the step, and its gaps counted back to the start.
-#include "physics/src/stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/predicted_pair.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/pair_ahead.h"
+#include "physics/src/stages/contacts/predicted_pair.h"
 
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/constraints/write_manifold.h"

@@ -154,7 +154,7 @@ bool is_even_surface(const WorldState& world, const Contact& c) {
 }
 
 // How a moves against it in the step, as seen from where it is looked at.
-SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PairAhead& pair,
+SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PredictedPair& pair,
                           double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     const Vec3 u = a.v - b.v;
@@ -179,7 +179,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
     std::vector<ChildManifold> children;
-    const PairAhead pair(world, c, time);
+    const PredictedPair pair(world, c, time);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
     std::optional<SurfaceWay> on_surface;
@@ -235,14 +235,14 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     const double dt = step.dt;
     const double way = closing_way(world, c, dt), scale = scale_of_pair(world.bodies, c);
     const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
-    const auto within = [&](double margin, const PairAhead& pair) {
+    const auto within = [&](double margin, const PredictedPair& pair) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
         pair.count_back(m, way * pair.time() / dt);
         return m;
     };
-    const PairAhead pair(world, c, time_to_middle(world, c, way, dt));
+    const PredictedPair pair(world, c, time_to_middle(world, c, way, dt));
     const bool swept = will_be_swept(step, c, way);
     if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
         return within(tuning::touch_gap * scale, pair);
@@ -258,14 +258,14 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
             swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
         if (!pre_solve_contact) return now;
         if (*pre_solve_contact > 0)
-            return within(ahead, PairAhead(world, c, minimum(dt, *pre_solve_contact + past / most)));
+            return within(ahead, PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
     const double margin = ahead + closing_reach(world.bodies, c, way);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
-        return within(margin, PairAhead(world, c, minimum(dt, (near.gap + past) / closing)));
+        return within(margin, PredictedPair(world, c, minimum(dt, (near.gap + past) / closing)));
     return within(margin, pair);
 }
 

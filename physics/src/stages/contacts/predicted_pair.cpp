@@ -22,7 +22,7 @@ SweptShape swept(const WorldState& world, std::uint32_t body, std::uint32_t shap
 
 }  // namespace
 
-PairAhead::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
+PredictedPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
                       double time) {
     const BodyWarm& warm = warm_of(world, body);
     const ShapeRecord& record = world.shapes.shapes[shape_index];
@@ -41,17 +41,17 @@ PairAhead::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t
     shape = placed(record, later);
 }
 
-Vec3 PairAhead::Side::velocity_at(Vec3 point) const {
+Vec3 PredictedPair::Side::velocity_at(Vec3 point) const {
     return v + cross(w, point - center);
 }
 
-PairAhead::PairAhead(const WorldState& world, const Contact& contact, double time)
+PredictedPair::PredictedPair(const WorldState& world, const Contact& contact, double time)
     : time_(time),
       anchor_blend_(time == 0 ? 0 : anchor_blend_of(world, contact)),
       a_(world, contact.body_a, contact.shape_a, time),
       b_(world, contact.body_b, contact.shape_b, time) {}
 
-void PairAhead::count_back(Manifold& m, double way) const {
+void PredictedPair::count_back(Manifold& m, double way) const {
     ASSERT(anchor_blend_ >= 0 && anchor_blend_ <= 1);
     if (time_ == 0) return;
     const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;

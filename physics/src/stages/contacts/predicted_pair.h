@@ -19,10 +19,10 @@
 
 namespace jostle::physics {
 
-class PairAhead {
+class PredictedPair {
 public:
     // `time`: s from the start of the step.
-    PairAhead(const WorldState& world, const Contact& contact, double time);
+    PredictedPair(const WorldState& world, const Contact& contact, double time);
 
     double time() const { return time_; }
     const Placed& shape_a() const { return a_.shape; }

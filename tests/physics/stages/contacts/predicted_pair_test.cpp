@@ -33,7 +33,7 @@ struct OverFloor {
 
 // 10 cm above the floor at 12 m/s: there after 1/120 s, less the tenth of a millimetre that is
 // kept.
-TEST(PairAhead, a_ball_meets_the_floor_when_its_gap_is_gone) {
+TEST(PredictedPair, a_ball_meets_the_floor_when_its_gap_is_gone) {
     OverFloor ball(Sphere{0.5}, 0.6, {0, -12, 0});
     const auto time = time_to_meeting(ball.state, ball.contact(), dt);
     ASSERT_TRUE(time);
@@ -45,7 +45,7 @@ TEST(PairAhead, a_ball_meets_the_floor_when_its_gap_is_gone) {
 }
 
 // n sub-steps push at their beginnings: in the mean (n - 1) / 2n of a step after its start.
-TEST(PairAhead, the_middle_of_the_forces_is_before_that_of_the_step) {
+TEST(PredictedPair, the_middle_of_the_forces_is_before_that_of_the_step) {
     OverFloor box(Box{}, 0.5, {1, 0, 0});
     EXPECT_EQ(time_to_middle(box.state, box.contact(), 0.01, dt), 0) << "it does not touch yet";
     box.contact().touching = true;
@@ -55,10 +55,10 @@ TEST(PairAhead, the_middle_of_the_forces_is_before_that_of_the_step) {
     EXPECT_NEAR(time_to_middle(box.state, box.contact(), 2, dt), dt / 8, 1e-12);
 }
 
-TEST(PairAhead, shapes_are_where_their_velocities_take_them) {
+TEST(PredictedPair, shapes_are_where_their_velocities_take_them) {
     OverFloor box(Box{}, 2, {6, -12, 0});
     warm_of(box.state, box.body).w = {0, 0, pi};
-    const PairAhead pair(box.state, box.contact(), 0.5);
+    const PredictedPair pair(box.state, box.contact(), 0.5);
     EXPECT_TRUE(near(pair.shape_a().position, {3, -4, 0}, 1e-12));
     EXPECT_TRUE(near(pair.shape_a().axes.x, {0, 1, 0}, 1e-12)) << "a quarter turn";
     EXPECT_EQ(pair.shape_b().position, Vec3{});
@@ -66,10 +66,10 @@ TEST(PairAhead, shapes_are_where_their_velocities_take_them) {
 
 // A gap of 0 in 1/120 s at 12 m/s is one of 10 cm now. The point goes along with the box, whose
 // centre is followed: what is not pushed need not be thought of.
-TEST(PairAhead, counted_back_a_gap_is_what_it_is_now) {
+TEST(PredictedPair, counted_back_a_gap_is_what_it_is_now) {
     OverFloor box(Box{}, 0.6, {3, -12, 0});
     const double time = 1.0 / 120;
-    const PairAhead pair(box.state, box.contact(), time);
+    const PredictedPair pair(box.state, box.contact(), time);
     Manifold m{.count = 1, .normal = {0, -1, 0}};
     m.point[0] = {3 * time, 0, 0};
     pair.count_back(m, 1);
@@ -79,12 +79,12 @@ TEST(PairAhead, counted_back_a_gap_is_what_it_is_now) {
     Manifold apart{.normal = {0, -1, 0}, .distance = 0.5};
     pair.count_back(apart, 0.2);
     EXPECT_NEAR(apart.distance, 0.3, 1e-12) << "nearer by all that they may move";
-    const PairAhead now(box.state, box.contact(), 0);
+    const PredictedPair now(box.state, box.contact(), 0);
     now.count_back(apart, 0.2);
     EXPECT_NEAR(apart.distance, 0.3, 1e-12) << "now is now";
 }
 
-TEST(PairAhead, smallest_gap_is_that_of_the_deepest_point_or_the_distance) {
+TEST(PredictedPair, smallest_gap_is_that_of_the_deepest_point_or_the_distance) {
     Manifold m{.count = 3, .distance = 9};
     m.gap[0] = 0.1;
     m.gap[1] = -0.2;

@@ -88,7 +88,7 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
     const WorldState& world = step.world;
     const double scale = scale_of_pair(world.bodies, c),
                  margin = tuning::speculative_margin * scale;
-    if (m.count == 0) return m.distance - closing_way(world, c, step.dt) < margin;
+    if (m.count == 0) return m.distance - max_closing_distance(world, c, step.dt) < margin;
     const auto leans = [&](std::uint32_t body) {
         const BodyCold& cold = world.bodies.cold[body];
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
@@ -154,7 +154,7 @@ bool is_even_surface(const WorldState& world, const Contact& c) {
 }
 
 // How a moves against it in the step, as seen from where it is looked at.
-SurfaceWay way_on_surface(const WorldState& world, const Contact& c, const PredictedPair& pair,
+SurfaceWay surface_motion_of(const WorldState& world, const Contact& c, const PredictedPair& pair,
                           double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     const Vec3 u = a.v - b.v;
@@ -169,14 +169,14 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     ContactScratch& scratch = step.scratch.contacts;
     const double dt = step.dt;
     const Contact& c = world.contacts.contacts[task.contact];
-    const double way = closing_way(world, c, dt);
+    const double way = max_closing_distance(world, c, dt);
     const double scale = scale_of_pair(world.bodies, c);
     task.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> pre_solve_contact;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
-        pre_solve_contact = time_to_meeting(world, c, dt);
-    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : time_to_middle(world, c, way, dt);
+        pre_solve_contact = time_to_contact(world, c, dt);
+    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : midpoint_time(world, c, way, dt);
     const double way_ahead = way * time / dt;
     std::vector<ChildManifold> children;
     const PredictedPair pair(world, c, time);
@@ -184,7 +184,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     // matters is what it comes near to.
     std::optional<SurfaceWay> on_surface;
     if (way > tuning::composite_slack * scale && is_even_surface(world, c))
-        on_surface = way_on_surface(world, c, pair, dt);
+        on_surface = surface_motion_of(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
                       tuning::speculative_margin * scale + task.near, children, &step.scratch.stopped,
                       on_surface ? &*on_surface : nullptr);
@@ -192,7 +192,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         task.done = true;  // as it was
         return;
     }
-    for (ChildManifold& child : children) pair.count_back(child.manifold, way_ahead);
+    for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, way_ahead);
     task.near = on_surface ? 0 : task.near - way_ahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundChild>& found = scratch.children[static_cast<std::size_t>(task.list)];
@@ -230,19 +230,19 @@ Approach approach_of(WorldState& world, const Contact& c) {
 }
 
 // The points where a pair may touch in this step.
-Manifold manifold_ahead(const StepContext& step, Contact& c) {
+Manifold predicted_manifold(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
     const double dt = step.dt;
-    const double way = closing_way(world, c, dt), scale = scale_of_pair(world.bodies, c);
+    const double way = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
     const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
-        pair.count_back(m, way * pair.time() / dt);
+        pair.rewind_manifold(m, way * pair.time() / dt);
         return m;
     };
-    const PredictedPair pair(world, c, time_to_middle(world, c, way, dt));
+    const PredictedPair pair(world, c, midpoint_time(world, c, way, dt));
     const bool swept = will_be_swept(step, c, way);
     if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
         return within(tuning::touch_gap * scale, pair);
@@ -255,7 +255,7 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
         if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= ahead) return now;
         const std::optional<double> pre_solve_contact =
-            swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
+            swept ? time_to_contact(world, c, dt) : std::optional(0.0);
         if (!pre_solve_contact) return now;
         if (*pre_solve_contact > 0)
             return within(ahead, PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
@@ -296,7 +296,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     ASSERT(c.queued);
     c.queued = false;
     if (c.composite) return narrow_phase_composite(step, task);
-    Manifold manifold = manifold_ahead(step, c);
+    Manifold manifold = predicted_manifold(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
         task.bounces = will_bounce(step, c, manifold, c.touching);
         if (task.bounces) return defer_to_clusters(step, task, manifold);

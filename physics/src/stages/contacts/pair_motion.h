@@ -16,7 +16,7 @@ inline BodyMotion motion_of(const WorldState& world, std::uint32_t body) {
 }
 
 // How far any two points of the bodies move against each other in a step, at most, m.
-inline double closing_way(const WorldState& world, const Contact& c, double dt) {
+inline double max_closing_distance(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const BodyMotion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
     const double turning_b = b.type == BodyType::static_body ? 0 : length(mb.w) * b.radius;

@@ -51,7 +51,7 @@ PredictedPair::PredictedPair(const WorldState& world, const Contact& contact, do
       a_(world, contact.body_a, contact.shape_a, time),
       b_(world, contact.body_b, contact.shape_b, time) {}
 
-void PredictedPair::count_back(Manifold& m, double way) const {
+void PredictedPair::rewind_manifold(Manifold& m, double way) const {
     ASSERT(anchor_blend_ >= 0 && anchor_blend_ <= 1);
     if (time_ == 0) return;
     const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;
@@ -65,7 +65,7 @@ void PredictedPair::count_back(Manifold& m, double way) const {
 
 // The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after its
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
-double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
+double midpoint_time(const WorldState& world, const Contact& c, double way, double dt) {
     const bool touching = c.composite ? c.touching_children > 0 : c.touching;
     if (!touching || way < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
@@ -75,7 +75,7 @@ double time_to_middle(const WorldState& world, const Contact& c, double way, dou
     return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / way);
 }
 
-std::optional<double> time_to_meeting(const WorldState& world, const Contact& c, double dt) {
+std::optional<double> time_to_contact(const WorldState& world, const Contact& c, double dt) {
     const Impact impact =
         time_of_impact(swept(world, c.body_a, c.shape_a, dt), swept(world, c.body_b, c.shape_b, dt),
                        0, tuning::sweep_gap * scale_of_pair(world.bodies, c));

@@ -67,7 +67,7 @@ double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t
 bool begins(WorldState& world, const Contact& c, double predicted_gap) {
     const double scale = scale_of_pair(world.bodies, c);
     if (!has_asleep(world.bodies, c)) return predicted_gap < tuning::speculative_margin * scale;
-    const double speed = closing_way(world, c, 1);
+    const double speed = max_closing_distance(world, c, 1);
     // What comes to rest beside a sleeper, however near, does not wake it.
     const double slow = tuning::sleep_speed * speed_scale(size_of_pair(world.bodies, c),
                                                           gravity_ratio_squared(world.def.gravity));

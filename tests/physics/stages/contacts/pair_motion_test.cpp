@@ -24,7 +24,7 @@ TEST(PairMotion, closing_way_is_velocity_and_both_turns) {
                 .spin = {0, 24, 0}});
     WorldState& state = state_of(world);
     const std::uint32_t contact = create_contact(state, 0, 1);
-    EXPECT_NEAR(closing_way(state, state.contacts.contacts[contact], dt), (6 + 12) * dt, 1e-12);
+    EXPECT_NEAR(max_closing_distance(state, state.contacts.contacts[contact], dt), (6 + 12) * dt, 1e-12);
 }
 
 // A wall a hundred metres wide does not turn, however far its corners are.
@@ -34,7 +34,7 @@ TEST(PairMotion, what_never_moves_adds_nothing) {
     add_static(world, {.geometry = Box{{100, 1, 100}}, .position = {0, -5, 0}});
     WorldState& state = state_of(world);
     const std::uint32_t contact = create_contact(state, 0, 1);
-    EXPECT_NEAR(closing_way(state, state.contacts.contacts[contact], dt), 3 * dt, 1e-12);
+    EXPECT_NEAR(max_closing_distance(state, state.contacts.contacts[contact], dt), 3 * dt, 1e-12);
     EXPECT_EQ(motion_of(state, 0).v, (Vec3{0, -3, 0}));
 }
 

@@ -35,24 +35,24 @@ struct OverFloor {
 // kept.
 TEST(PredictedPair, a_ball_meets_the_floor_when_its_gap_is_gone) {
     OverFloor ball(Sphere{0.5}, 0.6, {0, -12, 0});
-    const auto time = time_to_meeting(ball.state, ball.contact(), dt);
+    const auto time = time_to_contact(ball.state, ball.contact(), dt);
     ASSERT_TRUE(time);
     EXPECT_NEAR(*time, 1.0 / 120, 2e-5);
     OverFloor slow(Sphere{0.5}, 0.6, {0, -5, 0});
-    EXPECT_FALSE(time_to_meeting(slow.state, slow.contact(), dt)) << "8 cm in this step";
+    EXPECT_FALSE(time_to_contact(slow.state, slow.contact(), dt)) << "8 cm in this step";
     OverFloor touching(Sphere{0.5}, 0.5, {0, -5, 0});
-    EXPECT_EQ(time_to_meeting(touching.state, touching.contact(), dt), 0);
+    EXPECT_EQ(time_to_contact(touching.state, touching.contact(), dt), 0);
 }
 
 // n sub-steps push at their beginnings: in the mean (n - 1) / 2n of a step after its start.
 TEST(PredictedPair, the_middle_of_the_forces_is_before_that_of_the_step) {
     OverFloor box(Box{}, 0.5, {1, 0, 0});
-    EXPECT_EQ(time_to_middle(box.state, box.contact(), 0.01, dt), 0) << "it does not touch yet";
+    EXPECT_EQ(midpoint_time(box.state, box.contact(), 0.01, dt), 0) << "it does not touch yet";
     box.contact().touching = true;
-    EXPECT_NEAR(time_to_middle(box.state, box.contact(), 0.01, dt), dt * 7 / 16, 1e-12);
-    EXPECT_EQ(time_to_middle(box.state, box.contact(), 5e-5, dt), 0) << "it hardly moves";
+    EXPECT_NEAR(midpoint_time(box.state, box.contact(), 0.01, dt), dt * 7 / 16, 1e-12);
+    EXPECT_EQ(midpoint_time(box.state, box.contact(), 5e-5, dt), 0) << "it hardly moves";
     // No further than half its thickness: 0.25 m of 2 m.
-    EXPECT_NEAR(time_to_middle(box.state, box.contact(), 2, dt), dt / 8, 1e-12);
+    EXPECT_NEAR(midpoint_time(box.state, box.contact(), 2, dt), dt / 8, 1e-12);
 }
 
 TEST(PredictedPair, shapes_are_where_their_velocities_take_them) {
@@ -72,15 +72,15 @@ TEST(PredictedPair, counted_back_a_gap_is_what_it_is_now) {
     const PredictedPair pair(box.state, box.contact(), time);
     Manifold m{.count = 1, .normal = {0, -1, 0}};
     m.point[0] = {3 * time, 0, 0};
-    pair.count_back(m, 1);
+    pair.rewind_manifold(m, 1);
     EXPECT_NEAR(m.gap[0], 0.1, 1e-12);
     EXPECT_NEAR(m.distance, 0.1, 1e-12);
     EXPECT_TRUE(near(m.point[0], {0, 12 * time, 0}, 1e-12));
     Manifold apart{.normal = {0, -1, 0}, .distance = 0.5};
-    pair.count_back(apart, 0.2);
+    pair.rewind_manifold(apart, 0.2);
     EXPECT_NEAR(apart.distance, 0.3, 1e-12) << "nearer by all that they may move";
     const PredictedPair now(box.state, box.contact(), 0);
-    now.count_back(apart, 0.2);
+    now.rewind_manifold(apart, 0.2);
     EXPECT_NEAR(apart.distance, 0.3, 1e-12) << "now is now";
 }
 

@@ -54,7 +54,7 @@ std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& s
 
 // Neither is a compound.
 void collide_children(const Placed& a, const Placed& b, double margin, std::uint64_t key,
-                   const SurfaceWay* way, std::vector<ChildManifold>& out) {
+                   const SurfaceMotion* way, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
@@ -104,7 +104,7 @@ void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit
 
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
-                       const SurfaceWay* way) {
+                       const SurfaceMotion* way) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
         collide_children(pa, pb, margin, key, way, out);
         return out.size() >= child_manifolds_max ||

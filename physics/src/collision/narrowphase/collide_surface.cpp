@@ -68,7 +68,7 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
 // origin.
 class ShapeWay {
 public:
-    ShapeWay(const SurfaceWay& way, const Placed& surface, const Placed& convex,
+    ShapeWay(const SurfaceMotion& way, const Placed& surface, const Placed& convex,
              const Convex& shape)
         : ends_{transposed_times(surface.axes, way.to_start),
                 transposed_times(surface.axes, way.to_end)},
@@ -109,7 +109,7 @@ private:
 class SurfacePair {
 public:
     SurfacePair(const Placed& surface, const Placed& convex, double margin,
-                const SurfaceWay* way = nullptr)
+                const SurfaceMotion* way = nullptr)
         : surface_(surface), margin_(margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
@@ -408,7 +408,7 @@ private:
 }  // namespace
 
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
-                     const SurfaceWay* way, std::vector<Manifold>& out) {
+                     const SurfaceMotion* way, std::vector<Manifold>& out) {
     SurfacePair(surface, convex, margin, way).collide(out);
 }
 

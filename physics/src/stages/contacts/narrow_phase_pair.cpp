@@ -154,7 +154,7 @@ bool is_even_surface(const WorldState& world, const Contact& c) {
 }
 
 // How a moves against it in the step, as seen from where it is looked at.
-SurfaceWay surface_motion_of(const WorldState& world, const Contact& c, const PredictedPair& pair,
+SurfaceMotion surface_motion_of(const WorldState& world, const Contact& c, const PredictedPair& pair,
                           double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     const Vec3 u = a.v - b.v;
@@ -182,7 +182,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const PredictedPair pair(world, c, time);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
-    std::optional<SurfaceWay> on_surface;
+    std::optional<SurfaceMotion> on_surface;
     if (way > tuning::composite_slack * scale && is_even_surface(world, c))
         on_surface = surface_motion_of(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),

@@ -149,9 +149,9 @@ struct PairBodies {
         if constexpr (kPair == PairKind::static_) return {moved, -dr_a, dr_a};
         if constexpr (kPair == PairKind::dynamic) {
             // What has moved further than the arms are long no longer meets there.
-            const Wide3 way = dp_b - dp_a;
-            const WideMask small = dot(way, way) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
-            const Wide3 apart = way * select(small, splat(1), splat(0));
+            const Wide3 displacement = dp_b - dp_a;
+            const WideMask small = dot(displacement, displacement) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
+            const Wide3 apart = displacement * select(small, splat(1), splat(0));
             const Wide3 step_a = apart * load(m.anchor_blend);
             arm_a = arm_a + step_a;
             arm_b = arm_b + (step_a - apart);
@@ -504,23 +504,23 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         // it.
         Wide drift = splat(set.rebuild_drift), touch_gap = splat(set.touch_gap),
              turn_radius = splat(1),
-             most_way = splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion);
+             max_displacement = splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion);
         if (any_unusual(meta)) {
             const WideScale scale = scale_of(meta, set.gravity_ratio);
             turn_radius = scale.length;
             drift = drift * scale.length;
             touch_gap = touch_gap * scale.length;
-            most_way = most_way * scale.speed;
+            max_displacement = max_displacement * scale.speed;
         }
         const Wide lever =
             max(load(m.friction_radius), splat(tuning::least_turn_radius) * turn_radius);
-        const Wide way = root(dot(motion.moved, motion.moved)) +
+        const Wide displacement = root(dot(motion.moved, motion.moved)) +
                          lever * root(dot(motion.rotated, motion.rotated)) +
                          splat(tuning::common_turn_radius) * turn_radius *
                              root(dot(motion.rotated_a, motion.rotated_a));
-        const Wide age = load<ContactConstraintWideMeta>(meta.moved) + way;
+        const Wide age = load<ContactConstraintWideMeta>(meta.moved) + displacement;
         store<ContactConstraintWideMeta>(meta.moved, age);
-        report.needs_rebuild = lane_bits(age > drift) | lane_bits(way > most_way);
+        report.needs_rebuild = lane_bits(age > drift) | lane_bits(displacement > max_displacement);
         // Presses now, or did until, squeezed, it gave all back; or pressed a step ago and has
         // hardly parted.
         report.touching = lane_bits(total > zero) |

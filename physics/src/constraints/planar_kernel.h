@@ -228,12 +228,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         const WideScale scale =
             any_unusual(meta) ? scale_of(meta, set.gravity_ratio) : WideScale{splat(1), splat(1)};
         const Wide lever = max(load(m.friction_radius), splat(0.3f) * scale.length);
-        const Wide way = root(mx * mx + my * my) + lever * root(rotated * rotated) +
+        const Wide displacement = root(mx * mx + my * my) + lever * root(rotated * rotated) +
                          splat(0.3f) * scale.length * root(dar * dar);
-        const Wide age = load(meta.moved) + way;
+        const Wide age = load(meta.moved) + displacement;
         store(meta.moved, age);
         report.needs_rebuild = lane_bits(age > splat(set.rebuild_drift) * scale.length) |
-                               lane_bits(way > splat(set.rebuild_motion) * scale.speed);
+                               lane_bits(displacement > splat(set.rebuild_motion) * scale.speed);
         report.touching = lane_bits(sum > zero) |
                           (meta.bits(LaneFlag::touching) &
                            lane_bits(min(gap0, gap1) < splat(set.touch_gap) * scale.length));

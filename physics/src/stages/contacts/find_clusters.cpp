@@ -79,7 +79,7 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
     const WorldState& world = step.world;
     struct Member {
         std::uint32_t awake;
-        double way;  // m: how far the fastest of its crowd come in the step
+        double displacement;  // m: how far the fastest of its crowd come in the step
     };
     std::vector<Member> members;  // before anybody else joins: the order says nothing
     for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++)
@@ -95,12 +95,12 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
             const bool is_a = c.body_a == warm.body;
             const std::uint32_t other = is_a ? c.body_b : c.body_a;
             const BodyCold& cold_other = world.bodies.cold[other];
-            const double reach = (cold.inner_radius + cold_other.inner_radius) + member.way;
+            const double reach = (cold.inner_radius + cold_other.inner_radius) + member.displacement;
             const bool near =
                 is_member(cold_other)
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
                     : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
-                                                   cold.inner_radius + member.way);
+                                                   cold.inner_radius + member.displacement);
             if (near) merge_clusters(scratch, cold, cold_other, 0, pressed);
         });
     }

@@ -20,14 +20,14 @@ namespace {
 
 // Whether the pair will be swept (stages/continuous/solve_continuous.h). That takes a body that is
 // fast, and fast against the other.
-bool will_be_swept(const StepContext& step, const Contact& c, double way) {
+bool will_be_swept(const StepContext& step, const Contact& c, double displacement) {
     const WorldState& world = step.world;
     if (!world.def.continuous) return false;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     if (left_to_contacts(world, a, b)) return false;
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
-        if (way <= motion_without_sweep(step.scratch.contacts, mover, other)) return false;
+        if (displacement <= motion_without_sweep(step.scratch.contacts, mover, other)) return false;
         const BodyWarm& warm = world.bodies.awake[mover.at];
         return (length(warm.v) + length(warm.w) * mover.radius) * step.dt >
                tuning::sweep_fraction * mover.inner_radius;
@@ -49,10 +49,10 @@ double closing_by_turning(const WorldState& world, const Contact& c) {
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
 // but no more than the smaller body's size: beyond that a manifold would see a plane where there is
 // an edge to fly past.
-double closing_reach(const BodyStore& bodies, const Contact& c, double way) {
+double closing_reach(const BodyStore& bodies, const Contact& c, double displacement) {
     const BodyCold &a = bodies.cold[c.body_a], &b = bodies.cold[c.body_b];
     const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
-    return minimum(way, size);
+    return minimum(displacement, size);
 }
 
 // The smallest gap that any point may have at the end of the step, as the bodies move now.
@@ -169,31 +169,31 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     ContactScratch& scratch = step.scratch.contacts;
     const double dt = step.dt;
     const Contact& c = world.contacts.contacts[task.contact];
-    const double way = max_closing_distance(world, c, dt);
+    const double displacement = max_closing_distance(world, c, dt);
     const double scale = scale_of_pair(world.bodies, c);
-    task.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
-    const bool swept = will_be_swept(step, c, way);
+    task.near = closing_reach(world.bodies, c, displacement) + tuning::composite_slack * scale;
+    const bool swept = will_be_swept(step, c, displacement);
     std::optional<double> pre_solve_contact;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
         pre_solve_contact = time_to_contact(world, c, dt);
-    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : midpoint_time(world, c, way, dt);
-    const double way_ahead = way * time / dt;
+    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : midpoint_time(world, c, displacement, dt);
+    const double way_ahead = displacement * time / dt;
     std::vector<ChildManifold> children;
     const PredictedPair pair(world, c, time);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
-    std::optional<SurfaceMotion> on_surface;
-    if (way > tuning::composite_slack * scale && is_even_surface(world, c))
-        on_surface = surface_motion_of(world, c, pair, dt);
+    std::optional<SurfaceMotion> surface_motion;
+    if (displacement > tuning::composite_slack * scale && is_even_surface(world, c))
+        surface_motion = surface_motion_of(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
                       tuning::speculative_margin * scale + task.near, children, &step.scratch.stopped,
-                      on_surface ? &*on_surface : nullptr);
+                      surface_motion ? &*surface_motion : nullptr);
     if (is_stopped(step)) {
         task.done = true;  // as it was
         return;
     }
     for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, way_ahead);
-    task.near = on_surface ? 0 : task.near - way_ahead;
+    task.near = surface_motion ? 0 : task.near - way_ahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundChild>& found = scratch.children[static_cast<std::size_t>(task.list)];
     found.clear();
@@ -233,17 +233,17 @@ Approach approach_of(WorldState& world, const Contact& c) {
 Manifold predicted_manifold(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
     const double dt = step.dt;
-    const double way = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
+    const double displacement = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
     const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
-        pair.rewind_manifold(m, way * pair.time() / dt);
+        pair.rewind_manifold(m, displacement * pair.time() / dt);
         return m;
     };
-    const PredictedPair pair(world, c, midpoint_time(world, c, way, dt));
-    const bool swept = will_be_swept(step, c, way);
+    const PredictedPair pair(world, c, midpoint_time(world, c, displacement, dt));
+    const bool swept = will_be_swept(step, c, displacement);
     if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
         return within(tuning::touch_gap * scale, pair);
     Approach near;
@@ -262,7 +262,7 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
-    const double margin = ahead + closing_reach(world.bodies, c, way);
+    const double margin = ahead + closing_reach(world.bodies, c, displacement);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
         return within(margin, PredictedPair(world, c, minimum(dt, (near.gap + past) / closing)));

@@ -51,7 +51,7 @@ PredictedPair::PredictedPair(const WorldState& world, const Contact& contact, do
       a_(world, contact.body_a, contact.shape_a, time),
       b_(world, contact.body_b, contact.shape_b, time) {}
 
-void PredictedPair::rewind_manifold(Manifold& m, double way) const {
+void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
     ASSERT(anchor_blend_ >= 0 && anchor_blend_ <= 1);
     if (time_ == 0) return;
     const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;
@@ -60,19 +60,19 @@ void PredictedPair::rewind_manifold(Manifold& m, double way) const {
         m.gap[i] -= dot(m.normal, apart) * time_;
         m.point[i] -= carried;
     }
-    m.distance = m.count > 0 ? smallest_gap(m) : m.distance - way;
+    m.distance = m.count > 0 ? smallest_gap(m) : m.distance - displacement;
 }
 
 // The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after its
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
-double midpoint_time(const WorldState& world, const Contact& c, double way, double dt) {
+double midpoint_time(const WorldState& world, const Contact& c, double displacement, double dt) {
     const bool touching = c.composite ? c.touching_children > 0 : c.touching;
-    if (!touching || way < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
+    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
     const int n = substeps_of(world.islands.islands[a.island].colour_set, world);
-    return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / way);
+    return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / displacement);
 }
 
 std::optional<double> time_to_contact(const WorldState& world, const Contact& c, double dt) {

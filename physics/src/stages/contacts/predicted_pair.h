@@ -32,7 +32,7 @@ public:
     // start, its points those from which the solver gets to where they will be
     // (PairBodies::follow). `way`, m: how far the two may move against each other until then, at
     // most; two that do not touch may be nearer by it.
-    void rewind_manifold(Manifold& manifold, double way) const;
+    void rewind_manifold(Manifold& manifold, double displacement) const;
 
 private:
     struct Side {
@@ -50,7 +50,7 @@ private:
 
 // s from the start of the step: the middle of its forces, for two that touch and move against each
 // other by `way`, m; else 0.
-double midpoint_time(const WorldState& world, const Contact& contact, double way, double dt);
+double midpoint_time(const WorldState& world, const Contact& contact, double displacement, double dt);
 
 // s from the start of the step: when two meet in it; 0 if they touch now, nothing if they do not.
 std::optional<double> time_to_contact(const WorldState& world, const Contact& contact, double dt);

@@ -157,10 +157,10 @@ private:
         for (TiedBody& body : bodies_) {
             if (body.held) continue;
             const double most = 0.5 * world_.bodies.cold[body.body].inner_radius;
-            const Vec3 way = body.center - body.start;
-            const double far = length(way);
+            const Vec3 displacement = body.center - body.start;
+            const double far = length(displacement);
             if (far <= most) continue;
-            body.center = body.start + way * (most / far);
+            body.center = body.start + displacement * (most / far);
             body.held = true;
         }
     }

@@ -54,14 +54,14 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
     if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
     const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
-    const double way = maximum(length(motion.displacement), maximum(now, next));
+    const double displacement = maximum(length(motion.displacement), maximum(now, next));
     warm.drift += motion.displacement;
     warm.drift_turn += turned;
     const double length_scale = size_scale(cold.radius);
     const double slow = speed_scale(cold.radius, gravity_ratio_squared(world.def.gravity));
-    const bool still = way < tuning::sleep_speed * slow * dt;
+    const bool still = displacement < tuning::sleep_speed * slow * dt;
     const bool sways =
-        way < tuning::drift_speed * slow * dt &&
+        displacement < tuning::drift_speed * slow * dt &&
         length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift * length_scale;
     const bool rests = cold.sleep_allowed && (still || sways) &&
                        (world.fields.empty() || !feels_gusts(world, warm, cold));
@@ -122,9 +122,9 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const Quat turn = motion.rotation * conjugate(warm.rotation);
     const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
     const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;
-    const double way = length(motion.displacement) + turned;
+    const double displacement = length(motion.displacement) + turned;
     const bool bounces = scratch.bouncing[awake_index] != 0;
-    if (cold.continuous && (bounces || way > tuning::sweep_fraction * cold.inner_radius)) {
+    if (cold.continuous && (bounces || displacement > tuning::sweep_fraction * cold.inner_radius)) {
         scratch.before[awake_index] = warm;
         scratch.fast[awake_index] = 1;
         scratch.any_fast = 1;
@@ -140,7 +140,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     if (scratch.fast[awake_index] != 0)
         scratch.strayed[awake_index] = strayed(world.shapes, warm, cold) ? 1 : 0;
     MotionBound& bound = world.bodies.motion[warm.body];
-    bound.travel += way;
+    bound.travel += displacement;
     bound.turned += turned;
     update_motion_bound(world, warm.body, step.dt);
     if (world.def.sleeping && cold.type == BodyType::dynamic)

@@ -107,8 +107,8 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const BodyWarm& now = moving[k];
-            const Vec3 way = now.center - world.bodies.awake[awake[k]].center;
-            finalize_body(step, awake[k], {way, now.rotation, now.v, now.w});
+            const Vec3 displacement = now.center - world.bodies.awake[awake[k]].center;
+            finalize_body(step, awake[k], {displacement, now.rotation, now.v, now.w});
         }
     });
 }

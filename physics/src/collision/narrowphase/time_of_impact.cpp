@@ -338,7 +338,7 @@ struct SweptBall {
     Vec3 center, motion;  // m, at way.from; m per step
     double reach;         // m
 };
-SweptBall ball_way(const SweptShape& shape, const Search& way) {
+SweptBall swept_ball(const SweptShape& shape, const Search& way) {
     const Aabb box = box_around(*shape.geometry);
     const Mat3 axes = to_matrix(rotation_at(shape.sweep, way.from));
     const Vec3 arm = axes * (shape.offset + shape.axes * ((box.low + box.high) * 0.5));
@@ -353,7 +353,7 @@ SweptBall ball_way(const SweptShape& shape, const Search& way) {
 // those around the bodies.
 bool children_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
-    const SweptBall ba = ball_way(a, way), bb = ball_way(b, way);
+    const SweptBall ba = swept_ball(a, way), bb = swept_ball(b, way);
     const Vec3 apart = bb.center - ba.center, motion = bb.motion - ba.motion;
     const double speed2 = length_squared(motion);
     const double nearest =

@@ -36,13 +36,13 @@ double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b,
 }
 
 // What part of the way is checked at.
-struct Search {
+struct SweepInterval {
     double from, until;  // fractions of the step
     double gap;          // m
 };
 
 // Whether the balls around the two bodies' centres never touch on the way.
-bool balls_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
     const Vec3 apart = center_at(b.sweep, way.from) - center_at(a.sweep, way.from);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const double speed2 = length_squared(motion);
@@ -67,7 +67,7 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) 
 // of 10.
 template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
-                 const Search& way, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
+                 const SweepInterval& way, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const Vec3 across_a = cross(n, a.sweep.rotation_vector),
@@ -140,7 +140,7 @@ struct ContactFeature {
 // gap_at(t, exact): what is not exact may say less than the distance. step_from(normal, t, least):
 // safe_step() from the last gap on.
 template <class GapAt, class StepFrom>
-Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapAt&& gap_at,
+Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& way, GapAt&& gap_at,
                StepFrom&& step_from) {
     constexpr int rounds_max = 400;
     double t = way.from;
@@ -200,7 +200,7 @@ auto extent_of(const Convex& c, Vec3 arm) {
     };
 }
 
-Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Search& way) {
+Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& way) {
     const auto gap_at = [&](double t, bool) {
         const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
@@ -213,7 +213,7 @@ Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Sear
                    [](const Gap&, double, double least) { return least; });
 }
 
-Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
+Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
     Vec3 hint, origin;
     Convex ca, cb;
     const double most = closing_at_most(a, b);
@@ -280,7 +280,7 @@ auto extent_of(const Rod& rod, Vec3 center) {
     };
 }
 
-Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
+Impact rod_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
     Rod ra, rb;
     const auto gap_at = [&](double t, bool) {
         ra = rod_at(a, t);
@@ -317,11 +317,11 @@ Rod rod_around(const SweptShape& shape, double t) {
 
 // Whether the rods around two shapes show that they do not meet: of long thin ones that turn fast
 // past each other, whose balls say nothing, most. Cheaper than the direction of their own gap.
-bool rods_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+bool rods_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
     const Rod ra = rod_around(a, way.from), rb = rod_around(b, way.from);
     if (maximum(ra.half - 2 * ra.radius, rb.half - 2 * rb.radius) < 0) return false;
     // Beyond doubt: further than what counts as a touch, however roughly that is measured.
-    const Search wider{way.from, way.until, 3 * way.gap};
+    const SweepInterval wider{way.from, way.until, 3 * way.gap};
     const Gap now = gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     if (now.distance <= wider.gap) return false;
     const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
@@ -338,7 +338,7 @@ struct SweptBall {
     Vec3 center, motion;  // m, at way.from; m per step
     double reach;         // m
 };
-SweptBall swept_ball(const SweptShape& shape, const Search& way) {
+SweptBall swept_ball(const SweptShape& shape, const SweepInterval& way) {
     const Aabb box = box_around(*shape.geometry);
     const Mat3 axes = to_matrix(rotation_at(shape.sweep, way.from));
     const Vec3 arm = axes * (shape.offset + shape.axes * ((box.low + box.high) * 0.5));
@@ -351,7 +351,7 @@ SweptBall swept_ball(const SweptShape& shape, const Search& way) {
 
 // Whether the balls around two convex shapes never touch: of parts of bodies they say more than
 // those around the bodies.
-bool children_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
     if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
     const SweptBall ba = swept_ball(a, way), bb = swept_ball(b, way);
     const Vec3 apart = bb.center - ba.center, motion = bb.motion - ba.motion;
@@ -365,7 +365,7 @@ bool children_pass_by(const SweptShape& a, const SweptShape& b, const Search& wa
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at the start and at the
 // end.
-Aabb way_in(const SweptShape& frame, const SweptShape& shape, const Search& way) {
+Aabb way_in(const SweptShape& frame, const SweptShape& shape, const SweepInterval& way) {
     const Aabb box = swept_bounds(shape, way.from, way.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
@@ -396,8 +396,8 @@ Impact turned_round(Impact impact) {
 // box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
 // they stand at way.from, seen from `origin`.
 bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
-                 const Convex& shape, Vec3 origin, const Search& way) {
-    const Search wider{way.from, way.until, 3 * way.gap};
+                 const Convex& shape, Vec3 origin, const SweepInterval& way) {
+    const SweepInterval wider{way.from, way.until, 3 * way.gap};
     const Vec3* const corner = triangle.corner;
     const Vec3 out = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double area2 = length_squared(out);
@@ -414,7 +414,7 @@ bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Conv
            way.until - way.from;
 }
 
-Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const Search& way) {
+Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& way) {
     Impact best;
     const double most = closing_at_most(surface, shape);
     const Placed surface_now = placed_at(surface, way.from), shape_now = placed_at(shape, way.from);
@@ -488,7 +488,7 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
                       double until) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
-    const Search way{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
+    const SweepInterval way{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
     if (from > way.until) return {};
     if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, way)) return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {

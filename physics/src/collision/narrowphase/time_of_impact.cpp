@@ -42,13 +42,13 @@ struct SweepInterval {
 };
 
 // Whether the balls around the two bodies' centres never touch on the way.
-bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
-    const Vec3 apart = center_at(b.sweep, way.from) - center_at(a.sweep, way.from);
+bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
+    const Vec3 apart = center_at(b.sweep, interval.from) - center_at(a.sweep, interval.from);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const double speed2 = length_squared(motion);
     const double nearest =
-        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
-    const double reach = a.radius + b.radius + 2 * way.gap;
+        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, interval.until - interval.from) : 0;
+    const double reach = a.radius + b.radius + 2 * interval.gap;
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
@@ -67,12 +67,12 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval
 // of 10.
 template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
-                 const SweepInterval& way, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
+                 const SweepInterval& interval, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const Vec3 across_a = cross(n, a.sweep.rotation_vector),
                across_b = cross(n, b.sweep.rotation_vector);
-    const double high = way.until - t;
+    const double high = interval.until - t;
     const double spin_a = length(a.sweep.rotation_vector), spin_b = length(b.sweep.rotation_vector);
     const auto bend = [&](double turn) {
         const double size = 1 + turn * high;
@@ -83,7 +83,7 @@ double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, doubl
         const Vec3 m = n + turn * d;
         return dot(n, apart + motion * d) + d * dot(turn, apart) +
                d * d * (minimum(dot(turn, motion), 0) - bent) - extent_a(m + across_a * d) -
-               extent_b(-(m + across_b * d)) - way.gap * length(m);
+               extent_b(-(m + across_b * d)) - interval.gap * length(m);
     };
     const double fixed_bend = bend(0), fixed_left = left_at({}, fixed_bend, high);
     if (fixed_left > 0) return 2;
@@ -95,7 +95,7 @@ double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, doubl
     const double bent = turns ? turn_bend : fixed_bend;
     double low = turns ? 0 : least, at_low = left_at(turn, bent, low), to = high,
            at_to = turns ? turn_left : fixed_left;
-    for (int k = 0; k < 8 && at_low > 0.5 * way.gap; k++) {
+    for (int k = 0; k < 8 && at_low > 0.5 * interval.gap; k++) {
         const double chord = low + (to - low) * at_low / (at_low - at_to);
         const double at_chord = left_at(turn, bent, chord);
         if (at_chord <= 0) break;  // rounding
@@ -140,23 +140,23 @@ struct ContactFeature {
 // gap_at(t, exact): what is not exact may say less than the distance. step_from(normal, t, least):
 // safe_step() from the last gap on.
 template <class GapAt, class StepFrom>
-Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& way, GapAt&& gap_at,
+Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& interval, GapAt&& gap_at,
                StepFrom&& step_from) {
     constexpr int rounds_max = 400;
-    double t = way.from;
+    double t = interval.from;
     for (int round = 0; round < rounds_max; round++) {
         const Gap now = gap_at(t, false);
-        if (now.distance <= 2 * way.gap) {
+        if (now.distance <= 2 * interval.gap) {
             if (round == 0) return {.at_start = true};
             break;
         }
         const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
         // All points move apart along a direction that separates: they never meet.
         if (speed <= 0) return {};
-        const double step = (now.distance - way.gap) / speed;
-        if (t + step > way.until) return {};
+        const double step = (now.distance - interval.gap) / speed;
+        if (t + step > interval.until) return {};
         t += step_from(now, t, step);
-        if (t > way.until) return {};
+        if (t > interval.until) return {};
     }
     // Met, or creeping towards each other: what is left is shorter than rounding can tell.
     const Gap there = gap_at(t, true);
@@ -200,7 +200,7 @@ auto extent_of(const Convex& c, Vec3 arm) {
     };
 }
 
-Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& way) {
+Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& interval) {
     const auto gap_at = [&](double t, bool) {
         const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
@@ -209,11 +209,11 @@ Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Swee
         const double distance = dot(lowest, n);
         return Gap{distance, n, pp.position + lowest - n * (0.5 * distance), {}};
     };
-    return advance(plane, shape, way, gap_at,
+    return advance(plane, shape, interval, gap_at,
                    [](const Gap&, double, double least) { return least; });
 }
 
-Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
+Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     Vec3 hint, origin;
     Convex ca, cb;
     const double most = closing_at_most(a, b);
@@ -223,15 +223,15 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterv
         ca = convex_at(a, pa, origin);
         cb = convex_at(b, pb, origin);
         const double radii = ca.radius + cb.radius;
-        const GjkGoal early{.beyond = radii + way.gap + most * (way.until - t),
+        const GjkGoal early{.beyond = radii + interval.gap + most * (interval.until - t),
                             .loose = tuning::loose_gap,
                             .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
         return gap_of(g, a, b, ca.radius, cb.radius, origin);
     };
-    return advance(a, b, way, gap_at, [&](const Gap& now, double t, double least) {
-        return safe_step(a, b, now, t, way, least, extent_of(ca, origin - center_at(a.sweep, t)),
+    return advance(a, b, interval, gap_at, [&](const Gap& now, double t, double least) {
+        return safe_step(a, b, now, t, interval, least, extent_of(ca, origin - center_at(a.sweep, t)),
                          extent_of(cb, origin - center_at(b.sweep, t)));
     });
 }
@@ -280,15 +280,15 @@ auto extent_of(const Rod& rod, Vec3 center) {
     };
 }
 
-Impact rod_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
+Impact rod_impact(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     Rod ra, rb;
     const auto gap_at = [&](double t, bool) {
         ra = rod_at(a, t);
         rb = rod_at(b, t);
         return gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     };
-    return advance(a, b, way, gap_at, [&](const Gap& now, double t, double least) {
-        return safe_step(a, b, now, t, way, least, extent_of(ra, center_at(a.sweep, t)),
+    return advance(a, b, interval, gap_at, [&](const Gap& now, double t, double least) {
+        return safe_step(a, b, now, t, interval, least, extent_of(ra, center_at(a.sweep, t)),
                          extent_of(rb, center_at(b.sweep, t)));
     });
 }
@@ -317,19 +317,19 @@ Rod rod_around(const SweptShape& shape, double t) {
 
 // Whether the rods around two shapes show that they do not meet: of long thin ones that turn fast
 // past each other, whose balls say nothing, most. Cheaper than the direction of their own gap.
-bool rods_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
-    const Rod ra = rod_around(a, way.from), rb = rod_around(b, way.from);
+bool rods_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
+    const Rod ra = rod_around(a, interval.from), rb = rod_around(b, interval.from);
     if (maximum(ra.half - 2 * ra.radius, rb.half - 2 * rb.radius) < 0) return false;
     // Beyond doubt: further than what counts as a touch, however roughly that is measured.
-    const SweepInterval wider{way.from, way.until, 3 * way.gap};
+    const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
     const Gap now = gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     if (now.distance <= wider.gap) return false;
     const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
-    const double left = way.until - way.from;
+    const double left = interval.until - interval.from;
     if (speed * left < now.distance - wider.gap) return true;
-    return safe_step(a, b, now, way.from, wider, (now.distance - wider.gap) / speed,
-                     extent_of(ra, center_at(a.sweep, way.from)),
-                     extent_of(rb, center_at(b.sweep, way.from))) > left;
+    return safe_step(a, b, now, interval.from, wider, (now.distance - wider.gap) / speed,
+                     extent_of(ra, center_at(a.sweep, interval.from)),
+                     extent_of(rb, center_at(b.sweep, interval.from))) > left;
 }
 
 // A ball around a convex shape as it goes straight on, and by how much more the shape may lie
@@ -338,42 +338,42 @@ struct SweptBall {
     Vec3 center, motion;  // m, at way.from; m per step
     double reach;         // m
 };
-SweptBall swept_ball(const SweptShape& shape, const SweepInterval& way) {
+SweptBall swept_ball(const SweptShape& shape, const SweepInterval& interval) {
     const Aabb box = box_around(*shape.geometry);
-    const Mat3 axes = to_matrix(rotation_at(shape.sweep, way.from));
+    const Mat3 axes = to_matrix(rotation_at(shape.sweep, interval.from));
     const Vec3 arm = axes * (shape.offset + shape.axes * ((box.low + box.high) * 0.5));
     const Vec3 turn = shape.sweep.rotation_vector;
-    const double left = way.until - way.from;
+    const double left = interval.until - interval.from;
     return {
-        center_at(shape.sweep, way.from) + arm, shape.sweep.translation + cross(turn, arm),
+        center_at(shape.sweep, interval.from) + arm, shape.sweep.translation + cross(turn, arm),
         0.5 * length(box.high - box.low) + 0.5 * left * left * length_squared(turn) * length(arm)};
 }
 
 // Whether the balls around two convex shapes never touch: of parts of bodies they say more than
 // those around the bodies.
-bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& way) {
+bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
-    const SweptBall ba = swept_ball(a, way), bb = swept_ball(b, way);
+    const SweptBall ba = swept_ball(a, interval), bb = swept_ball(b, interval);
     const Vec3 apart = bb.center - ba.center, motion = bb.motion - ba.motion;
     const double speed2 = length_squared(motion);
     const double nearest =
-        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
-    const double reach = ba.reach + bb.reach + 2 * way.gap;
+        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, interval.until - interval.from) : 0;
+    const double reach = ba.reach + bb.reach + 2 * interval.gap;
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at the start and at the
 // end.
-Aabb way_in(const SweptShape& frame, const SweptShape& shape, const SweepInterval& way) {
-    const Aabb box = swept_bounds(shape, way.from, way.until);
+Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape, const SweepInterval& interval) {
+    const Aabb box = swept_bounds(shape, interval.from, interval.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
     const double own = (length(frame.sweep.translation) +
                         length(frame.sweep.rotation_vector) *
-                            (length(half) + length(middle - center_at(frame.sweep, way.from)))) *
-                       (way.until - way.from);
-    const Placed p = placed_at(frame, way.from);
+                            (length(half) + length(middle - center_at(frame.sweep, interval.from)))) *
+                       (interval.until - interval.from);
+    const Placed p = placed_at(frame, interval.from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
     const Vec3 reach = abs(back.x) * half.x + abs(back.y) * half.y + abs(back.z) * half.z;
@@ -396,8 +396,8 @@ Impact turned_round(Impact impact) {
 // box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
 // they stand at way.from, seen from `origin`.
 bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
-                 const Convex& shape, Vec3 origin, const SweepInterval& way) {
-    const SweepInterval wider{way.from, way.until, 3 * way.gap};
+                 const Convex& shape, Vec3 origin, const SweepInterval& interval) {
+    const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
     const Vec3* const corner = triangle.corner;
     const Vec3 out = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double area2 = length_squared(out);
@@ -408,31 +408,31 @@ bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Conv
     const double behind = plane - dot(support(shape, front), front) - shape.radius;
     const Gap now{maximum(before, behind), before > behind ? front : -front, {}, {}};
     if (now.distance <= wider.gap) return false;
-    return safe_step(surface, moving, now, way.from, wider, 0,
-                     extent_of(triangle, origin - center_at(surface.sweep, way.from)),
-                     extent_of(shape, origin - center_at(moving.sweep, way.from))) >
-           way.until - way.from;
+    return safe_step(surface, moving, now, interval.from, wider, 0,
+                     extent_of(triangle, origin - center_at(surface.sweep, interval.from)),
+                     extent_of(shape, origin - center_at(moving.sweep, interval.from))) >
+           interval.until - interval.from;
 }
 
-Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& way) {
+Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& interval) {
     Impact best;
     const double most = closing_at_most(surface, shape);
-    const Placed surface_now = placed_at(surface, way.from), shape_now = placed_at(shape, way.from);
+    const Placed surface_now = placed_at(surface, interval.from), shape_now = placed_at(shape, interval.from);
     const Convex convex_now = convex_at(shape, shape_now, shape_now.position);
     for_each_triangle(
-        *surface.geometry, grow(way_in(surface, shape, way), 2 * way.gap),
+        *surface.geometry, grow(swept_aabb_in(surface, shape, interval), 2 * interval.gap),
         [&](const SurfaceTriangle& t) {
             Vec3 hint, origin = shape_now.position;
             Convex triangle =
                        triangle_convex(t.corner, surface_now.position - origin, surface_now.axes),
                    c;
-            if (stays_aside(surface, shape, triangle, convex_now, origin, way)) return;
+            if (stays_aside(surface, shape, triangle, convex_now, origin, interval)) return;
             const auto gap_at = [&](double at, bool exact) {
                 const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
                 origin = pc.position;
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
-                const GjkGoal early{.beyond = c.radius + way.gap + most * (way.until - at),
+                const GjkGoal early{.beyond = c.radius + interval.gap + most * (interval.until - at),
                                     .loose = tuning::loose_gap,
                                     .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
@@ -440,11 +440,11 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                 return gap_of(g, surface, shape, 0, c.radius, origin);
             };
             const auto step_from = [&](const Gap& now, double at, double least) {
-                return safe_step(surface, shape, now, at, way, least,
+                return safe_step(surface, shape, now, at, interval, least,
                                  extent_of(triangle, origin - center_at(surface.sweep, at)),
                                  extent_of(c, origin - center_at(shape.sweep, at)));
             };
-            keep_first(best, advance(surface, shape, way, gap_at, step_from));
+            keep_first(best, advance(surface, shape, interval, gap_at, step_from));
         });
     return best;
 }
@@ -488,9 +488,9 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
                       double until) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
-    const SweepInterval way{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
-    if (from > way.until) return {};
-    if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, way)) return {};
+    const SweepInterval interval{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
+    if (from > interval.until) return {};
+    if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, interval)) return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;
         const SweptShape &compound = first ? a : b, &other = first ? b : a;
@@ -498,25 +498,25 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
         Impact best;
         const auto consider = [&](std::uint32_t k) {
             const SweptShape child = child_of(compound, data.children[k]);
-            keep_first(best, time_of_impact(child, other, from, gap, way.until));
+            keep_first(best, time_of_impact(child, other, from, gap, interval.until));
         };
         const ShapeKind kind = first ? kb : ka;
         if (kind == ShapeKind::plane) {
             for (std::uint32_t k = 0; k < data.children.size(); k++) consider(k);
         } else {
-            data.tree->query(grow(way_in(compound, other, way), 2 * gap), consider);
+            data.tree->query(grow(swept_aabb_in(compound, other, interval), 2 * gap), consider);
         }
         return first ? best : turned_round(best);
     }
-    if (is_convex(ka) && is_convex(kb) && children_pass_by(a, b, way)) return {};
-    if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, way);
+    if (is_convex(ka) && is_convex(kb) && children_pass_by(a, b, interval)) return {};
+    if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, interval);
     if (is_convex(ka) && is_convex(kb))
-        return rods_pass_by(a, b, way) ? Impact{} : convex_impact(a, b, way);
+        return rods_pass_by(a, b, interval) ? Impact{} : convex_impact(a, b, interval);
     // Planes and surfaces do not meet each other.
     if (is_convex(ka) == is_convex(kb)) return {};
-    if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap, way.until));
-    if (ka == ShapeKind::plane) return plane_impact(a, b, way);
-    return surface_impact(a, b, way);
+    if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap, interval.until));
+    if (ka == ShapeKind::plane) return plane_impact(a, b, interval);
+    return surface_impact(a, b, interval);
 }
 
 }  // namespace jostle::physics

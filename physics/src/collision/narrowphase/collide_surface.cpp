@@ -66,9 +66,9 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
 
 // What a shape may come near to on its way, in the surface's frame with the shape's position as the
 // origin.
-class ShapeWay {
+class ShapeMotion {
 public:
-    ShapeWay(const SurfaceMotion& way, const Placed& surface, const Placed& convex,
+    ShapeMotion(const SurfaceMotion& way, const Placed& surface, const Placed& convex,
              const Convex& shape)
         : ends_{transposed_times(surface.axes, way.to_start),
                 transposed_times(surface.axes, way.to_end)},
@@ -400,7 +400,7 @@ private:
     double size_ = 0;
     Vec3 middle_;
     Vec3 way_out_;  // zero: not known yet
-    std::optional<ShapeWay> way_;
+    std::optional<ShapeMotion> way_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
 };

@@ -54,14 +54,14 @@ std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& s
 
 // Neither is a compound.
 void collide_children(const Placed& a, const Placed& b, double margin, std::uint64_t key,
-                   const SurfaceMotion* way, std::vector<ChildManifold>& out) {
+                   const SurfaceMotion* motion, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
             (!a_is_surface && !is_convex(kind_of(*a.geometry))))
             return;
         std::vector<Manifold> pieces;
-        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, way, pieces);
+        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, motion, pieces);
         for (const Manifold& piece : pieces)
             out.push_back({key, a_is_surface ? piece : flipped(piece)});
         return;
@@ -104,9 +104,9 @@ void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit
 
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
-                       const SurfaceMotion* way) {
+                       const SurfaceMotion* motion) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
-        collide_children(pa, pb, margin, key, way, out);
+        collide_children(pa, pb, margin, key, motion, out);
         return out.size() >= child_manifolds_max ||
                (stopped != nullptr && stopped->load(std::memory_order_relaxed));
     });

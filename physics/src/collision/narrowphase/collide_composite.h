@@ -32,7 +32,7 @@ inline bool is_composite(ShapeKind kind) {
 // `way`: of what is not a surface; triangles that it does not come near on it have no part either.
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
-                       const SurfaceMotion* way = nullptr);
+                       const SurfaceMotion* motion = nullptr);
 
 // Whether two shapes of any kind share a point.
 bool shapes_overlap(const Placed& a, const Placed& b);

@@ -68,13 +68,13 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
 // origin.
 class ShapeMotion {
 public:
-    ShapeMotion(const SurfaceMotion& way, const Placed& surface, const Placed& convex,
+    ShapeMotion(const SurfaceMotion& motion, const Placed& surface, const Placed& convex,
              const Convex& shape)
-        : ends_{transposed_times(surface.axes, way.to_start),
-                transposed_times(surface.axes, way.to_end)},
-          turn_(transposed_times(surface.axes, way.turn)),
-          center_(transposed_times(surface.axes, way.center - convex.position)),
-          near_(way.near) {
+        : ends_{transposed_times(surface.axes, motion.to_start),
+                transposed_times(surface.axes, motion.to_end)},
+          turn_(transposed_times(surface.axes, motion.turn)),
+          center_(transposed_times(surface.axes, motion.center - convex.position)),
+          near_(motion.near) {
         furthest_ = shape.core == Core::hull
                         ? length(middle_of(shape) - center_) + shape.hull->lanes->outer_radius
                         : length(center_) + size_of(shape);
@@ -92,7 +92,7 @@ public:
     }
     // Whether it stays further off than what is near from something that is `distance` away
     // against n, unit.
-    bool stays_off(double distance, Vec3 n, const Convex& shape) const {
+    bool exceeds_reach(double distance, Vec3 n, const Convex& shape) const {
         const double left =
             distance + minimum(0, minimum(dot(ends_[0], n), dot(ends_[1], n))) - near_;
         if (left <= 0) return false;
@@ -109,7 +109,7 @@ private:
 class SurfacePair {
 public:
     SurfacePair(const Placed& surface, const Placed& convex, double margin,
-                const SurfaceMotion* way = nullptr)
+                const SurfaceMotion* motion = nullptr)
         : surface_(surface), margin_(margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
@@ -118,9 +118,9 @@ public:
         shape_ = convex_of(local, {});
         const Aabb now = bounds_of(local);
         box_ = grow(now, margin);
-        if (way != nullptr) {
-            way_.emplace(*way, surface, convex, shape_);
-            const Aabb reach = way_->reach(now);
+        if (motion != nullptr) {
+            motion_.emplace(*motion, surface, convex, shape_);
+            const Aabb reach = motion_->reach(now);
             box_ = {max(box_.low, reach.low), min(box_.high, reach.high)};
         }
         box_ = {box_.low + origin_, box_.high + origin_};
@@ -142,7 +142,7 @@ public:
 
     void collide(std::vector<Manifold>& out) {
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
-        take_the_uncovered();
+        add_uncovered_triangles();
         // Deepest first: the normal of a piece is that of its deepest triangle.
         std::sort(patches_.begin(), patches_.end(), [](const Patch& x, const Patch& y) {
             return x.deepest < y.deepest || (x.deepest == y.deepest && x.triangle < y.triangle);
@@ -174,10 +174,10 @@ private:
         const Vec3 up = dot(middle_ - corner[0], front) < 0 ? -front : front;
         if (dot(support(shape_, -up) - corner[0], up) > shape_.radius) return true;
         const Vec3 to = middle_ - nearest_on_triangle(corner, middle_);
-        const double way = length(to);
-        if (way <= 0) return false;
-        const Vec3 n = to * (1 / way);
-        return dot(support(shape_, -n) - middle_, n) + way > shape_.radius;
+        const double motion = length(to);
+        if (motion <= 0) return false;
+        const Vec3 n = to * (1 / motion);
+        return dot(support(shape_, -n) - middle_, n) + motion > shape_.radius;
     }
 
     // Where a contact point is on its triangle.
@@ -229,20 +229,20 @@ private:
         const Vec3 low = support(shape_, -front), high = support(shape_, front);
         const double above = dot(low - corner[0], front), below = dot(corner[0] - high, front);
         if (above > reach || below > reach) return;
-        if (stays_off(above, front) || stays_off(below, -front)) return;
+        if (exceeds_reach(above, front) || exceeds_reach(below, -front)) return;
         // ... or lies beside it: along the way from the point of it that is nearest to the middle.
         const Vec3 beside = nearest_on_triangle(corner, middle_);
-        if (const double way = length(middle_ - beside); way > 0) {
-            const Vec3 n = (middle_ - beside) * (1 / way);
+        if (const double motion = length(middle_ - beside); motion > 0) {
+            const Vec3 n = (middle_ - beside) * (1 / motion);
             const double apart = dot(support(shape_, -n) - beside, n);
-            if (apart > reach || stays_off(apart, n)) return;
+            if (apart > reach || exceeds_reach(apart, n)) return;
         }
         const Convex triangle = triangle_convex(corner, {}, {});
         // Mostly the face decides: its front is the first, its back the second.
         PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
                         .direction = {}};
         const Witness w = find_witness(triangle, shape_, reach, cache);
-        if (w.distance > reach || stays_off(w.distance, w.normal)) return;
+        if (w.distance > reach || exceeds_reach(w.distance, w.normal)) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
@@ -266,9 +266,9 @@ private:
     }
 
     // Whether the shape does not come near on its way to what its core is apart from along n.
-    bool stays_off(double distance, Vec3 n) const {
-        return way_ && distance > shape_.radius &&
-               way_->stays_off(distance - shape_.radius, n, shape_);
+    bool exceeds_reach(double distance, Vec3 n) const {
+        return motion_ && distance > shape_.radius &&
+               motion_->exceeds_reach(distance - shape_.radius, n, shape_);
     }
 
     // On which side of a triangle the shape is. Apart from it, where the shortest way between them
@@ -293,13 +293,13 @@ private:
             const bool behind_that = dot(middle_ - corner[k], edge.normal) < 0;
             behind = edge.fold < 0 ? behind && behind_that : behind || behind_that;
         }
-        if (beside && dot(front, way_out()) > 0) return false;
+        if (beside && dot(front, exit_direction()) > 0) return false;
         return behind;
     }
 
     // The normal, on the shape's side, of the triangle nearest to its middle.
-    Vec3 way_out() {
-        if (way_out_ != Vec3{}) return way_out_;
+    Vec3 exit_direction() {
+        if (exit_direction_ != Vec3{}) return exit_direction_;
         double least = 1e300, upright = 0;
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
             const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
@@ -313,9 +313,9 @@ private:
                 return;
             least = minimum(least, distance);
             upright = absolute(up);
-            way_out_ = up < 0 ? -front : front;
+            exit_direction_ = up < 0 ? -front : front;
         });
-        return way_out_;
+        return exit_direction_;
     }
 
     double gap_of(const Witness& w) const { return w.distance - shape_.radius; }
@@ -372,7 +372,7 @@ private:
 
     // Where no neighbour pushes, as at the sharp folds of a crumpled surface, a seam is an edge
     // like any other. The nearest first; those that it covers need nothing more.
-    void take_the_uncovered() {
+    void add_uncovered_triangles() {
         for (std::size_t k = 0; k < patches_.size() && !held_.empty(); k++)
             cover(patches_[k].corner, patches_[k].deepest);
         for (;;) {
@@ -399,8 +399,8 @@ private:
     Aabb box_;
     double size_ = 0;
     Vec3 middle_;
-    Vec3 way_out_;  // zero: not known yet
-    std::optional<ShapeMotion> way_;
+    Vec3 exit_direction_;  // zero: not known yet
+    std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
 };
@@ -408,8 +408,8 @@ private:
 }  // namespace
 
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
-                     const SurfaceMotion* way, std::vector<Manifold>& out) {
-    SurfacePair(surface, convex, margin, way).collide(out);
+                     const SurfaceMotion* motion, std::vector<Manifold>& out) {
+    SurfacePair(surface, convex, margin, motion).collide(out);
 }
 
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {

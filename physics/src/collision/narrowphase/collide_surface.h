@@ -16,7 +16,7 @@ namespace jostle::physics {
 // Appends one manifold per flat piece, deepest first; normals point from the surface to the shape.
 // `way`: of the shape, if it moves; else null.
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
-                     const SurfaceMotion* way, std::vector<Manifold>& out);
+                     const SurfaceMotion* motion, std::vector<Manifold>& out);
 
 // The normal of a shape that touches a triangle at a point of it, local, where the shortest way to
 // the shape is along n: that of the face where a seam cannot be felt.

@@ -80,11 +80,11 @@ public:
         // Where the shapes were nearest: of what is long the ball in the middle says little.
         add(point_of_a(p, old), 0, p.middle_b, p.b.inner_radius);
         add(p.a.middle, p.a.inner_radius, point_of_b(p, old), 0);
-        learn(old.distance);
+        raise_bound(old.distance);
     }
     // An axis shows so much: who shows less by more than ties may turn is of no interest.
-    void learn(double distance) { known_ = maximum(known_, distance - slack_); }
-    bool knows_some() const { return known_ > -1e299; }
+    void raise_bound(double distance) { known_ = maximum(known_, distance - slack_); }
+    bool has_bound() const { return known_ > -1e299; }
     // `most`: what an axis shows at most, m.
     bool may_be_best(float most) const { return double{most} >= known_; }
 
@@ -126,18 +126,18 @@ template <class Axis>
 Best best_face(std::size_t count, const float* most, double enough, AxisFilter& filter,
                const Axis& axis) {
     Best best;
-    if (!filter.knows_some()) {
+    if (!filter.has_bound()) {
         const auto first = static_cast<std::uint32_t>(std::max_element(most, most + count) - most);
         const Best promising = axis(first);
         if (promising.distance > enough) return promising;
-        filter.learn(promising.distance);
+        filter.raise_bound(promising.distance);
     }
     for (std::uint32_t f = 0; f < count; f++) {
         if (!filter.may_be_best(most[f])) continue;
         const Best candidate = axis(f);
         if (candidate.distance > enough) return candidate;
         if (candidate.distance > best.distance) best = candidate;
-        filter.learn(candidate.distance);
+        filter.raise_bound(candidate.distance);
     }
     return best;
 }

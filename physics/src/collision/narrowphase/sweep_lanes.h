@@ -17,17 +17,17 @@ public:
     // what is within it is touched.
     SweepLanes(const Convex& shape, Vec3 middle, const Aabb& box, Vec3 motion, double gap)
         : core_(shape.core), middle_(row(middle)), motion_(row(motion)) {
-        const double way = length(motion), reach = 0.5 * length(box.high - box.low);
+        const double distance = length(motion), reach = 0.5 * length(box.high - box.low);
         const Vec3 off = abs(middle);
         // Ten times what float rounds away.
         const double slack =
-            1e-6 * (maximum(off.x, maximum(off.y, off.z)) + 2 * (reach + way)) + gap;
+            1e-6 * (maximum(off.x, maximum(off.y, off.z)) + 2 * (reach + distance)) + gap;
         const Vec3 s{slack, slack, slack};
         low_ = row(box.low - s);
         high_ = row(box.high + s);
-        spread(row(way > 0 ? motion * (1 / way) : Vec3{}), ahead_);
+        spread(row(distance > 0 ? motion * (1 / distance) : Vec3{}), ahead_);
         earlier_ = lanes(0.1 * reach);
-        take_size(shape, reach, slack);
+        set_size(shape, reach, slack);
     }
 
     // From here to there, fractions of the motion, is what counts now.
@@ -69,7 +69,7 @@ private:
         const Float4 along = times(d, axis);
         return larger4(along, -along);
     }
-    void take_size(const Convex& shape, double reach, double slack) {
+    void set_size(const Convex& shape, double reach, double slack) {
         const bool known = core_ == Core::point || core_ == Core::segment || core_ == Core::box ||
                            core_ == Core::cylinder;
         radius_ = lanes((known ? shape.radius : reach) * larger_ + slack);

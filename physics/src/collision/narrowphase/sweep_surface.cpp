@@ -55,12 +55,12 @@ public:
 
     std::optional<SurfaceTouch> first() {
         const double size = maximum(0.5 * length(box_.high - box_.low), 1e-300);
-        const double way = length(motion_);
+        const double sweep_distance = length(motion_);
         double parts = 1, part = 0;
-        if (way > part_length * size) {
+        if (sweep_distance > part_length * size) {
             const double begin = enters_surface();
             if (begin > 1) return std::nullopt;
-            parts = minimum(std::ceil(way / (part_length * size)), parts_max);
+            parts = minimum(std::ceil(sweep_distance / (part_length * size)), parts_max);
             part = std::floor(minimum(begin * parts, parts - 1));
         }
         for (; part < parts && best_.fraction > part / parts; part++)
@@ -137,7 +137,7 @@ private:
         const double apart = absolute(height) - extent_along(n);
         const double by_plane = enters_along(apart, n);
         if (by_plane >= last) return;
-        if (apart > 2 * gap_ && comes_down_inside(t, corner, n, apart, last)) return;
+        if (apart > 2 * gap_ && lands_inside(t, corner, n, apart, last)) return;
         const double by_box = enters_box(corner);
         if (by_box >= last) return;
         candidates_.push_back({maximum(maximum(by_box, by_plane), from_), t.index});
@@ -168,7 +168,7 @@ private:
     }
     // Whether the point that is deepest along the normal of the triangle is inside of it when it
     // comes to its plane: nothing touches the triangle before.
-    bool comes_down_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
+    bool lands_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
                            double last) {
         const double fraction = (apart - gap_) / -dot(motion_, n);
         const Vec3 there = support(shape_, -n) - n * shape_.radius + motion_ * fraction;
@@ -194,11 +194,11 @@ private:
             const Vec3 core = nearest_of_core(nearest, then);
             const Vec3 to =
                 core + motion_ * then - nearest_on_triangle(corner, core + motion_ * then);
-            const double way = length(to);
-            if (way <= 0) break;
-            n = to * (1 / way);
+            const double sweep_distance = length(to);
+            if (sweep_distance <= 0) break;
+            n = to * (1 / sweep_distance);
             const double apart =
-                way - dot(motion_, n) * then - dot(core - middle_, n) - extent_along(n);
+                sweep_distance - dot(motion_, n) * then - dot(core - middle_, n) - extent_along(n);
             const double enters = enters_along(apart, n);
             if (enters >= last) return;
             at = maximum(at, enters);

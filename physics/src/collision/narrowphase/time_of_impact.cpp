@@ -395,7 +395,7 @@ Impact turned_round(Impact impact) {
 // Whether a shape stays on one side of a triangle, further than what counts as a touch: most that a
 // box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
 // they stand at way.from, seen from `origin`.
-bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
+bool stays_separated(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
                  const Convex& shape, Vec3 origin, const SweepInterval& interval) {
     const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
     const Vec3* const corner = triangle.corner;
@@ -426,7 +426,7 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
             Convex triangle =
                        triangle_convex(t.corner, surface_now.position - origin, surface_now.axes),
                    c;
-            if (stays_aside(surface, shape, triangle, convex_now, origin, interval)) return;
+            if (stays_separated(surface, shape, triangle, convex_now, origin, interval)) return;
             const auto gap_at = [&](double at, bool exact) {
                 const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
                 origin = pc.position;

@@ -121,7 +121,7 @@ COVERED_BY = {
          "names for the standard library's own, used by teams and by the register of modules"),
     "foundation/prefetch.h":
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
-    "geometry/placed.h":
+    "geometry/transformed_shape.h":
         (["physics/geometry/bounds_test.cpp"], "one line: shapes in any pose"),
     "serialization/byte_visitors.h":
         (["physics/serialization/save_load_test.cpp", "physics/serialization/hostile_bytes_test.cpp"], "a saver and a loader, and forged bytes"),

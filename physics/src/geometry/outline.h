@@ -7,7 +7,7 @@
 #include "jostle/physics/hull.h"
 #include "physics/src/foundation/uninitialized_array.h"
 #include "physics/src/geometry/mass_properties.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

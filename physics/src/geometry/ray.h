@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

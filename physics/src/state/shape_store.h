@@ -10,7 +10,7 @@
 #include "jostle/physics/defs.h"
 #include "physics/src/collision/broadphase/broad_phase.h"
 #include "physics/src/foundation/id_pool.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 #include "physics/src/state/body_store.h"
 
 namespace jostle::physics {

@@ -10,7 +10,7 @@
 
 #include "jostle/physics/queries.h"
 #include "physics/src/collision/broadphase/broad_phase.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "physics/src/collision/narrowphase/manifold.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

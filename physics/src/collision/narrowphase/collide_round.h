@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "physics/src/collision/narrowphase/manifold.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

@@ -8,7 +8,7 @@
 
 #include "physics/src/collision/narrowphase/manifold.h"
 #include "physics/src/collision/narrowphase/surface_motion.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 #include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {

@@ -3,7 +3,7 @@
 // The point of a shape's surface nearest to a point.
 #pragma once
 
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "jostle/physics/aabb.h"
-#include "physics/src/geometry/placed.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

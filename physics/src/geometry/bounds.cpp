@@ -17,7 +17,7 @@ Vec3 disc_reach(Vec3 y, double radius) {
 }
 
 // The box of a local box in the pose: not the tightest, but cheap for many points.
-Aabb turned(const Placed& shape, const Aabb& local) {
+Aabb turned(const TransformedShape& shape, const Aabb& local) {
     const Vec3 middle = (local.low + local.high) * 0.5, half = (local.high - local.low) * 0.5;
     const Vec3 center = shape.position + shape.axes * middle;
     const Vec3 reach =
@@ -25,7 +25,7 @@ Aabb turned(const Placed& shape, const Aabb& local) {
     return {center - reach, center + reach};
 }
 
-Aabb bounds_of_points(const Placed& shape, const std::vector<Vec3>& points) {
+Aabb bounds_of_points(const TransformedShape& shape, const std::vector<Vec3>& points) {
     Aabb box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
     for (const Vec3 p : points) {
         const Vec3 q = shape.axes * p;
@@ -41,7 +41,7 @@ double furthest_corner(const Aabb& box) {
 
 }  // namespace
 
-Aabb bounds_of(const Placed& shape) {
+Aabb bounds_of(const TransformedShape& shape) {
     Vec3 reach;
     switch (kind_of(*shape.geometry)) {
         case ShapeKind::sphere: {

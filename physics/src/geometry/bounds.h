@@ -10,7 +10,7 @@ namespace jostle::physics {
 
 // An axis-aligned box that holds the shape; the tightest one for convex kinds. A plane has none (it
 // is infinite): not to be asked.
-Aabb bounds_of(const Placed& shape);
+Aabb bounds_of(const TransformedShape& shape);
 
 // The distance of the shape's furthest point from its origin. Not for planes.
 double radius_of(const Geometry& geometry);

@@ -48,7 +48,7 @@ MassProperties mass_of_polygon(const Outline& outline, double density) {
 
 }  // namespace
 
-Outline outline_of(const Placed& shape, Vec3 origin) {
+Outline outline_of(const TransformedShape& shape, Vec3 origin) {
     Outline out;
     const Vec3 at = shape.position - origin;
     const auto put = [&](Vec3 local) {

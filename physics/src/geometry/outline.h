@@ -23,7 +23,7 @@ inline bool has_outline(ShapeKind kind) {
 }
 
 // Seen from `origin`.
-Outline outline_of(const Placed& shape, Vec3 origin);
+Outline outline_of(const TransformedShape& shape, Vec3 origin);
 
 // Of a slice 1 m thick: mass = density * area, inertia about z alone counts.
 MassProperties planar_mass_of(const Geometry& geometry, double density);

@@ -235,7 +235,7 @@ std::optional<ShapeRayHit> cast_at_triangle(Vec3 o, Vec3 m, const Vec3 corner[3]
     return ShapeRayHit{t, dot(n, m) > 0 ? -n : n};
 }
 
-std::optional<ShapeRayHit> cast_ray(const Placed& shape, Vec3 origin, Vec3 motion) {
+std::optional<ShapeRayHit> cast_ray(const TransformedShape& shape, Vec3 origin, Vec3 motion) {
     const Vec3 o = transposed_times(shape.axes, origin - shape.position);
     const Vec3 m = transposed_times(shape.axes, motion);
     Hit hit;

@@ -20,6 +20,6 @@ std::optional<ShapeRayHit> cast_at_triangle(Vec3 origin, Vec3 motion, const Vec3
 
 // The first point of origin..origin+motion that the shape holds. An origin inside answers fraction
 // 0 and a normal against the motion; meshes and height fields are surfaces, with no inside.
-std::optional<ShapeRayHit> cast_ray(const Placed& shape, Vec3 origin, Vec3 motion);
+std::optional<ShapeRayHit> cast_ray(const TransformedShape& shape, Vec3 origin, Vec3 motion);
 
 }  // namespace jostle::physics

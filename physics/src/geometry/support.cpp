@@ -52,7 +52,7 @@ Vec3 local_support(const Convex& s, Vec3 d) {
 
 }  // namespace
 
-Convex convex_of(const Placed& shape, Vec3 origin) {
+Convex convex_of(const TransformedShape& shape, Vec3 origin) {
     Convex c{.position = shape.position - origin, .axes = shape.axes, .size = {}};
     switch (kind_of(*shape.geometry)) {
         case ShapeKind::sphere:

@@ -24,7 +24,7 @@ struct Convex {
 
 // A convex shape where it stands, seen from `origin` (differences of large coordinates are taken
 // once, here).
-Convex convex_of(const Placed& shape, Vec3 origin);
+Convex convex_of(const TransformedShape& shape, Vec3 origin);
 Convex triangle_convex(const Vec3 corner[3], Vec3 position, const Mat3& axes);
 
 // The point of the core that lies furthest along d (any length).

@@ -9,13 +9,13 @@
 
 namespace jostle::physics {
 
-struct Placed {
+struct TransformedShape {
     const Geometry* geometry = nullptr;
     Vec3 position;  // of the shape's origin, m
     Mat3 axes;      // columns: the shape's axes
 };
 
-inline Placed placed(const Geometry& geometry, const Transform& pose) {
+inline TransformedShape placed(const Geometry& geometry, const Transform& pose) {
     return {&geometry, pose.position, to_matrix(pose.rotation)};
 }
 

@@ -77,7 +77,7 @@ struct Pushed {
     void operator()(const BuoyancyField& fluid) {
         double below = 0, whole = 0;
         Vec3 moment;
-        for_each_solid(world, now, cold, [&](const Placed& shape) {
+        for_each_solid(world, now, cold, [&](const TransformedShape& shape) {
             const Vec3 normal = transposed_times(shape.axes, fluid.normal);
             const double offset = fluid.offset - dot(fluid.normal, shape.position);
             const Displacement part = displacement(*shape.geometry, normal, offset);
@@ -98,7 +98,7 @@ struct Pushed {
 
     static double shown_area(const Pushed& body, Vec3 direction) {
         double area = 0;
-        for_each_solid(body.world, body.now, body.cold, [&](const Placed& shape) {
+        for_each_solid(body.world, body.now, body.cold, [&](const TransformedShape& shape) {
             area += projected_area(*shape.geometry, transposed_times(shape.axes, direction));
         });
         return area;

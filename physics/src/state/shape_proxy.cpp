@@ -119,7 +119,7 @@ bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius
 }
 
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
-    const Placed p = placed(plane, warm_of(world, plane.body));
+    const TransformedShape p = placed(plane, warm_of(world, plane.body));
     const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
     const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
                       n.z > 0 ? box.low.z : box.high.z};

@@ -25,7 +25,7 @@ bool sees(const QueryFilter& filter, const QueryShape& shape) {
     return is_null(filter.ignore) || shape.body != filter.ignore;
 }
 
-bool reaches(const Placed& plane, const Aabb& box) {
+bool reaches(const TransformedShape& plane, const Aabb& box) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
                       n.z > 0 ? box.low.z : box.high.z};
@@ -111,7 +111,7 @@ Status check_cast(const ShapeCast& cast) {
 }
 
 // Where the surfaces meet when a moving shape has come to `there`.
-void find_contact(const Placed& there, const Placed& still, Vec3 motion, double gap,
+void find_contact(const TransformedShape& there, const TransformedShape& still, Vec3 motion, double gap,
                   ShapeCastHit& hit) {
     if (!is_composite(kind_of(*still.geometry))) {
         PairCache cache;
@@ -130,8 +130,8 @@ void find_contact(const Placed& there, const Placed& still, Vec3 motion, double 
 }
 
 // When the moving shape touches a plane: its deepest point does.
-std::optional<ShapeCastHit> touch_of_plane(const Placed& probe, Vec3 motion, double gap,
-                                           const Placed& plane) {
+std::optional<ShapeCastHit> touch_of_plane(const TransformedShape& probe, Vec3 motion, double gap,
+                                           const TransformedShape& plane) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Convex shape = convex_of(probe, plane.position);
     const Vec3 deepest = support(shape, -n) - n * shape.radius;
@@ -147,7 +147,7 @@ std::optional<ShapeCastHit> touch_of_plane(const Placed& probe, Vec3 motion, dou
 }
 
 // When the moving shape first touches something else; 0 if it does at the start.
-std::optional<double> touches_at(const ShapeCast& cast, const Placed& probe, const Placed& still,
+std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& probe, const TransformedShape& still,
                                  double size, double gap) {
     if (shapes_overlap(probe, still)) return 0;
     const SweptShape moving{
@@ -168,7 +168,7 @@ std::optional<double> touches_at(const ShapeCast& cast, const Placed& probe, con
 }
 
 // When the moving shape first touches this one.
-std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const Placed& probe,
+std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const TransformedShape& probe,
                                      const QueryShape& shape) {
     const double size = radius_of(cast.geometry), gap = 1e-6 * size;
     const ShapeKind kind = kind_of(*shape.placed.geometry);
@@ -192,23 +192,23 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const Placed& probe,
         if (!fraction) return std::nullopt;
         hit.fraction = *fraction;
     }
-    Placed there = probe;
+    TransformedShape there = probe;
     there.position += cast.motion * hit.fraction;
     find_contact(there, shape.placed, cast.motion, gap, hit);
     return hit;
 }
 
-Placed probe_of(const ShapeCast& cast) {
+TransformedShape probe_of(const ShapeCast& cast) {
     return placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
 }
-Aabb sweep_of(const Placed& probe, Vec3 motion) {
+Aabb sweep_of(const TransformedShape& probe, Vec3 motion) {
     const Aabb box = bounds_of(probe);
     return grow({box.low + min(motion, Vec3{}), box.high + max(motion, Vec3{})}, 1e-6);
 }
 
 std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast& cast,
                                       const QueryFilter& filter) {
-    const Placed probe = probe_of(cast);
+    const TransformedShape probe = probe_of(cast);
     std::vector<ShapeCastHit> hits;
     for (const QueryShape& shape : shapes_near(source, sweep_of(probe, cast.motion), filter))
         if (const auto hit = touch_of(cast, probe, shape)) hits.push_back(*hit);
@@ -221,7 +221,7 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
 // Of those of the shapes of which may_touch() says so.
 template <class MayTouch>
 std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, const ShapeCast& cast,
-                                        const Placed& probe, MayTouch&& may_touch) {
+                                        const TransformedShape& probe, MayTouch&& may_touch) {
     std::optional<ShapeCastHit> best;
     for (const QueryShape& shape : shapes) {
         if (!may_touch(shape)) continue;
@@ -254,7 +254,7 @@ bool is_near(const QueryShape& shape, const Aabb& box) {
 
 std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const ShapeCast& cast,
                                               const QueryFilter& filter) {
-    const Placed probe = probe_of(cast);
+    const TransformedShape probe = probe_of(cast);
     return first_touch(shapes_near(source, sweep_of(probe, cast.motion), filter), cast, probe,
                        [](const QueryShape&) { return true; });
 }
@@ -262,7 +262,7 @@ std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const S
 // At most together_max.
 void first_touches(const QuerySource& source, std::span<const ShapeCast> casts,
                    const QueryFilter& filter, std::vector<std::optional<ShapeCastHit>>& hits) {
-    UninitializedArray<Placed, together_max> probes;
+    UninitializedArray<TransformedShape, together_max> probes;
     UninitializedArray<Aabb, together_max> boxes;
     Aabb all;
     for (std::size_t k = 0; k < casts.size(); k++) {
@@ -398,7 +398,7 @@ Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry, co
                                                     const QueryFilter& filter) const {
     if (Status s = check_probe("geometry", geometry); !s.ok()) return s.error();
     if (Status s = check_pose("pose", pose); !s.ok()) return s.error();
-    const Placed probe = placed(geometry, {pose.position, unit(pose.rotation)});
+    const TransformedShape probe = placed(geometry, {pose.position, unit(pose.rotation)});
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, bounds_of(probe), filter))
         if (shapes_overlap(probe, shape.placed)) ids.push_back(shape.shape);
@@ -460,7 +460,7 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
     if (Status s = check_pose("pose_b", pose_b); !s.ok()) return s.error();
     if (Status s = check_range("margin", margin, 0, 1e6); !s.ok()) return s.error();
     const Geometry ga = stored(a), gb = stored(b);
-    const Placed pa = placed(ga, {pose_a.position, unit(pose_a.rotation)}),
+    const TransformedShape pa = placed(ga, {pose_a.position, unit(pose_a.rotation)}),
                  pb = placed(gb, {pose_b.position, unit(pose_b.rotation)});
     std::vector<ChildManifold> parts;
     if (is_composite(kind_of(a)) || is_composite(kind_of(b))) {

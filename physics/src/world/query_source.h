@@ -15,7 +15,7 @@
 namespace jostle::physics {
 
 struct QueryShape {
-    Placed placed;
+    TransformedShape placed;
     ShapeId shape;
     BodyId body;
     Filter filter;

@@ -24,7 +24,7 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
         for (int round = 0; round < 200; round++) {
             SCOPED_TRACE(testing::Message() << kind_name(kind) << " " << round);
             const Geometry geometry = random_geometry(kind, random);
-            const Placed shape = placed(geometry, {random.vector(20), random_rotation(random)});
+            const TransformedShape shape = placed(geometry, {random.vector(20), random_rotation(random)});
             const Aabb box = bounds_of(shape);
             const Convex convex = convex_of(shape, {});
             for (int axis = 0; axis < 3; axis++) {

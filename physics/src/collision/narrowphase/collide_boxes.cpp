@@ -20,7 +20,7 @@ struct BoxPair {
     double r[3][3];                 // dot(axis_a[i], axis_b[j])
 };
 
-BoxPair make_pair(const Placed& a, const Placed& b) {
+BoxPair make_pair(const TransformedShape& a, const TransformedShape& b) {
     BoxPair p{.half_a = std::get<Box>(*a.geometry).half_extents,
               .half_b = std::get<Box>(*b.geometry).half_extents,
               .axis_a = {a.axes.x, a.axes.y, a.axes.z},
@@ -144,7 +144,7 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
 
 // The face of the reference box along `face` against the face of the other box that looks most
 // against it.
-Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin) {
+Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, double margin) {
     const bool b_is_reference = axis >= 3;
     const int face = axis % 3, u = (face + 1) % 3, v = (face + 2) % 3;
     const Vec3* ref = b_is_reference ? p.axis_b : p.axis_a;
@@ -230,7 +230,7 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdg
 
 }  // namespace
 
-Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCache& cache) {
+Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
     const double size = minimum(length(pair.half_a), length(pair.half_b));
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);

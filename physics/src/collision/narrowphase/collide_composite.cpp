@@ -16,26 +16,26 @@ namespace {
 // made of could have a billion pairs, which no memory holds.
 constexpr std::size_t child_manifolds_max = 1 << 14;
 
-bool is_surface(const Placed& shape) {
+bool is_surface(const TransformedShape& shape) {
     const ShapeKind kind = kind_of(*shape.geometry);
     return kind == ShapeKind::mesh || kind == ShapeKind::height_field;
 }
 
-Placed child_of(const Placed& compound, const CompoundChild& child) {
+TransformedShape child_of(const TransformedShape& compound, const CompoundChild& child) {
     return {&child.geometry, compound.position + compound.axes * child.pose.position,
             compound.axes * to_matrix(child.pose.rotation)};
 }
 
 // The box of a shape in another's frame.
-Aabb bounds_in(const Placed& frame, const Placed& shape) {
-    const Placed local{shape.geometry,
+Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
+    const TransformedShape local{shape.geometry,
                        transposed_times(frame.axes, shape.position - frame.position),
                        transpose(frame.axes) * shape.axes};
     return bounds_of(local);
 }
 
 // Children of the compound that may be within the margin of the shape, rising.
-std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& shape,
+std::vector<std::uint32_t> children_near(const TransformedShape& compound, const TransformedShape& shape,
                                          double margin) {
     const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
     std::vector<std::uint32_t> near;
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& s
 }
 
 // Neither is a compound.
-void collide_children(const Placed& a, const Placed& b, double margin, std::uint64_t key,
+void collide_children(const TransformedShape& a, const TransformedShape& b, double margin, std::uint64_t key,
                    const SurfaceMotion* motion, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
@@ -71,7 +71,7 @@ void collide_children(const Placed& a, const Placed& b, double margin, std::uint
     if (m.count > 0) out.push_back({key, m});
 }
 
-bool parts_overlap(const Placed& a, const Placed& b) {
+bool parts_overlap(const TransformedShape& a, const TransformedShape& b) {
     if (is_surface(a)) return is_convex(kind_of(*b.geometry)) && overlaps_surface(a, b);
     if (is_surface(b)) return is_convex(kind_of(*a.geometry)) && overlaps_surface(b, a);
     PairCache cache;
@@ -80,10 +80,10 @@ bool parts_overlap(const Placed& a, const Placed& b) {
 
 // Calls visit(part of a, part of b, key) for every two parts that may be near, until it says stop.
 template <class Visit>
-void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit) {
+void for_each_two(const TransformedShape& a, const TransformedShape& b, double margin, Visit&& visit) {
     const auto* compound_a = std::get_if<Compound>(a.geometry);
     const auto* compound_b = std::get_if<Compound>(b.geometry);
-    const auto against_b = [&](const Placed& part, std::uint64_t key) {
+    const auto against_b = [&](const TransformedShape& part, std::uint64_t key) {
         if (compound_b == nullptr) return visit(part, b, key);
         for (const std::uint32_t k : children_near(b, part, margin))
             if (visit(part, child_of(b, compound_b->data->children[k]),
@@ -102,19 +102,19 @@ void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit
 
 }  // namespace
 
-void collide_composite(const Placed& a, const Placed& b, double margin,
+void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
                        const SurfaceMotion* motion) {
-    for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
+    for_each_two(a, b, margin, [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t key) {
         collide_children(pa, pb, margin, key, motion, out);
         return out.size() >= child_manifolds_max ||
                (stopped != nullptr && stopped->load(std::memory_order_relaxed));
     });
 }
 
-bool shapes_overlap(const Placed& a, const Placed& b) {
+bool shapes_overlap(const TransformedShape& a, const TransformedShape& b) {
     bool any = false;
-    for_each_two(a, b, 0, [&](const Placed& pa, const Placed& pb, std::uint64_t) {
+    for_each_two(a, b, 0, [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t) {
         any = parts_overlap(pa, pb);
         return any;
     });

@@ -30,11 +30,11 @@ inline bool is_composite(ShapeKind kind) {
 // shapes alone; of more than some 16,000 only the first.
 // `stopped`: looked at between parts; when it is set, parts are missing.
 // `way`: of what is not a surface; triangles that it does not come near on it have no part either.
-void collide_composite(const Placed& a, const Placed& b, double margin,
+void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
                        const SurfaceMotion* motion = nullptr);
 
 // Whether two shapes of any kind share a point.
-bool shapes_overlap(const Placed& a, const Placed& b);
+bool shapes_overlap(const TransformedShape& a, const TransformedShape& b);
 
 }  // namespace jostle::physics

@@ -171,7 +171,7 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
 }
 
 // The two lowest corners over a half plane.
-Manifold over_plane(const Placed& plane, const Placed& shape, double margin) {
+Manifold over_plane(const TransformedShape& plane, const TransformedShape& shape, double margin) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Outline o = outline_of(shape, shape.position);
     const double height = dot(shape.position - plane.position, n) - o.radius;
@@ -197,7 +197,7 @@ Manifold over_plane(const Placed& plane, const Placed& shape, double margin) {
 
 }  // namespace
 
-Manifold collide_planar(const Placed& a, const Placed& b, double margin, PairCache& cache) {
+Manifold collide_planar(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
     if (kind_of(*a.geometry) == ShapeKind::plane) return over_plane(a, b, margin);
     if (kind_of(*b.geometry) == ShapeKind::plane) return flipped(over_plane(b, a, margin));
     Manifold m =

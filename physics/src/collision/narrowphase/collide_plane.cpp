@@ -6,12 +6,12 @@
 namespace jostle::physics {
 namespace {
 
-Vec3 world_normal(const Placed& plane) {
+Vec3 world_normal(const TransformedShape& plane) {
     return plane.axes * std::get<Plane>(*plane.geometry).normal;
 }
 
 // Adds the lowest point of a ball (or corner, r = 0) when it is near enough.
-void add_point(Manifold& m, const Placed& plane, Vec3 center, double r, double margin) {
+void add_point(Manifold& m, const TransformedShape& plane, Vec3 center, double r, double margin) {
     const double gap = dot(center - plane.position, m.normal) - r;
     m.distance = m.count == 0 ? minimum(m.distance, gap) : m.distance;
     if (gap > margin) return;
@@ -22,13 +22,13 @@ void add_point(Manifold& m, const Placed& plane, Vec3 center, double r, double m
 
 }  // namespace
 
-Manifold collide_plane_sphere(const Placed& a, const Placed& b, double margin) {
+Manifold collide_plane_sphere(const TransformedShape& a, const TransformedShape& b, double margin) {
     Manifold m{.normal = world_normal(a), .distance = 1e300};
     add_point(m, a, b.position, std::get<Sphere>(*b.geometry).radius, margin);
     return m;
 }
 
-Manifold collide_plane_capsule(const Placed& a, const Placed& b, double margin) {
+Manifold collide_plane_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const Vec3 half = b.axes.y * capsule.half_length;
     Manifold m{.normal = world_normal(a), .distance = 1e300};
@@ -38,7 +38,7 @@ Manifold collide_plane_capsule(const Placed& a, const Placed& b, double margin) 
 }
 
 // The four corners of the face that looks most against the plane's normal.
-Manifold collide_plane_box(const Placed& a, const Placed& b, double margin) {
+Manifold collide_plane_box(const TransformedShape& a, const TransformedShape& b, double margin) {
     Manifold m{.normal = world_normal(a), .distance = 1e300};
     const Vec3 h = std::get<Box>(*b.geometry).half_extents;
     const Vec3 n = transposed_times(b.axes, m.normal);
@@ -58,7 +58,7 @@ Manifold collide_plane_box(const Placed& a, const Placed& b, double margin) {
 }
 
 // The corners of the feature that looks at the plane, and the lowest point of all.
-Manifold collide_plane_convex(const Placed& a, const Placed& b, double margin) {
+Manifold collide_plane_convex(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Vec3 n = world_normal(a);
     const Convex shape = convex_of(b, b.position);
     const double height = dot(b.position - a.position, n);

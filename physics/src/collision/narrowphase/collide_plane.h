@@ -8,10 +8,10 @@
 
 namespace jostle::physics {
 
-Manifold collide_plane_sphere(const Placed& a, const Placed& b, double margin);
-Manifold collide_plane_capsule(const Placed& a, const Placed& b, double margin);
-Manifold collide_plane_box(const Placed& a, const Placed& b, double margin);
+Manifold collide_plane_sphere(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_plane_capsule(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_plane_box(const TransformedShape& a, const TransformedShape& b, double margin);
 // Cylinders, cones and hulls.
-Manifold collide_plane_convex(const Placed& a, const Placed& b, double margin);
+Manifold collide_plane_convex(const TransformedShape& a, const TransformedShape& b, double margin);
 
 }  // namespace jostle::physics

@@ -102,12 +102,12 @@ Vec3 outside(Vec3 q, Vec3 h) {
 
 }  // namespace
 
-Manifold collide_spheres(const Placed& a, const Placed& b, double margin) {
+Manifold collide_spheres(const TransformedShape& a, const TransformedShape& b, double margin) {
     return collide_balls(a.position, std::get<Sphere>(*a.geometry).radius, b.position,
                          std::get<Sphere>(*b.geometry).radius, margin);
 }
 
-Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin) {
+Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const double t =
         clamp(dot(a.position - b.position, b.axes.y), -capsule.half_length, capsule.half_length);
@@ -115,7 +115,7 @@ Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin)
                          b.position + b.axes.y * t, capsule.radius, margin, b.axes.x);
 }
 
-Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
+Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Capsule& ca = std::get<Capsule>(*a.geometry);
     const Capsule& cb = std::get<Capsule>(*b.geometry);
     const Vec3 u = a.axes.y, v = b.axes.y;
@@ -156,7 +156,7 @@ Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
     return line;
 }
 
-Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
+Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Vec3 h = std::get<Box>(*a.geometry).half_extents;
     const double r = std::get<Sphere>(*b.geometry).radius;
     const Vec3 l = transposed_times(a.axes, b.position - a.position);
@@ -183,7 +183,7 @@ Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
     return m;
 }
 
-std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, double margin) {
+std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Vec3 h = std::get<Box>(*a.geometry).half_extents;
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const double r = capsule.radius, half = capsule.half_length;

@@ -10,12 +10,12 @@
 
 namespace jostle::physics {
 
-Manifold collide_spheres(const Placed& a, const Placed& b, double margin);
-Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin);
-Manifold collide_capsules(const Placed& a, const Placed& b, double margin);
-Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin);
+Manifold collide_spheres(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b, double margin);
 // Nothing when the capsule's segment enters the box, or lies over the rim of a face: that is not a
 // closed form's work.
-std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, double margin);
+std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b, double margin);
 
 }  // namespace jostle::physics

@@ -68,7 +68,7 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
 // origin.
 class ShapeMotion {
 public:
-    ShapeMotion(const SurfaceMotion& motion, const Placed& surface, const Placed& convex,
+    ShapeMotion(const SurfaceMotion& motion, const TransformedShape& surface, const TransformedShape& convex,
              const Convex& shape)
         : ends_{transposed_times(surface.axes, motion.to_start),
                 transposed_times(surface.axes, motion.to_end)},
@@ -108,13 +108,13 @@ private:
 
 class SurfacePair {
 public:
-    SurfacePair(const Placed& surface, const Placed& convex, double margin,
+    SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
                 const SurfaceMotion* motion = nullptr)
         : surface_(surface), margin_(margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
-        const Placed local{convex.geometry, {}, axes};
+        const TransformedShape local{convex.geometry, {}, axes};
         shape_ = convex_of(local, {});
         const Aabb now = bounds_of(local);
         box_ = grow(now, margin);
@@ -392,7 +392,7 @@ private:
         }
     }
 
-    const Placed& surface_;
+    const TransformedShape& surface_;
     double margin_;
     Vec3 origin_;
     Convex shape_;
@@ -407,7 +407,7 @@ private:
 
 }  // namespace
 
-void collide_surface(const Placed& surface, const Placed& convex, double margin,
+void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
                      const SurfaceMotion* motion, std::vector<Manifold>& out) {
     SurfacePair(surface, convex, margin, motion).collide(out);
 }
@@ -420,7 +420,7 @@ Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec
     return may_act(surface, triangle, front * side, side, at, n) ? n : front * side;
 }
 
-bool overlaps_surface(const Placed& surface, const Placed& convex) {
+bool overlaps_surface(const TransformedShape& surface, const TransformedShape& convex) {
     return SurfacePair(surface, convex, 0).overlaps();
 }
 

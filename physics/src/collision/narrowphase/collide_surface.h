@@ -15,7 +15,7 @@ namespace jostle::physics {
 
 // Appends one manifold per flat piece, deepest first; normals point from the surface to the shape.
 // `way`: of the shape, if it moves; else null.
-void collide_surface(const Placed& surface, const Placed& convex, double margin,
+void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
                      const SurfaceMotion* motion, std::vector<Manifold>& out);
 
 // The normal of a shape that touches a triangle at a point of it, local, where the shortest way to
@@ -23,6 +23,6 @@ void collide_surface(const Placed& surface, const Placed& convex, double margin,
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n);
 
 // Whether they share a point: seams count here.
-bool overlaps_surface(const Placed& surface, const Placed& convex);
+bool overlaps_surface(const TransformedShape& surface, const TransformedShape& convex);
 
 }  // namespace jostle::physics

@@ -13,7 +13,7 @@ namespace {
 // Against a ball without size: the cores' algorithms, which know points.
 const Geometry dot_ball = Sphere{0};
 
-SurfacePoint nearest_on_simple(const Placed& shape, Vec3 point) {
+SurfacePoint nearest_on_simple(const TransformedShape& shape, Vec3 point) {
     PairCache cache;
     const SignedDistance d = signed_distance(shape, {&dot_ball, point, {}}, cache);
     return {d.distance, d.on_a, d.normal};
@@ -32,7 +32,7 @@ SurfacePoint nearest_in(const Aabb& all, Vec3 local, Query&& query) {
     }
 }
 
-SurfacePoint nearest_on_surface(const Placed& shape, Vec3 point) {
+SurfacePoint nearest_on_surface(const TransformedShape& shape, Vec3 point) {
     const Vec3 local = transposed_times(shape.axes, point - shape.position);
     const Aabb all = std::holds_alternative<Mesh>(*shape.geometry)
                          ? std::get<Mesh>(*shape.geometry).data->bounds
@@ -56,7 +56,7 @@ SurfacePoint nearest_on_surface(const Placed& shape, Vec3 point) {
     return best;
 }
 
-SurfacePoint nearest_on_compound(const Placed& shape, Vec3 point) {
+SurfacePoint nearest_on_compound(const TransformedShape& shape, Vec3 point) {
     const CompoundShape& data = *std::get<Compound>(*shape.geometry).data;
     const Vec3 local = transposed_times(shape.axes, point - shape.position);
     SurfacePoint best = nearest_in(data.bounds, local, [&](const Aabb& box, SurfacePoint& found) {
@@ -73,7 +73,7 @@ SurfacePoint nearest_on_compound(const Placed& shape, Vec3 point) {
 
 }  // namespace
 
-SurfacePoint nearest_point(const Placed& shape, Vec3 point) {
+SurfacePoint nearest_point(const TransformedShape& shape, Vec3 point) {
     switch (kind_of(*shape.geometry)) {
         case ShapeKind::mesh:
         case ShapeKind::height_field:

@@ -14,6 +14,6 @@ struct SurfacePoint {
 };
 
 // Any kind. Meshes and height fields are surfaces: the distance is never negative.
-SurfacePoint nearest_point(const Placed& shape, Vec3 point);
+SurfacePoint nearest_point(const TransformedShape& shape, Vec3 point);
 
 }  // namespace jostle::physics

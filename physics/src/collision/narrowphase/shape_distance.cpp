@@ -4,7 +4,7 @@
 namespace jostle::physics {
 namespace {
 
-SignedDistance from_plane(const Placed& plane, const Placed& shape) {
+SignedDistance from_plane(const TransformedShape& plane, const TransformedShape& shape) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Convex c = convex_of(shape, shape.position);
     const Vec3 lowest = shape.position + support(c, -n) - n * c.radius;
@@ -14,7 +14,7 @@ SignedDistance from_plane(const Placed& plane, const Placed& shape) {
 
 }  // namespace
 
-SignedDistance signed_distance(const Placed& a, const Placed& b, PairCache& cache) {
+SignedDistance signed_distance(const TransformedShape& a, const TransformedShape& b, PairCache& cache) {
     if (kind_of(*a.geometry) == ShapeKind::plane) return from_plane(a, b);
     if (kind_of(*b.geometry) == ShapeKind::plane) {
         const SignedDistance d = from_plane(b, a);

@@ -40,7 +40,7 @@ struct Candidate {
 
 class SurfaceSweep {
 public:
-    SurfaceSweep(const Placed& surface, const Placed& convex, Vec3 motion, double gap)
+    SurfaceSweep(const TransformedShape& surface, const TransformedShape& convex, Vec3 motion, double gap)
         : surface_(surface),
           // In the surface's frame, seen from where the shape begins.
           origin_(transposed_times(surface.axes, convex.position - surface.position)),
@@ -259,9 +259,9 @@ private:
         best_.normal = acting_normal(*surface_.geometry, t, g.on_a + origin_, g.normal);
     }
 
-    const Placed& surface_;
+    const TransformedShape& surface_;
     Vec3 origin_, motion_;
-    Placed local_;
+    TransformedShape local_;
     Convex shape_;
     Aabb box_;
     Vec3 middle_;
@@ -276,7 +276,7 @@ private:
 
 }  // namespace
 
-std::optional<SurfaceTouch> sweep_to_surface(const Placed& surface, const Placed& convex,
+std::optional<SurfaceTouch> sweep_to_surface(const TransformedShape& surface, const TransformedShape& convex,
                                              Vec3 motion, double gap) {
     return SurfaceSweep(surface, convex, motion, gap).first();
 }

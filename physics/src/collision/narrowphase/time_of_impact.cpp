@@ -183,7 +183,7 @@ Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double 
             origin + (g.on_a + n * radius_a + g.on_b - n * radius_b) * 0.5, turn};
 }
 
-Convex convex_at(const SweptShape& shape, const Placed& placed, Vec3 origin) {
+Convex convex_at(const SweptShape& shape, const TransformedShape& placed, Vec3 origin) {
     Convex c = convex_of(placed, origin);
     if (shape.scale == 1) return c;
     const Vec3 middle = middle_of(c);
@@ -202,7 +202,7 @@ auto extent_of(const Convex& c, Vec3 arm) {
 
 Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& interval) {
     const auto gap_at = [&](double t, bool) {
-        const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
+        const TransformedShape pp = placed_at(plane, t), ps = placed_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
         const Convex c = convex_at(shape, ps, pp.position);
         const Vec3 lowest = support(c, -n) - n * c.radius;
@@ -218,7 +218,7 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterv
     Convex ca, cb;
     const double most = closing_at_most(a, b);
     const auto gap_at = [&](double t, bool exact) {
-        const Placed pa = placed_at(a, t), pb = placed_at(b, t);
+        const TransformedShape pa = placed_at(a, t), pb = placed_at(b, t);
         origin = pa.position;
         ca = convex_at(a, pa, origin);
         cb = convex_at(b, pb, origin);
@@ -373,7 +373,7 @@ Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape, const Sweep
                         length(frame.sweep.rotation_vector) *
                             (length(half) + length(middle - center_at(frame.sweep, interval.from)))) *
                        (interval.until - interval.from);
-    const Placed p = placed_at(frame, interval.from);
+    const TransformedShape p = placed_at(frame, interval.from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
     const Vec3 reach = abs(back.x) * half.x + abs(back.y) * half.y + abs(back.z) * half.z;
@@ -417,7 +417,7 @@ bool stays_separated(const SweptShape& surface, const SweptShape& moving, const 
 Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& interval) {
     Impact best;
     const double most = closing_at_most(surface, shape);
-    const Placed surface_now = placed_at(surface, interval.from), shape_now = placed_at(shape, interval.from);
+    const TransformedShape surface_now = placed_at(surface, interval.from), shape_now = placed_at(shape, interval.from);
     const Convex convex_now = convex_at(shape, shape_now, shape_now.position);
     for_each_triangle(
         *surface.geometry, grow(swept_aabb_in(surface, shape, interval), 2 * interval.gap),
@@ -428,7 +428,7 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                    c;
             if (stays_separated(surface, shape, triangle, convex_now, origin, interval)) return;
             const auto gap_at = [&](double at, bool exact) {
-                const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
+                const TransformedShape ps = placed_at(surface, at), pc = placed_at(shape, at);
                 origin = pc.position;
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
@@ -468,7 +468,7 @@ Quat rotation_at(const Sweep& s, double fraction) {
            s.rotation;  // unit to rounding
 }
 
-Placed placed_at(const SweptShape& shape, double fraction) {
+TransformedShape placed_at(const SweptShape& shape, double fraction) {
     const Mat3 axes = to_matrix(rotation_at(shape.sweep, fraction));
     return {shape.geometry, center_at(shape.sweep, fraction) + axes * shape.offset,
             axes * shape.axes};

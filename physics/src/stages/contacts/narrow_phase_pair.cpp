@@ -236,7 +236,7 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     const double displacement = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
     const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
-        const Placed &a = pair.shape_a(), &b = pair.shape_b();
+        const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
         pair.rewind_manifold(m, displacement * pair.time() / dt);

@@ -25,8 +25,8 @@ public:
     PredictedPair(const WorldState& world, const Contact& contact, double time);
 
     double time() const { return time_; }
-    const Placed& shape_a() const { return a_.shape; }
-    const Placed& shape_b() const { return b_.shape; }
+    const TransformedShape& shape_a() const { return a_.shape; }
+    const TransformedShape& shape_b() const { return b_.shape; }
 
     // Takes a manifold of that time back to the start of the step: its gaps become those of the
     // start, its points those from which the solver gets to where they will be
@@ -40,7 +40,7 @@ private:
         Vec3 velocity_at(Vec3 point) const;
 
         Vec3 v, w, center;
-        Placed shape;
+        TransformedShape shape;
     };
 
     double time_;

@@ -14,7 +14,7 @@ namespace {
 
 bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
-    const Placed pa = placed(sa, warm_of(world, sa.body)), pb = placed(sb, warm_of(world, sb.body));
+    const TransformedShape pa = placed(sa, warm_of(world, sa.body)), pb = placed(sb, warm_of(world, sb.body));
     return shapes_overlap(pa, pb);
 }
 

@@ -17,7 +17,7 @@ struct Standing {
     Geometry geometry;
     Vec3 position;
     double angle = 0;  // rad, about z
-    Placed placed() const {
+    TransformedShape placed() const {
         return physics::placed(geometry, {position, from_axis_angle({0, 0, 1}, angle)});
     }
 };

@@ -30,8 +30,8 @@ Manifold beside_edge(const Geometry& box, double lean, double turn) {
     const Vec3 out{std::sin(lean), std::cos(lean), 0}, side{std::cos(lean), -std::sin(lean), 0};
     const Geometry capsule = Capsule{r, length_of_half};
     const Vec3 axis = Vec3{0, 0, 1} * std::cos(turn) + side * std::sin(turn);
-    const Placed a{&box, {}, diagonal({1, 1, 1})};
-    const Placed b{&capsule, Vec3{half.x, half.y, 0} + out * r, {cross(axis, out), axis, out}};
+    const TransformedShape a{&box, {}, diagonal({1, 1, 1})};
+    const TransformedShape b{&capsule, Vec3{half.x, half.y, 0} + out * r, {cross(axis, out), axis, out}};
     PairCache cache;
     return collide(a, b, 0.02, cache);
 }
@@ -66,8 +66,8 @@ TEST(CollideCapsule, crosses_an_edge_in_one_point) {
 Manifold crossed(double turn, double depth) {
     const Geometry capsule = Capsule{r, length_of_half};
     const Vec3 axis{std::sin(turn), 0, std::cos(turn)}, up{0, 1, 0};
-    const Placed a{&capsule, {}, {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
-    const Placed b{&capsule, up * (2 * r - depth), {cross(axis, up), axis, up}};
+    const TransformedShape a{&capsule, {}, {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    const TransformedShape b{&capsule, up * (2 * r - depth), {cross(axis, up), axis, up}};
     PairCache cache;
     return collide(a, b, 0.02, cache);
 }

@@ -46,8 +46,8 @@ TEST(ShapeDistance, is_the_same_from_both_sides_and_between_its_points) {
     for (int round = 0; round < 1000; round++) {
         const Geometry a = random_geometry(kinds[random.below(6)], random);
         const Geometry b = random_geometry(kinds[random.below(6)], random);
-        const Placed pa = placed(a, {random.vector(100), random.rotation()});
-        const Placed pb = placed(b, {pa.position + random.vector(3), random.rotation()});
+        const TransformedShape pa = placed(a, {random.vector(100), random.rotation()});
+        const TransformedShape pb = placed(b, {pa.position + random.vector(3), random.rotation()});
         PairCache forth, back;
         const SignedDistance ab = signed_distance(pa, pb, forth);
         const SignedDistance ba = signed_distance(pb, pa, back);

@@ -22,7 +22,7 @@ template <class Visit>
 void for_each_solid(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
                     Visit&& visit) {
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!world.shapes.shapes[s].trigger) visit(placed(world.shapes.shapes[s], now));
+        if (!world.shapes.shapes[s].trigger) visit(transformed_shape(world.shapes.shapes[s], now));
 }
 
 // All that a field needs of the body, and what all fields together do to it.

@@ -84,7 +84,7 @@ void destroy_proxy(WorldState& world, std::uint32_t index) {
 void enlarge_aabb(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) return;
-    shape.fat = bounds_of(placed(shape, warm));
+    shape.fat = bounds_of(transformed_shape(shape, warm));
     if (world.bodies.cold[shape.body].type != BodyType::static_body) {
         const double radius = world.bodies.cold[shape.body].radius;
         shape.fat = fat_box(shape.fat, warm.v * dt, radius);
@@ -104,7 +104,7 @@ AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, do
     if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
     const Aabb box =
-        grow(bounds_of(placed(shape, warm)), tuning::fat_margin_reserve * fat_margin_of(radius));
+        grow(bounds_of(transformed_shape(shape, warm)), tuning::fat_margin_reserve * fat_margin_of(radius));
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
     const Vec3 ahead = warm.v * dt;
     const auto least = [](Vec3 a, Vec3 b) {
@@ -119,7 +119,7 @@ bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius
 }
 
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
-    const TransformedShape p = placed(plane, warm_of(world, plane.body));
+    const TransformedShape p = transformed_shape(plane, warm_of(world, plane.body));
     const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
     const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
                       n.z > 0 ? box.low.z : box.high.z};

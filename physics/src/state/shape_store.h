@@ -55,7 +55,7 @@ inline bool is_plane(const ShapeRecord& shape) {
 }
 
 // The shape in the world.
-inline TransformedShape placed(const ShapeRecord& shape, const BodyWarm& warm) {
+inline TransformedShape transformed_shape(const ShapeRecord& shape, const BodyWarm& warm) {
     return {&shape.geometry, warm.center + warm.axes * shape.offset,
             shape.aligned ? warm.axes : warm.axes * shape.axes};
 }

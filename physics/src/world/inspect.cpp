@@ -84,7 +84,7 @@ Result<Aabb> World::bounds(ShapeId shape) const {
     const ShapeRecord& record = world.shapes.shapes[shape.index];
     if (is_plane(record))
         return Error{ErrorCode::failed_precondition, "a plane is infinite; it has no bounds"};
-    return bounds_of(placed(record, warm_of(world, record.body)));
+    return bounds_of(transformed_shape(record, warm_of(world, record.body)));
 }
 
 Result<Aabb> World::fat_bounds(ShapeId shape) const {

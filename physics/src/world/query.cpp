@@ -39,7 +39,7 @@ std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
     found.reserve(16);
     source.query(box, filter.categories, found);
     for (const std::uint32_t plane : source.planes())
-        if (reaches(source.shape(plane).placed, box)) found.push_back(plane);
+        if (reaches(source.shape(plane).transformed_shape, box)) found.push_back(plane);
     std::sort(found.begin(), found.end());
     std::vector<QueryShape> shapes;
     shapes.reserve(found.size());
@@ -83,7 +83,7 @@ void along_ray(const QuerySource& source, const Ray& ray, const QueryFilter& fil
     const auto look = [&](std::uint32_t index, double limit) {
         const QueryShape shape = source.shape(index);
         if (!sees(filter, shape)) return limit;
-        const auto hit = physics::cast_ray(shape.placed, ray.origin, ray.motion);
+        const auto hit = physics::cast_ray(shape.transformed_shape, ray.origin, ray.motion);
         return hit ? visit(shape, *hit, limit) : limit;
     };
     source.cast_ray(ray.origin, ray.motion, filter.categories, look);
@@ -171,35 +171,35 @@ std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& 
 std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const TransformedShape& probe,
                                      const QueryShape& shape) {
     const double size = radius_of(cast.geometry), gap = 1e-6 * size;
-    const ShapeKind kind = kind_of(*shape.placed.geometry);
+    const ShapeKind kind = kind_of(*shape.transformed_shape.geometry);
     ShapeCastHit hit{.shape = shape.shape, .body = shape.body};
     if (kind == ShapeKind::plane) {
-        auto touch = touch_of_plane(probe, cast.motion, gap, shape.placed);
+        auto touch = touch_of_plane(probe, cast.motion, gap, shape.transformed_shape);
         if (!touch) return std::nullopt;
         touch->shape = shape.shape;
         touch->body = shape.body;
         return touch;
     }
     if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) {
-        const auto touch = sweep_to_surface(shape.placed, probe, cast.motion, gap);
+        const auto touch = sweep_to_surface(shape.transformed_shape, probe, cast.motion, gap);
         if (!touch) return std::nullopt;
         hit.fraction = touch->fraction;
         hit.point = touch->point;
         hit.normal = touch->normal;
         if (touch->settled) return hit;
     } else {
-        const auto fraction = touches_at(cast, probe, shape.placed, size, gap);
+        const auto fraction = touches_at(cast, probe, shape.transformed_shape, size, gap);
         if (!fraction) return std::nullopt;
         hit.fraction = *fraction;
     }
     TransformedShape there = probe;
     there.position += cast.motion * hit.fraction;
-    find_contact(there, shape.placed, cast.motion, gap, hit);
+    find_contact(there, shape.transformed_shape, cast.motion, gap, hit);
     return hit;
 }
 
 TransformedShape probe_of(const ShapeCast& cast) {
-    return placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
+    return transformed_shape(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
 }
 Aabb sweep_of(const TransformedShape& probe, Vec3 motion) {
     const Aabb box = bounds_of(probe);
@@ -245,11 +245,11 @@ bool are_close(std::span<const Aabb> boxes, const Aabb& all) {
 
 // Shapes near all, but not near this one, are not asked.
 bool is_near(const QueryShape& shape, const Aabb& box) {
-    const ShapeKind kind = kind_of(*shape.placed.geometry);
-    if (kind == ShapeKind::plane) return reaches(shape.placed, box);
+    const ShapeKind kind = kind_of(*shape.transformed_shape.geometry);
+    if (kind == ShapeKind::plane) return reaches(shape.transformed_shape, box);
     // They have a tree.
     if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) return true;
-    return overlap(grow(bounds_of(shape.placed), 1e-5 * radius_of(*shape.placed.geometry)), box);
+    return overlap(grow(bounds_of(shape.transformed_shape), 1e-5 * radius_of(*shape.transformed_shape.geometry)), box);
 }
 
 std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const ShapeCast& cast,
@@ -286,7 +286,7 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
     std::optional<ClosestPoint> best;
     const Vec3 reach{max_distance, max_distance, max_distance};
     for (const QueryShape& shape : shapes_near(source, {point - reach, point + reach}, filter)) {
-        const SurfacePoint p = nearest_point(shape.placed, point);
+        const SurfacePoint p = nearest_point(shape.transformed_shape, point);
         if (p.distance > max_distance || (best && p.distance >= best->distance)) continue;
         best = ClosestPoint{shape.shape, shape.body, p.distance, p.point, p.normal};
     }
@@ -388,8 +388,8 @@ Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,
                      "box.high is below box.low; give the lower corner first"};
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, box, filter))
-        if (kind_of(*shape.placed.geometry) == ShapeKind::plane ||
-            overlap(bounds_of(shape.placed), box))
+        if (kind_of(*shape.transformed_shape.geometry) == ShapeKind::plane ||
+            overlap(bounds_of(shape.transformed_shape), box))
             ids.push_back(shape.shape);
     return ids;
 }
@@ -398,10 +398,10 @@ Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry, co
                                                     const QueryFilter& filter) const {
     if (Status s = check_probe("geometry", geometry); !s.ok()) return s.error();
     if (Status s = check_pose("pose", pose); !s.ok()) return s.error();
-    const TransformedShape probe = placed(geometry, {pose.position, unit(pose.rotation)});
+    const TransformedShape probe = transformed_shape(geometry, {pose.position, unit(pose.rotation)});
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, bounds_of(probe), filter))
-        if (shapes_overlap(probe, shape.placed)) ids.push_back(shape.shape);
+        if (shapes_overlap(probe, shape.transformed_shape)) ids.push_back(shape.shape);
     return ids;
 }
 
@@ -409,9 +409,9 @@ Result<std::vector<ShapeId>> Queries::shapes_at(Vec3 point, const QueryFilter& f
     if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s.error();
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, {point, point}, filter)) {
-        const ShapeKind kind = kind_of(*shape.placed.geometry);
+        const ShapeKind kind = kind_of(*shape.transformed_shape.geometry);
         if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) continue;
-        if (nearest_point(shape.placed, point).distance <= 0) ids.push_back(shape.shape);
+        if (nearest_point(shape.transformed_shape, point).distance <= 0) ids.push_back(shape.shape);
     }
     return ids;
 }
@@ -446,8 +446,8 @@ Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const
     const Geometry ga = stored(a), gb = stored(b);
     PairCache cache;
     const SignedDistance d =
-        signed_distance(placed(ga, {pose_a.position, unit(pose_a.rotation)}),
-                        placed(gb, {pose_b.position, unit(pose_b.rotation)}), cache);
+        signed_distance(transformed_shape(ga, {pose_a.position, unit(pose_a.rotation)}),
+                        transformed_shape(gb, {pose_b.position, unit(pose_b.rotation)}), cache);
     return ShapeDistance{d.distance, d.normal, d.on_a, d.on_b};
 }
 
@@ -460,8 +460,8 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
     if (Status s = check_pose("pose_b", pose_b); !s.ok()) return s.error();
     if (Status s = check_range("margin", margin, 0, 1e6); !s.ok()) return s.error();
     const Geometry ga = stored(a), gb = stored(b);
-    const TransformedShape pa = placed(ga, {pose_a.position, unit(pose_a.rotation)}),
-                 pb = placed(gb, {pose_b.position, unit(pose_b.rotation)});
+    const TransformedShape pa = transformed_shape(ga, {pose_a.position, unit(pose_a.rotation)}),
+                 pb = transformed_shape(gb, {pose_b.position, unit(pose_b.rotation)});
     std::vector<ChildManifold> parts;
     if (is_composite(kind_of(a)) || is_composite(kind_of(b))) {
         collide_composite(pa, pb, margin, parts);

@@ -16,7 +16,7 @@ namespace {
 
 QueryShape shape_at(const WorldState& world, std::uint32_t index) {
     const ShapeRecord& s = world.shapes.shapes[index];
-    return {placed(s, warm_of(world, s.body)), shape_id(world, index), body_id(world, s.body),
+    return {transformed_shape(s, warm_of(world, s.body)), shape_id(world, index), body_id(world, s.body),
             s.filter, s.trigger};
 }
 
@@ -70,7 +70,7 @@ public:
             if (!world.shapes.ids.alive(i)) continue;
             geometry_[i] = world.shapes.shapes[i].geometry;
             shapes_[i] = shape_at(world, i);
-            shapes_[i].placed.geometry = &geometry_[i];
+            shapes_[i].transformed_shape.geometry = &geometry_[i];
         }
         fixed_ = world.shapes.statics->clone();
         moving_ = world.shapes.moving->clone();
@@ -108,12 +108,12 @@ public:
             std::optional<QueryShape> shape = of_->find(there.shape);
             if (!shape) continue;
             const auto number = static_cast<std::uint32_t>(shapes_.size());
-            shape->placed = placed(*shape->placed.geometry, there.pose);
+            shape->transformed_shape = transformed_shape(*shape->transformed_shape.geometry, there.pose);
             shapes_.push_back(*shape);
-            if (kind_of(*shape->placed.geometry) == ShapeKind::plane)
+            if (kind_of(*shape->transformed_shape.geometry) == ShapeKind::plane)
                 planes_.push_back(number);
             else
-                tree_.add(bounds_of(shape->placed), number, shape->filter.category);
+                tree_.add(bounds_of(shape->transformed_shape), number, shape->filter.category);
         }
         tree_.rebuild();
     }

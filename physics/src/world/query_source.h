@@ -15,7 +15,7 @@
 namespace jostle::physics {
 
 struct QueryShape {
-    TransformedShape placed;
+    TransformedShape transformed_shape;
     ShapeId shape;
     BodyId body;
     Filter filter;

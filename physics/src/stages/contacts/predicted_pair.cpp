@@ -30,7 +30,7 @@ PredictedPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint
     w = warm.w;
     center = warm.center;
     if (time == 0 || (v == Vec3{} && w == Vec3{})) {
-        shape = placed(record, warm);
+        shape = transformed_shape(record, warm);
         return;
     }
     BodyWarm later = warm;
@@ -38,7 +38,7 @@ PredictedPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint
     later.rotation = normalized(from_rotation_vector(w * time) * warm.rotation);
     later.axes = to_matrix(later.rotation);
     center = later.center;
-    shape = placed(record, later);
+    shape = transformed_shape(record, later);
 }
 
 Vec3 PredictedPair::Side::velocity_at(Vec3 point) const {

@@ -20,7 +20,7 @@ constexpr int joint_rows = 3;
 struct TiedBody {
     std::uint32_t body = none;
     bool held = false;
-    bool placed = false;  // held by that alone
+    bool transformed_shape = false;  // held by that alone
     Vec3 center, start;
     Quat rotation;
     Mat3 axes, inverse_inertia;
@@ -39,7 +39,7 @@ public:
     JointedGroup(const WorldState& world, std::vector<std::uint8_t>& seen)
         : world_(world), seen_(seen) {}
 
-    void find(std::uint32_t body, std::span<const std::uint32_t> placed) {
+    void find(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
         std::vector<std::uint32_t> open{body}, joints;
         seen_[body] = 1;
         while (!open.empty()) {
@@ -58,7 +58,7 @@ public:
         }
         std::sort(joints.begin(), joints.end());
         joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-        for (const std::uint32_t index : joints) add(world_.joints.joints[index], placed);
+        for (const std::uint32_t index : joints) add(world_.joints.joints[index], transformed_shape);
     }
 
     double widest() {
@@ -141,7 +141,7 @@ public:
     // What the others could not do those do that impacts have placed.
     void close_with_placed() {
         for (TiedBody& body : bodies_)
-            if (body.placed) body.held = false;
+            if (body.transformed_shape) body.held = false;
         if (prepare()) close();
     }
 
@@ -170,7 +170,7 @@ private:
             body.axes * world_.bodies.cold[body.body].inverse_inertia * transpose(body.axes);
     }
 
-    int number_of(std::uint32_t body, std::span<const std::uint32_t> placed) {
+    int number_of(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
         for (std::size_t k = bodies_.size(); k-- > 0;)  // mostly a joint's body was the last one's
             if (bodies_[k].body == body && body != none) return static_cast<int>(k);
         TiedBody to;
@@ -183,8 +183,8 @@ private:
             to.rotation = warm.rotation;
             to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
                       cold.asleep_in_place || cold.locks != 0;
-            to.placed = !to.held && std::binary_search(placed.begin(), placed.end(), body);
-            to.held |= to.placed;
+            to.transformed_shape = !to.held && std::binary_search(transformed_shape.begin(), transformed_shape.end(), body);
+            to.held |= to.transformed_shape;
             to.inverse_mass = cold.inverse_mass;
             turn(to);
         } else {
@@ -194,14 +194,14 @@ private:
         return static_cast<int>(bodies_.size()) - 1;
     }
 
-    void add(const Joint& joint, std::span<const std::uint32_t> placed) {
+    void add(const Joint& joint, std::span<const std::uint32_t> transformed_shape) {
         const auto arm = [&](std::uint32_t body, const Transform& frame) {
             return body == none ? frame.position
                                 : frame.position - world_.bodies.cold[body].local_center;
         };
         TiedJoint to;
-        to.ends.a = number_of(joint.body_a, placed);
-        to.ends.b = number_of(joint.body_b, placed);
+        to.ends.a = number_of(joint.body_a, transformed_shape);
+        to.ends.b = number_of(joint.body_b, transformed_shape);
         to.local_a = arm(joint.body_a, joint.frame_a);
         to.local_b = arm(joint.body_b, joint.frame_b);
         joints_.push_back(to);
@@ -239,17 +239,17 @@ private:
 
 }  // namespace
 
-void close_joints(StepContext& step, std::span<const std::uint32_t> placed) {
+void close_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape) {
     WorldState& world = step.world;
     if (world.joints.ids.alive_count() == 0) return;
-    ASSERT(std::is_sorted(placed.begin(), placed.end()));
+    ASSERT(std::is_sorted(transformed_shape.begin(), transformed_shape.end()));
     std::vector<std::uint8_t> seen;
-    for (const std::uint32_t body : placed) {
+    for (const std::uint32_t body : transformed_shape) {
         if (world.bodies.cold[body].first_joint == none) continue;
         if (seen.empty()) seen.resize(world.bodies.cold.size());
         if (seen[body] != 0) continue;
         JointedGroup group(world, seen);
-        group.find(body, placed);
+        group.find(body, transformed_shape);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
         if (!group.close()) group.close_with_placed();
         group.place(world, step.dt);

@@ -798,13 +798,13 @@ Skipped solve_continuous(StepContext& step) {
 Skipped place_toi_bodies(StepContext& step) {
     const std::vector<ToiBody>& changed = step.scratch.continuous.changed;
     if (changed.empty()) return "no impact between steps";
-    std::vector<std::uint32_t> placed;
+    std::vector<std::uint32_t> transformed_shape;
     for (const ToiBody& t : changed) {
         finish_toi(step.world, t, step.dt);
-        placed.push_back(t.body);
+        transformed_shape.push_back(t.body);
     }
-    std::sort(placed.begin(), placed.end());
-    close_joints(step, placed);
+    std::sort(transformed_shape.begin(), transformed_shape.end());
+    close_joints(step, transformed_shape);
     return ran;
 }
 

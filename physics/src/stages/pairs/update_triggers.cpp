@@ -14,7 +14,7 @@ namespace {
 
 bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
-    const TransformedShape pa = placed(sa, warm_of(world, sa.body)), pb = placed(sb, warm_of(world, sb.body));
+    const TransformedShape pa = transformed_shape(sa, warm_of(world, sa.body)), pb = transformed_shape(sb, warm_of(world, sb.body));
     return shapes_overlap(pa, pb);
 }
 
@@ -46,7 +46,7 @@ void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<st
                 reaches_plane(world, shape, world.shapes.shapes[s].fat))
                 found.push_back(s);
     } else {
-        const Aabb box = bounds_of(placed(shape, warm_of(world, shape.body)));
+        const Aabb box = bounds_of(transformed_shape(shape, warm_of(world, shape.body)));
         world.shapes.moving->query(box, 0xffffffff, found);
         if (own.type != BodyType::static_body) {
             world.shapes.statics->query(box, 0xffffffff, found);

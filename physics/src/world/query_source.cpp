@@ -98,9 +98,9 @@ private:
 };
 
 // Some shapes of another source, elsewhere.
-class PlacedSource final : public QuerySource {
+class OverridePoseSource final : public QuerySource {
 public:
-    PlacedSource(std::shared_ptr<const QuerySource> of, std::vector<ShapePlacement> placements)
+    OverridePoseSource(std::shared_ptr<const QuerySource> of, std::vector<ShapePlacement> placements)
         : of_(std::move(of)) {
         std::ranges::sort(placements, {}, &ShapePlacement::shape);
         shapes_.reserve(placements.size());
@@ -157,7 +157,7 @@ Result<Queries> Queries::with_shapes_at(std::vector<ShapePlacement> shapes) cons
             return Error{s.error().code, "shapes[" + std::to_string(k) + "]." + s.error().message};
         shapes[k].pose.rotation = unit(shapes[k].pose.rotation);
     }
-    return Queries(std::make_shared<const PlacedSource>(source_, std::move(shapes)));
+    return Queries(std::make_shared<const OverridePoseSource>(source_, std::move(shapes)));
 }
 
 }  // namespace jostle::physics

@@ -202,7 +202,7 @@ auto extent_of(const Convex& c, Vec3 arm) {
 
 Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& interval) {
     const auto gap_at = [&](double t, bool) {
-        const TransformedShape pp = placed_at(plane, t), ps = placed_at(shape, t);
+        const TransformedShape pp = transformed_shape_at(plane, t), ps = transformed_shape_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
         const Convex c = convex_at(shape, ps, pp.position);
         const Vec3 lowest = support(c, -n) - n * c.radius;
@@ -218,7 +218,7 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterv
     Convex ca, cb;
     const double most = closing_at_most(a, b);
     const auto gap_at = [&](double t, bool exact) {
-        const TransformedShape pa = placed_at(a, t), pb = placed_at(b, t);
+        const TransformedShape pa = transformed_shape_at(a, t), pb = transformed_shape_at(b, t);
         origin = pa.position;
         ca = convex_at(a, pa, origin);
         cb = convex_at(b, pb, origin);
@@ -373,7 +373,7 @@ Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape, const Sweep
                         length(frame.sweep.rotation_vector) *
                             (length(half) + length(middle - center_at(frame.sweep, interval.from)))) *
                        (interval.until - interval.from);
-    const TransformedShape p = placed_at(frame, interval.from);
+    const TransformedShape p = transformed_shape_at(frame, interval.from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
     const Vec3 reach = abs(back.x) * half.x + abs(back.y) * half.y + abs(back.z) * half.z;
@@ -417,7 +417,7 @@ bool stays_separated(const SweptShape& surface, const SweptShape& moving, const 
 Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& interval) {
     Impact best;
     const double most = closing_at_most(surface, shape);
-    const TransformedShape surface_now = placed_at(surface, interval.from), shape_now = placed_at(shape, interval.from);
+    const TransformedShape surface_now = transformed_shape_at(surface, interval.from), shape_now = transformed_shape_at(shape, interval.from);
     const Convex convex_now = convex_at(shape, shape_now, shape_now.position);
     for_each_triangle(
         *surface.geometry, grow(swept_aabb_in(surface, shape, interval), 2 * interval.gap),
@@ -428,7 +428,7 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                    c;
             if (stays_separated(surface, shape, triangle, convex_now, origin, interval)) return;
             const auto gap_at = [&](double at, bool exact) {
-                const TransformedShape ps = placed_at(surface, at), pc = placed_at(shape, at);
+                const TransformedShape ps = transformed_shape_at(surface, at), pc = transformed_shape_at(shape, at);
                 origin = pc.position;
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
@@ -468,14 +468,14 @@ Quat rotation_at(const Sweep& s, double fraction) {
            s.rotation;  // unit to rounding
 }
 
-TransformedShape placed_at(const SweptShape& shape, double fraction) {
+TransformedShape transformed_shape_at(const SweptShape& shape, double fraction) {
     const Mat3 axes = to_matrix(rotation_at(shape.sweep, fraction));
     return {shape.geometry, center_at(shape.sweep, fraction) + axes * shape.offset,
             axes * shape.axes};
 }
 
 Aabb swept_bounds(const SweptShape& shape, double from, double until) {
-    const Aabb start = bounds_of(placed_at(shape, from)), end = bounds_of(placed_at(shape, until));
+    const Aabb start = bounds_of(transformed_shape_at(shape, from)), end = bounds_of(transformed_shape_at(shape, until));
     const Aabb both = unite(start, end);
     if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).

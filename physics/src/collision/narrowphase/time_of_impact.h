@@ -30,7 +30,7 @@ struct SweptShape {
     double scale = 1;  // below 1: only this part of the shape, about its middle; children of a
                        // compound each about their own
 };
-TransformedShape placed_at(const SweptShape& shape, double fraction);
+TransformedShape transformed_shape_at(const SweptShape& shape, double fraction);
 // Holds the shape from one fraction to another. Not for planes.
 Aabb swept_bounds(const SweptShape& shape, double from, double until);
 

@@ -10,13 +10,13 @@
 
 namespace jostle::physics {
 
-struct CenterWay {
+struct CenterMotion {
     Vec3 from, to;  // m: of a centre of mass, in a step
 };
 
 struct ContinuousScratch {
     // Of find_ahead.
-    std::vector<CenterWay> ways;               // by body; of awake ones
+    std::vector<CenterMotion> ways;               // by body; of awake ones
     std::vector<std::uint32_t> fast_body;      // by body: which fast body it is, or none
     std::vector<std::uint32_t> with_manifold;  // contacts
     std::vector<std::uint8_t> ends;            // by bound or contact: whose fast bodies may meet

@@ -512,7 +512,7 @@ private:
     }
 
     // Where each shape of a body of many is on the rest of its way.
-    const ShapeWays& ways_of(ToiBody& t) const {
+    const SweptShapes& ways_of(ToiBody& t) const {
         if (t.ways.known) return t.ways;
         t.ways = {.known = true, .shapes = {}, .tree = {}};
         std::size_t count = 0;
@@ -532,7 +532,7 @@ private:
     template <class Visit>
     void for_each_shape_near(ToiBody& t, std::uint32_t other, const Sweep& motion,
                              Visit&& visit) const {
-        const ShapeWays& ways = ways_of(t);
+        const SweptShapes& ways = ways_of(t);
         const double from = std::max(t.sweep.from, motion.from), until = motion.until;
         if (ways.tree.empty() || is_plane(world_.shapes.shapes[other]) || from > until) {
             for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;

@@ -15,7 +15,7 @@ namespace jostle::physics {
 
 // Where the shapes of a body of many are on what is left of its way: which of them may meet
 // another.
-struct ShapeWays {
+struct SweptShapes {
     bool known = false;
     std::vector<std::uint32_t> shapes;  // in the body's order
     Bvh tree;                           // over them; empty where there are few
@@ -53,7 +53,7 @@ struct ToiBody {
     bool at_start = false;  // they touched already when its sweep began
     Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
-    ShapeWays ways;                         // of its sweep, when first asked for
+    SweptShapes ways;                         // of its sweep, when first asked for
     bool manifolds_known = false;
     std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, rising
 };

@@ -16,7 +16,7 @@ struct CenterMotion {
 
 struct ContinuousScratch {
     // Of find_ahead.
-    std::vector<CenterMotion> ways;               // by body; of awake ones
+    std::vector<CenterMotion> center_motions;               // by body; of awake ones
     std::vector<std::uint32_t> fast_body;      // by body: which fast body it is, or none
     std::vector<std::uint32_t> with_manifold;  // contacts
     std::vector<std::uint8_t> ends;            // by bound or contact: whose fast bodies may meet

@@ -22,7 +22,7 @@ public:
           scratch_(step.scratch.continuous) {}
 
     void run() {
-        note_ways();
+        record_center_motions();
         if (scratch_.ahead.size() < fast_.size()) scratch_.ahead.resize(fast_.size());
         if (scratch_.manifolds.size() < fast_.size()) scratch_.manifolds.resize(fast_.size());
         for (std::size_t k = 0; k < fast_.size(); k++) {
@@ -51,18 +51,18 @@ private:
     enum Ends : std::uint8_t { neither = 0, a = 1, b = 2, manifold_of_a = 4, manifold_of_b = 8 };
 
     // Where all awake bodies come from and go, side by side: bounds are many.
-    void note_ways() {
+    void record_center_motions() {
         const BodyStore& bodies = world_.bodies;
         scratch_.fast_body.assign(bodies.cold.size(), not_fast);
         for (std::size_t k = 0; k < fast_.size(); k++)
             scratch_.fast_body[bodies.awake[fast_[k]].body] = static_cast<std::uint32_t>(k);
-        scratch_.ways.resize(bodies.cold.size());
+        scratch_.center_motions.resize(bodies.cold.size());
         for (const BodyWarm& warm : bodies.awake)
-            scratch_.ways[warm.body] = {motions_.of(world_, warm.body).center, warm.center};
+            scratch_.center_motions[warm.body] = {motions_.of(world_, warm.body).center, warm.center};
     }
     CenterMotion way_of(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
-        if (cold.set == BodySet::awake) return scratch_.ways[body];
+        if (cold.set == BodySet::awake) return scratch_.center_motions[body];
         const Vec3 center = warm_of(world_, body).center;
         return {center, center};
     }

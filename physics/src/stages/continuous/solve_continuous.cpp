@@ -512,40 +512,40 @@ private:
     }
 
     // Where each shape of a body of many is on the rest of its way.
-    const SweptShapes& ways_of(ToiBody& t) const {
-        if (t.ways.known) return t.ways;
-        t.ways = {.known = true, .shapes = {}, .tree = {}};
+    const SweptShapes& swept_shapes_of(ToiBody& t) const {
+        if (t.swept_shapes.known) return t.swept_shapes;
+        t.swept_shapes = {.known = true, .shapes = {}, .tree = {}};
         std::size_t count = 0;
         const std::uint32_t first = world_.bodies.cold[t.body].first_shape;
         for (std::uint32_t s = first; s != none; s = world_.shapes.shapes[s].next) count++;
-        if (count < many_shapes) return t.ways;
+        if (count < many_shapes) return t.swept_shapes;
         std::vector<Aabb> boxes;
         for (std::uint32_t s = first; s != none; s = world_.shapes.shapes[s].next) {
             ASSERT(!is_plane(world_.shapes.shapes[s]));
-            t.ways.shapes.push_back(s);
+            t.swept_shapes.shapes.push_back(s);
             boxes.push_back(swept_bounds(swept(s, t.sweep), t.sweep.from, t.sweep.until));
         }
-        t.ways.tree = Bvh(boxes);
-        return t.ways;
+        t.swept_shapes.tree = Bvh(boxes);
+        return t.swept_shapes;
     }
     // Calls visit(own) for the body's shapes that may come near another one, in order: of few all.
     template <class Visit>
     void for_each_shape_near(ToiBody& t, std::uint32_t other, const Sweep& motion,
                              Visit&& visit) const {
-        const SweptShapes& ways = ways_of(t);
+        const SweptShapes& swept_shapes = swept_shapes_of(t);
         const double from = std::max(t.sweep.from, motion.from), until = motion.until;
-        if (ways.tree.empty() || is_plane(world_.shapes.shapes[other]) || from > until) {
+        if (swept_shapes.tree.empty() || is_plane(world_.shapes.shapes[other]) || from > until) {
             for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
                  own = world_.shapes.shapes[own].next)
                 visit(own);
             return;
         }
-        const double margin = 6 * sweep_gap(ways.shapes.front(), other) + tuning::swept_margin;
+        const double margin = 6 * sweep_gap(swept_shapes.shapes.front(), other) + tuning::swept_margin;
         std::vector<std::uint32_t> near;
-        ways.tree.query(grow(swept_bounds(swept(other, motion), from, until), margin),
+        swept_shapes.tree.query(grow(swept_bounds(swept(other, motion), from, until), margin),
                         [&](std::uint32_t k) { near.push_back(k); });
         std::sort(near.begin(), near.end());
-        for (const std::uint32_t k : near) visit(ways.shapes[k]);
+        for (const std::uint32_t k : near) visit(swept_shapes.shapes[k]);
     }
 
     // Whether the contact solver has resolved the impact of two shapes, which update_contacts

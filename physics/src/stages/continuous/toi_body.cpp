@@ -33,7 +33,7 @@ bool is_gyroscopic(const BodyCold& cold) {
 void aim(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
-    t.ways.known = false;
+    t.swept_shapes.known = false;
     t.sweep.until = 1;
     if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{} && t.legs < tuning::most_legs) {
         // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
@@ -128,7 +128,7 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
     t.velocity = from.v;
     const Vec3 mean = from.v + t.gain * (0.5 * left);
     t.sweep = {fraction, from.center, from.rotation, mean * dt, {}};
-    t.ways.known = false;
+    t.swept_shapes.known = false;
     t.changed = true;
     if (is_exhausted(t)) {
         t.sweep.translation = {};

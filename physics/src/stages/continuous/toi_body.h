@@ -53,7 +53,7 @@ struct ToiBody {
     bool at_start = false;  // they touched already when its sweep began
     Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
-    SweptShapes ways;                         // of its sweep, when first asked for
+    SweptShapes swept_shapes;                         // of its sweep, when first asked for
     bool manifolds_known = false;
     std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, rising
 };

@@ -20,8 +20,8 @@ public:
     }
 
     // All at once: way_of(body) is a body's box. Each body once.
-    template <class WayOf>
-    void set_all(const std::vector<std::uint32_t>& bodies, WayOf&& way_of) {
+    template <class MotionOf>
+    void set_all(const std::vector<std::uint32_t>& bodies, MotionOf&& way_of) {
         for (const std::uint32_t body : bodies) {
             if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
             ASSERT(!has(body));

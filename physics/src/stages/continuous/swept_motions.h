@@ -27,8 +27,8 @@ class SweptMotions {
 public:
     // `known`: awake indices. sweep_of_body(awake index): its sweep from the start of the step to
     // its end.
-    template <class WayOf>
-    void note(StepContext& step, const std::vector<std::uint32_t>& known, WayOf&& way_of) {
+    template <class MotionOf>
+    void note(StepContext& step, const std::vector<std::uint32_t>& known, MotionOf&& way_of) {
         const BodyStore& bodies = step.world.bodies;
         motions_.resize(known.size());
         sweeps_.resize(known.size());

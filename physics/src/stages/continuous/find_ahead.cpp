@@ -60,7 +60,7 @@ private:
         for (const BodyWarm& warm : bodies.awake)
             scratch_.center_motions[warm.body] = {motions_.of(world_, warm.body).center, warm.center};
     }
-    CenterMotion way_of(std::uint32_t body) const {
+    CenterMotion center_motion_of(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
         if (cold.set == BodySet::awake) return scratch_.center_motions[body];
         const Vec3 center = warm_of(world_, body).center;
@@ -92,7 +92,7 @@ private:
     std::uint8_t ends_within(const SeparationBound& bound) const {
         if (fast_index(bound.body_a) == not_fast && fast_index(bound.body_b) == not_fast)
             return neither;
-        const CenterMotion wa = way_of(bound.body_a), wb = way_of(bound.body_b);
+        const CenterMotion wa = center_motion_of(bound.body_a), wb = center_motion_of(bound.body_b);
         if (stayed_apart(world_, bound, wb.from - wa.from, wb.to - wa.to)) return neither;
         return ends_of(world_.contacts.contacts[bound.contact]);
     }

@@ -19,13 +19,13 @@ public:
         return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
     }
 
-    // All at once: way_of(body) is a body's box. Each body once.
+    // All at once: box_of(body) is a body's box. Each body once.
     template <class MotionOf>
-    void set_all(const std::vector<std::uint32_t>& bodies, MotionOf&& way_of) {
+    void set_all(const std::vector<std::uint32_t>& bodies, MotionOf&& box_of) {
         for (const std::uint32_t body : bodies) {
             if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
             ASSERT(!has(body));
-            leaf_[body] = tree_.add(way_of(body), body);
+            leaf_[body] = tree_.add(box_of(body), body);
         }
         tree_.rebuild();
     }

@@ -28,7 +28,7 @@ public:
     // `known`: awake indices. sweep_of_body(awake index): its sweep from the start of the step to
     // its end.
     template <class MotionOf>
-    void note(StepContext& step, const std::vector<std::uint32_t>& known, MotionOf&& way_of) {
+    void note(StepContext& step, const std::vector<std::uint32_t>& known, MotionOf&& sweep_of_body) {
         const BodyStore& bodies = step.world.bodies;
         motions_.resize(known.size());
         sweeps_.resize(known.size());
@@ -39,7 +39,7 @@ public:
         }
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-                const Sweep& sweep = sweeps_[k] = way_of(known[k]);
+                const Sweep& sweep = sweeps_[k] = sweep_of_body(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
                 motions_[k] = {sweep.center, sweep.translation,
                                length(sweep.rotation_vector) * radius};

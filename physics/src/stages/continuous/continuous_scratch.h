@@ -15,7 +15,7 @@ struct CenterMotion {
 };
 
 struct ContinuousScratch {
-    // Of find_ahead.
+    // Of find_sweep_candidates.
     std::vector<CenterMotion> center_motions;               // by body; of awake ones
     std::vector<std::uint32_t> fast_body;      // by body: which fast body it is, or none
     std::vector<std::uint32_t> with_manifold;  // contacts

@@ -18,7 +18,7 @@
 #include "physics/src/stages/continuous/ccd_candidates.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/continuous/close_joints.h"
-#include "physics/src/stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/find_sweep_candidates.h"
 #include "physics/src/stages/continuous/parabola.h"
 #include "physics/src/stages/continuous/swept_motions.h"
 #include "physics/src/stages/continuous/toi_body.h"
@@ -195,7 +195,7 @@ private:
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
     void start_toi_bodies() {
-        find_ahead(step_, motions_, fast_);
+        find_sweep_candidates(step_, motions_, fast_);
         const std::vector<std::vector<std::uint32_t>>& ahead = step_.scratch.continuous.ahead;
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/find_sweep_candidates.h"
 
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
@@ -124,7 +124,7 @@ private:
 
 }  // namespace
 
-void find_ahead(StepContext& step, const SweptMotions& motions,
+void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
                 const std::vector<std::uint32_t>& fast) {
     AheadFinder(step, motions, fast).run();
 }

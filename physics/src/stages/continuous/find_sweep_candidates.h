@@ -16,7 +16,7 @@ namespace jostle::physics {
 // `fast`: awake indices of the fast bodies. Leaves in ContinuousScratch::ahead, for each of them,
 // the shapes in no order, each as often as shapes of its own are in pairs with it, and in manifolds
 // the pairs of shapes that have one.
-void find_ahead(StepContext& step, const SweptMotions& motions,
+void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
                 const std::vector<std::uint32_t>& fast);
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Whom fast bodies look at on their way.
-#include "physics/src/stages/continuous/find_ahead.h"
+#include "physics/src/stages/continuous/find_sweep_candidates.h"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 namespace jostle::physics {
 namespace {
 
-class AheadFinder {
+class SweepCandidateFinder {
 public:
-    AheadFinder(StepContext& step, const SweptMotions& motions,
+    SweepCandidateFinder(StepContext& step, const SweptMotions& motions,
                 const std::vector<std::uint32_t>& fast)
         : step_(step),
           world_(step.world),
@@ -126,7 +126,7 @@ private:
 
 void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
                 const std::vector<std::uint32_t>& fast) {
-    AheadFinder(step, motions, fast).run();
+    SweepCandidateFinder(step, motions, fast).run();
 }
 
 }  // namespace jostle::physics

@@ -9,28 +9,28 @@
 
 namespace jostle::physics {
 
-void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near) {
+void CcdCandidates::find(std::uint32_t body, const Aabb& swept_box, std::vector<std::uint32_t>& near) {
     ASSERT(near.empty());
     note_fast();
-    swept_.query(way, [&](std::uint32_t other) {
+    swept_.query(swept_box, [&](std::uint32_t other) {
         for (std::uint32_t s = world_.bodies.cold[other].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
             near.push_back(s);
     });
     found_.clear();
-    world_.shapes.statics->query(way, 0xffffffff, found_);
-    if (some_slow_) world_.shapes.moving->query(way, 0xffffffff, found_);
+    world_.shapes.statics->query(swept_box, 0xffffffff, found_);
+    if (some_slow_) world_.shapes.moving->query(swept_box, 0xffffffff, found_);
     // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     for (const std::uint32_t shape : found_)
         if (!swept_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
     for (const std::uint32_t plane : world_.shapes.planes)
-        if (reaches_plane(world_, world_.shapes.shapes[plane], way)) near.push_back(plane);
+        if (reaches_plane(world_, world_.shapes.shapes[plane], swept_box)) near.push_back(plane);
     tidy(body, near);
 }
 
-void CcdCandidates::set_swept_aabb(std::uint32_t body, const Aabb& way) {
+void CcdCandidates::set_swept_aabb(std::uint32_t body, const Aabb& swept_box) {
     note_fast();
-    swept_.set(body, way);
+    swept_.set(body, swept_box);
 }
 
 void CcdCandidates::insert(std::uint32_t body, std::vector<std::uint32_t>& near) const {

@@ -23,9 +23,9 @@ public:
 
     // All shapes that may be in the box of a body's way, in order and once each: of two that are
     // met at the same moment the first counts.
-    void find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near);
+    void find(std::uint32_t body, const Aabb& swept_box, std::vector<std::uint32_t>& near);
     // The body goes this way from now on.
-    void set_swept_aabb(std::uint32_t body, const Aabb& way);
+    void set_swept_aabb(std::uint32_t body, const Aabb& swept_box);
     // Calls visit(body) for the bodies whose ways cross a box, in no order.
     template <class Visit>
     void for_each_swept(const Aabb& box, Visit&& visit) const {

@@ -23,10 +23,10 @@ public:
 
     void run() {
         record_center_motions();
-        if (scratch_.ahead.size() < fast_.size()) scratch_.ahead.resize(fast_.size());
+        if (scratch_.sweep_candidates.size() < fast_.size()) scratch_.sweep_candidates.resize(fast_.size());
         if (scratch_.manifolds.size() < fast_.size()) scratch_.manifolds.resize(fast_.size());
         for (std::size_t k = 0; k < fast_.size(); k++) {
-            scratch_.ahead[k].clear();
+            scratch_.sweep_candidates[k].clear();
             scratch_.manifolds[k].clear();
         }
         const auto& bounds = world_.contacts.bounds;
@@ -82,8 +82,8 @@ private:
             const Contact& c = world_.contacts.contacts[contact_of(k)];
             const std::uint64_t key = pair_key(c.shape_a, c.shape_b);
             const std::uint32_t of_a = fast_index(c.body_a), of_b = fast_index(c.body_b);
-            if ((found[k] & a) != 0) scratch_.ahead[of_a].push_back(c.shape_b);
-            if ((found[k] & b) != 0) scratch_.ahead[of_b].push_back(c.shape_a);
+            if ((found[k] & a) != 0) scratch_.sweep_candidates[of_a].push_back(c.shape_b);
+            if ((found[k] & b) != 0) scratch_.sweep_candidates[of_b].push_back(c.shape_a);
             if ((found[k] & manifold_of_a) != 0) scratch_.manifolds[of_a].push_back(key);
             if ((found[k] & manifold_of_b) != 0) scratch_.manifolds[of_b].push_back(key);
         }

@@ -196,16 +196,16 @@ private:
     // was thrown off that way asks the trees.
     void start_toi_bodies() {
         find_sweep_candidates(step_, motions_, fast_);
-        const std::vector<std::vector<std::uint32_t>>& ahead = step_.scratch.continuous.ahead;
+        const std::vector<std::vector<std::uint32_t>>& sweep_candidates = step_.scratch.continuous.sweep_candidates;
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (!ahead[k].empty() || finalize_.strayed[fast_[k]] != 0) starting.push_back(k);
+            if (!sweep_candidates[k].empty() || finalize_.strayed[fast_[k]] != 0) starting.push_back(k);
         if (starting.empty()) return;
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
         step_.team.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-                start(bodies_[k], ahead[starting[k]]);
+                start(bodies_[k], sweep_candidates[starting[k]]);
                 note_manifolds(bodies_[k], step_.scratch.continuous.manifolds[starting[k]]);
             }
         });
@@ -218,7 +218,7 @@ private:
         return finalize_.strayed[world_.bodies.cold[t.body].at] != 0;
     }
     // The shapes among a fast body's contacts that it may meet.
-    void find_contacts_on_way(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
+    void find_contacts_on_path(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
         found.clear();
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
@@ -719,7 +719,7 @@ private:
         std::vector<std::uint32_t> met;
         for (const std::uint32_t body : bodies) {
             ToiBody& t = bodies_[add(body, true)];
-            find_contacts_on_way(world_.bodies.cold[body].at, met);
+            find_contacts_on_path(world_.bodies.cold[body].at, met);
             start(t, met);
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
         }

@@ -80,7 +80,7 @@ public:
         const SweptMotion met = of(world, other);
         const Vec3 closing = motion.motion - met.motion;
         if (cold_other.type != BodyType::dynamic) {
-            if (!is_on_way(world, motion, cold.radius, world.shapes.shapes[other_shape]))
+            if (!is_on_path(world, motion, cold.radius, world.shapes.shapes[other_shape]))
                 return false;
         } else {
             // How near their centres come, were both to move evenly.
@@ -97,12 +97,12 @@ public:
     }
 
 private:
-    static bool is_on_way(const WorldState& world, const SweptMotion& motion, double radius,
+    static bool is_on_path(const WorldState& world, const SweptMotion& motion, double radius,
                           const ShapeRecord& shape) {
         const Vec3 end = motion.center + motion.motion;
-        const Aabb way =
+        const Aabb swept_box =
             grow({min(motion.center, end), max(motion.center, end)}, radius + tuning::swept_margin);
-        return is_plane(shape) ? reaches_plane(world, shape, way) : overlap(way, shape.fat);
+        return is_plane(shape) ? reaches_plane(world, shape, swept_box) : overlap(swept_box, shape.fat);
     }
 
     static constexpr std::uint32_t not_known = 0xffffffff;

@@ -17,7 +17,7 @@
 #include "physics/src/stages/continuous/bounce_events.h"
 #include "physics/src/stages/continuous/ccd_candidates.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
-#include "physics/src/stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/project_joints.h"
 #include "physics/src/stages/continuous/find_sweep_candidates.h"
 #include "physics/src/stages/continuous/parabola.h"
 #include "physics/src/stages/continuous/swept_motions.h"
@@ -804,7 +804,7 @@ Skipped place_toi_bodies(StepContext& step) {
         transformed_shape.push_back(t.body);
     }
     std::sort(transformed_shape.begin(), transformed_shape.end());
-    close_joints(step, transformed_shape);
+    project_joints(step, transformed_shape);
     return ran;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/project_joints.h"
 
 #include <algorithm>
 #include <vector>
@@ -239,7 +239,7 @@ private:
 
 }  // namespace
 
-void close_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape) {
+void project_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape) {
     WorldState& world = step.world;
     if (world.joints.ids.alive_count() == 0) return;
     ASSERT(std::is_sorted(transformed_shape.begin(), transformed_shape.end()));

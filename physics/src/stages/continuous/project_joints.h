@@ -17,6 +17,6 @@ namespace jostle::physics {
 // close the joints; what cannot be pushed stays in any case. Writes: poses of bodies that joints
 // tie to them. A body goes back by no more than half of its thinnest shape's inner radius: so
 // nothing passes through anything; what is left is the solver's.
-void close_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape);
+void project_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape);
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What an impact stops between steps does not leave those behind that joints tie to it.
-#include "physics/src/stages/continuous/close_joints.h"
+#include "physics/src/stages/continuous/project_joints.h"
 
 #include <gtest/gtest.h>
 

@@ -134,12 +134,12 @@ public:
             take_back();
             if (widest() < close_enough()) break;
         }
-        hold_what_went_far();
+        clamp_displacements();
         if (widest() > left) bodies_ = before;
         return widest() < close_enough();
     }
     // What the others could not do those do that impacts have placed.
-    void close_with_placed() {
+    void project_with_placed() {
         for (TiedBody& body : bodies_)
             if (body.transformed_shape) body.held = false;
         if (prepare()) close();
@@ -153,7 +153,7 @@ public:
 
 private:
     // Those that went as far as they may stay there.
-    void hold_what_went_far() {
+    void clamp_displacements() {
         for (TiedBody& body : bodies_) {
             if (body.held) continue;
             const double most = 0.5 * world_.bodies.cold[body.body].inner_radius;
@@ -251,7 +251,7 @@ void project_joints(StepContext& step, std::span<const std::uint32_t> transforme
         JointedGroup group(world, seen);
         group.find(body, transformed_shape);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
-        if (!group.close()) group.close_with_placed();
+        if (!group.close()) group.project_with_placed();
         group.place(world, step.dt);
     }
 }

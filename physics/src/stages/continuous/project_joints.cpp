@@ -17,7 +17,7 @@ namespace {
 constexpr int rounds = 3;  // of Newton's method
 constexpr int joint_rows = 3;
 
-struct TiedBody {
+struct ProjectedBody {
     std::uint32_t body = none;
     bool held = false;
     bool transformed_shape = false;  // held by that alone
@@ -64,7 +64,7 @@ public:
     double widest() {
         double most = 0;
         for (TiedJoint& joint : joints_) {
-            const TiedBody &a = bodies_[as_index(joint.ends.a)],
+            const ProjectedBody &a = bodies_[as_index(joint.ends.a)],
                            &b = bodies_[as_index(joint.ends.b)];
             joint.arm_a = a.axes * joint.local_a;
             joint.arm_b = b.axes * joint.local_b;
@@ -77,7 +77,7 @@ public:
     // m: what its ends may stay apart.
     double close_enough() const {
         double scale = 1;
-        for (const TiedBody& body : bodies_)
+        for (const ProjectedBody& body : bodies_)
             if (!body.held)
                 scale = minimum(scale, size_scale(world_.bodies.cold[body.body].radius));
         return tuning::close_enough * scale;
@@ -90,7 +90,7 @@ public:
         std::vector<JointEnds> ends;
         std::vector<std::uint8_t> pushed;
         for (const TiedJoint& joint : joints_) ends.push_back(joint.ends);
-        for (const TiedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
+        for (const ProjectedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
         return couple_joints(
             ends, std::vector<int>(as_index(joints), joint_rows), pushed,
             std::int64_t{tuning::direct_work} * joints * joint_rows * joint_rows * joint_rows,
@@ -105,18 +105,18 @@ public:
             for (int axis = 0; axis < joint_rows; axis++)
                 x[as_index(matrix_.row_of(static_cast<int>(k)) + axis)] = -joints_[k].gap[axis];
         matrix_.solve(x);
-        for (TiedBody& body : bodies_) body.push = body.twist = {};
+        for (ProjectedBody& body : bodies_) body.push = body.twist = {};
         for (std::size_t k = 0; k < joints_.size(); k++) {
             const double* const at = x.data() + matrix_.row_of(static_cast<int>(k));
             const Vec3 push{at[0], at[1], at[2]};
             const JointEnds& ends = joints_[k].ends;
-            TiedBody &a = bodies_[as_index(ends.a)], &b = bodies_[as_index(ends.b)];
+            ProjectedBody &a = bodies_[as_index(ends.a)], &b = bodies_[as_index(ends.b)];
             a.push -= push;
             a.twist -= cross(joints_[k].arm_a, push);
             b.push += push;
             b.twist += cross(joints_[k].arm_b, push);
         }
-        for (TiedBody& body : bodies_) {
+        for (ProjectedBody& body : bodies_) {
             if (body.held) continue;
             body.center += body.push * body.inverse_mass;
             body.rotation =
@@ -128,7 +128,7 @@ public:
     // False if something is left. Ends that are far apart may not come together in so few rounds:
     // then nobody moves.
     bool close() {
-        const std::vector<TiedBody> before = bodies_;
+        const std::vector<ProjectedBody> before = bodies_;
         const double left = widest();
         for (int round = 0; round < rounds; round++) {
             take_back();
@@ -140,13 +140,13 @@ public:
     }
     // What the others could not do those do that impacts have placed.
     void project_with_placed() {
-        for (TiedBody& body : bodies_)
+        for (ProjectedBody& body : bodies_)
             if (body.transformed_shape) body.held = false;
         if (prepare()) close();
     }
 
     void place(WorldState& world, double dt) const {
-        for (const TiedBody& body : bodies_)
+        for (const ProjectedBody& body : bodies_)
             if (length(body.center - body.start) >= close_enough())
                 place_elsewhere(world, body.body, body.center, body.rotation, dt);
     }
@@ -154,7 +154,7 @@ public:
 private:
     // Those that went as far as they may stay there.
     void clamp_displacements() {
-        for (TiedBody& body : bodies_) {
+        for (ProjectedBody& body : bodies_) {
             if (body.held) continue;
             const double most = 0.5 * world_.bodies.cold[body.body].inner_radius;
             const Vec3 displacement = body.center - body.start;
@@ -164,7 +164,7 @@ private:
             body.held = true;
         }
     }
-    void turn(TiedBody& body) const {
+    void turn(ProjectedBody& body) const {
         body.axes = to_matrix(body.rotation);
         body.inverse_inertia =
             body.axes * world_.bodies.cold[body.body].inverse_inertia * transpose(body.axes);
@@ -173,7 +173,7 @@ private:
     int number_of(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
         for (std::size_t k = bodies_.size(); k-- > 0;)  // mostly a joint's body was the last one's
             if (bodies_[k].body == body && body != none) return static_cast<int>(k);
-        TiedBody to;
+        ProjectedBody to;
         to.body = body;
         to.held = true;
         if (body != none) {
@@ -211,7 +211,7 @@ private:
     void assemble() {
         matrix_.clear();
         for (const JointCoupling& c : couplings_) {
-            const TiedBody& body = bodies_[as_index(c.body)];
+            const ProjectedBody& body = bodies_[as_index(c.body)];
             const TiedJoint &later = joints_[as_index(c.later)],
                             &sooner = joints_[as_index(c.sooner)];
             const double sign = c.later_b == c.sooner_b ? 1 : -1;
@@ -231,7 +231,7 @@ private:
 
     const WorldState& world_;
     std::vector<std::uint8_t>& seen_;
-    std::vector<TiedBody> bodies_;
+    std::vector<ProjectedBody> bodies_;
     std::vector<TiedJoint> joints_;
     std::vector<JointCoupling> couplings_;
     BlockLdl matrix_;

@@ -27,7 +27,7 @@ struct ProjectedBody {
     double inverse_mass = 0;
     Vec3 push, twist;  // of this round
 };
-struct TiedJoint {
+struct ProjectedJoint {
     JointEnds ends;
     Vec3 local_a, local_b;  // arms in the bodies' axes, m
     Vec3 arm_a, arm_b, gap;
@@ -63,7 +63,7 @@ public:
 
     double widest() {
         double most = 0;
-        for (TiedJoint& joint : joints_) {
+        for (ProjectedJoint& joint : joints_) {
             const ProjectedBody &a = bodies_[as_index(joint.ends.a)],
                            &b = bodies_[as_index(joint.ends.b)];
             joint.arm_a = a.axes * joint.local_a;
@@ -89,7 +89,7 @@ public:
         if (joints == 0 || is_net(joints, static_cast<int>(bodies_.size()))) return false;
         std::vector<JointEnds> ends;
         std::vector<std::uint8_t> pushed;
-        for (const TiedJoint& joint : joints_) ends.push_back(joint.ends);
+        for (const ProjectedJoint& joint : joints_) ends.push_back(joint.ends);
         for (const ProjectedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
         return couple_joints(
             ends, std::vector<int>(as_index(joints), joint_rows), pushed,
@@ -199,7 +199,7 @@ private:
             return body == none ? frame.position
                                 : frame.position - world_.bodies.cold[body].local_center;
         };
-        TiedJoint to;
+        ProjectedJoint to;
         to.ends.a = number_of(joint.body_a, transformed_shape);
         to.ends.b = number_of(joint.body_b, transformed_shape);
         to.local_a = arm(joint.body_a, joint.frame_a);
@@ -212,7 +212,7 @@ private:
         matrix_.clear();
         for (const JointCoupling& c : couplings_) {
             const ProjectedBody& body = bodies_[as_index(c.body)];
-            const TiedJoint &later = joints_[as_index(c.later)],
+            const ProjectedJoint &later = joints_[as_index(c.later)],
                             &sooner = joints_[as_index(c.sooner)];
             const double sign = c.later_b == c.sooner_b ? 1 : -1;
             const Vec3 at = c.later_b ? later.arm_b : later.arm_a;
@@ -232,7 +232,7 @@ private:
     const WorldState& world_;
     std::vector<std::uint8_t>& seen_;
     std::vector<ProjectedBody> bodies_;
-    std::vector<TiedJoint> joints_;
+    std::vector<ProjectedJoint> joints_;
     std::vector<JointCoupling> couplings_;
     BlockLdl matrix_;
 };

@@ -34,9 +34,9 @@ struct ProjectedJoint {
 };
 
 // What joints tie together by points.
-class JointedGroup {
+class JointProjection {
 public:
-    JointedGroup(const WorldState& world, std::vector<std::uint8_t>& seen)
+    JointProjection(const WorldState& world, std::vector<std::uint8_t>& seen)
         : world_(world), seen_(seen) {}
 
     void find(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
@@ -248,7 +248,7 @@ void project_joints(StepContext& step, std::span<const std::uint32_t> transforme
         if (world.bodies.cold[body].first_joint == none) continue;
         if (seen.empty()) seen.resize(world.bodies.cold.size());
         if (seen[body] != 0) continue;
-        JointedGroup group(world, seen);
+        JointProjection group(world, seen);
         group.find(body, transformed_shape);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
         if (!group.close()) group.project_with_placed();

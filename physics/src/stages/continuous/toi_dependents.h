@@ -31,12 +31,12 @@ public:
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
 
-    struct Link {
+    struct Node {
         std::size_t who;
         std::uint32_t before;
     };
     std::vector<std::uint32_t> latest_;  // by body
-    std::vector<Link> chain_;
+    std::vector<Node> chain_;
 };
 
 }  // namespace jostle::physics

@@ -47,7 +47,7 @@ struct Loads {
 // that tilts rests on other corners) goes to the nearest of the points that continue none, or else
 // to the nearest of all: the load has not changed because other points were chosen to bear it.
 // `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
-Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach, bool even) {
+Loads redistribute_loads(const Carried& old, const Manifold& m, Vec3 center, double reach, bool even) {
     Loads loads;
     bool taken[4] = {}, given[4] = {};
     const auto way2 = [&](int i, int j) {
@@ -209,7 +209,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const double reach =
         minimum(tuning::match_distance * size_scale(size), tuning::match_fraction * size);
     const Loads loads =
-        handed_on(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
+        redistribute_loads(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
     double friction_radius = 0;
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;

@@ -224,7 +224,7 @@ inline constexpr double sweep_gap = 1e-4;  // m
 // that way, meet at once; what is slower is left to the contact solver.
 inline constexpr double touching_impact_speed = 0.05;  // m/s
 // Bodies that touch hand an impact on until this share of its speed is left.
-inline constexpr double handed_on_least = 0.1;
+inline constexpr double min_impact_chain = 0.1;
 // The box of a swept body is this much larger on each side.
 inline constexpr double swept_margin = 0.01;  // m
 // Of what a pair may move without a sweep the sweep looks at a little more, so that nothing falls

@@ -114,7 +114,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<finalize>(step, Stage::finalize);                         // poses, bounds, rest time
     run<solve_continuous>(step, Stage::solve_continuous);         // nothing passes through a wall
     run_second<wake_after_impacts>(step, Stage::wake_bodies);     // who was hit asleep
-    run_second<place_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
+    run_second<move_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
     run<quarantine>(step, Stage::quarantine);            // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);        // resting islands leave the awake set
     step.team.finish();                                  // what finalize began

@@ -85,23 +85,23 @@ void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 
 void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
     ASSERT(mass >= 0);
-    std::vector<std::uint32_t> met{body};
-    auto& seen = world.scratch.met;
+    std::vector<std::uint32_t> visited{body};
+    auto& seen = world.scratch.visited;
     seen.resize(world.bodies.cold.size(), 0);
     seen[body] = 1;
     double sum = world.bodies.cold[body].mass;
-    for (std::size_t k = 0; k < met.size() && sum < mass; k++)
-        for_each_manifold(world, met[k], [&](std::uint32_t contact) {
+    for (std::size_t k = 0; k < visited.size() && sum < mass; k++)
+        for_each_manifold(world, visited[k], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
+            const std::uint32_t other = c.body_a == visited[k] ? c.body_b : c.body_a;
             if (!world.bodies.cold[other].asleep_in_place || seen[other] != 0) return;
             seen[other] = 1;
-            met.push_back(other);
+            visited.push_back(other);
             sum += world.bodies.cold[other].mass;
         });
-    for (const std::uint32_t near : met) seen[near] = 0;
-    std::sort(met.begin(), met.end());
-    for (const std::uint32_t near : met) wake_briefly(world, near, woke);
+    for (const std::uint32_t near : visited) seen[near] = 0;
+    std::sort(visited.begin(), visited.end());
+    for (const std::uint32_t near : visited) wake_briefly(world, near, woke);
     warm_of(world, body).sleep_time = 0;
 }
 

@@ -118,9 +118,9 @@ Fault check_shapes(const WorldState& world) {
             world.bodies.cold[shapes[s].body].type != BodyType::static_body)
             return at("shapes", s, "is a plane on a body that moves");
     }
-    std::vector<std::uint8_t> met(shapes.size(), 0);
+    std::vector<std::uint8_t> visited(shapes.size(), 0);
     for (const std::uint32_t s : world.shapes.moved)
-        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved || met[s]++ != 0)
+        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved || visited[s]++ != 0)
             return at("shapes.moved", s, "is not a shape that moved, or is there twice");
     if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
     return {};
@@ -138,14 +138,14 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
             c.first_child != none || contacts[c.parent].shape_a != c.shape_a ||
             contacts[c.parent].shape_b != c.shape_b)
             return at("contacts", i, "is a part of a pair that is none");
-        std::size_t met = 0, steps = 0;
+        std::size_t visited = 0, steps = 0;
         for (std::uint32_t p = contacts[c.parent].first_child; p != none;
              p = contacts[p].next_child) {
             if (!exists(p) || ++steps > contacts.size())
                 return at("contacts", c.parent, "has a broken list of parts");
-            met += p == i ? 1 : 0;
+            visited += p == i ? 1 : 0;
         }
-        if (met != 1) return at("contacts", i, "is not on its pair's list of parts");
+        if (visited != 1) return at("contacts", i, "is not on its pair's list of parts");
     } else if (!c.composite && (c.first_child != none || c.touching_children != 0)) {
         return at("contacts", i, "has parts but is not composite");
     }

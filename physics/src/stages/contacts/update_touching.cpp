@@ -56,10 +56,10 @@ bool has_asleep(const BodyStore& bodies, const Contact& c) {
 }
 
 // A kinematic body stops for nobody.
-double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t met) {
+double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t other_body) {
     const BodyCold& cold = bodies.cold[mover];
     return cold.type == BodyType::dynamic ? cold.mass
-                                          : tuning::kinematic_mass_ratio * bodies.cold[met].mass;
+                                          : tuning::kinematic_mass_ratio * bodies.cold[other_body].mass;
 }
 
 // Whether a manifold begins. One with a body that sleeps begins only when they meet,

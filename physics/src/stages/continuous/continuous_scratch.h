@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What solve_continuous uses again from step to step, and leaves to place_toi_bodies.
+// What solve_continuous uses again from step to step, and leaves to move_toi_bodies.
 #pragma once
 
 #include <cstdint>

@@ -103,10 +103,10 @@ private:
     }
     std::uint8_t ends_of(const Contact& c) const {
         if (c.parent != none) return neither;  // its parent has a bound
-        const auto may_collide = [&](std::uint32_t mover, std::uint32_t met, std::uint32_t shape) {
+        const auto may_collide = [&](std::uint32_t mover, std::uint32_t hit_body, std::uint32_t shape) {
             return fast_index(mover) != not_fast &&
                    motions_.may_collide(world_, motions_.of(world_, mover), world_.bodies.cold[mover],
-                                     met, shape,
+                                     hit_body, shape,
                                      [&] { return bounces_alone(step_, c.shape_a, c.shape_b); });
         };
         return static_cast<std::uint8_t>((may_collide(c.body_a, c.body_b, c.shape_b) ? a : neither) |

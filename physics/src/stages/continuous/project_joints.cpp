@@ -148,7 +148,7 @@ public:
     void place(WorldState& world, double dt) const {
         for (const ProjectedBody& body : bodies_)
             if (length(body.center - body.start) >= close_enough())
-                place_elsewhere(world, body.body, body.center, body.rotation, dt);
+                move_body_to(world, body.body, body.center, body.rotation, dt);
     }
 
 private:

@@ -46,7 +46,7 @@ public:
         std::vector<std::uint32_t> known;
         for (std::uint32_t i = 0; i < finalize_.fast.size(); i++) {
             if (is_fast(i)) fast_.push_back(i);
-            if (is_fast(i) || finalize_.thrown[i] != 0) known.push_back(i);
+            if (is_fast(i) || finalize_.deflected[i] != 0) known.push_back(i);
         }
         any_bounces_ = !step_.scratch.contacts.bouncing.empty();
         motions_.note(step_, known, [&](std::uint32_t awake) { return known_sweep(awake); });
@@ -65,7 +65,7 @@ public:
                 begin_leg(first);
         }
         report_bounces(world_.events, bounces_);
-        // They are placed when whom they met is awake: place_toi_bodies().
+        // They are placed when whom they met is awake: move_toi_bodies().
         for (ToiBody& t : bodies_)
             if (t.changed) step_.scratch.continuous.changed.push_back(std::move(t));
     }
@@ -159,7 +159,7 @@ private:
         return queue_.empty() ? 0 : queue_.front().who;
     }
     // Whether it is a body that a TOI body meets next, as far as is known.
-    bool meets_next(std::size_t k, std::uint32_t body) const {
+    bool hits_next(std::size_t k, std::uint32_t body) const {
         const ToiBody& t = bodies_[k];
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
     }
@@ -170,7 +170,7 @@ private:
         enqueue_check(k);
     }
     void recheck_against(std::size_t k, std::uint32_t body) {
-        bodies_[k].diverted.push_back(body);
+        bodies_[k].deflected_bodies.push_back(body);
         enqueue_check(k);
     }
     void enqueue_check(std::size_t k) {
@@ -199,7 +199,7 @@ private:
         const std::vector<std::vector<std::uint32_t>>& sweep_candidates = step_.scratch.continuous.sweep_candidates;
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (!sweep_candidates[k].empty() || finalize_.strayed[fast_[k]] != 0) starting.push_back(k);
+            if (!sweep_candidates[k].empty() || finalize_.left_predicted_aabb[fast_[k]] != 0) starting.push_back(k);
         if (starting.empty()) return;
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
@@ -215,7 +215,7 @@ private:
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
     }
     bool has_strayed(const ToiBody& t) const {
-        return finalize_.strayed[world_.bodies.cold[t.body].at] != 0;
+        return finalize_.left_predicted_aabb[world_.bodies.cold[t.body].at] != 0;
     }
     // The shapes among a fast body's contacts that it may meet.
     void find_contacts_on_path(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
@@ -230,8 +230,8 @@ private:
             if (c.parent != none) continue;
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
-            const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (motions_.may_collide(world_, motion, cold, met, other,
+            const std::uint32_t hit_body = is_a ? c.body_b : c.body_a;
+            if (motions_.may_collide(world_, motion, cold, hit_body, other,
                                   [&] { return bounces_alone(step_, c.shape_a, c.shape_b); }))
                 found.push_back(other);
         }
@@ -246,11 +246,11 @@ private:
                 length(sweep.rotation_vector) * world_.bodies.cold[body].radius};
     }
 
-    void start(ToiBody& t, const std::vector<std::uint32_t>& met) {
+    void start(ToiBody& t, const std::vector<std::uint32_t>& hit_body) {
         begin_toi(world_, t, finalize_.before[world_.bodies.cold[t.body].at], step_.dt);
         t.swept = swept_aabb_of(t);
         if (has_strayed(t)) return;
-        t.candidates = met;
+        t.candidates = hit_body;
         candidates_.tidy(t.body, t.candidates);
     }
     // How far before the surfaces of two shapes meet their sweep stops, m.
@@ -332,9 +332,9 @@ private:
         round_++;
         for (const std::size_t k : to_check_) {
             ToiBody& t = bodies_[k];
-            if (!t.checked) t.anew_in = round_;
+            if (!t.checked) t.full_search_round = round_;
             world_.profile.sweeps +=
-                static_cast<int>(t.checked ? t.diverted.size() : t.candidates.size());
+                static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
         }
         step_.team.run(static_cast<int>(to_check_.size()), 1, [&](int begin, int end) {
             for (int k = begin; k < end; k++) find_impact(to_check_[static_cast<std::size_t>(k)]);
@@ -354,21 +354,21 @@ private:
                     if (!is_tested_by(k, world_.shapes.shapes[other].body))
                         find_impact_with(t, other);
         } else {
-            for (const std::uint32_t body : t.diverted)
+            for (const std::uint32_t body : t.deflected_bodies)
                 for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
                      s = world_.shapes.shapes[s].next)
                     find_impact_with(t, s);
         }
         t.checked = true;
         t.queued = false;
-        t.diverted.clear();
+        t.deflected_bodies.clear();
         note_next(k);
     }
 
     // Whether the other one looks at this TOI body in the same round: once is enough.
     bool is_tested_by(std::size_t k, std::uint32_t other) const {
         const std::uint32_t known = toi_body_of(other);
-        if (known == nobody || known >= k || bodies_[known].anew_in != round_) return false;
+        if (known == nobody || known >= k || bodies_[known].full_search_round != round_) return false;
         const std::vector<std::uint32_t>& near = bodies_[known].candidates;
         for (std::uint32_t s = world_.bodies.cold[bodies_[k].body].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
@@ -400,14 +400,14 @@ private:
     // Whether two that touch still hand on what an impact gives them: until a tenth of its speed is
     // left. Of more impacts, which in a crowd that does not bounce well would never end, the
     // contact solver sees the sum.
-    bool hands_on(const ToiBody& t, std::uint32_t known, std::uint32_t own,
+    bool passes_impact_on(const ToiBody& t, std::uint32_t known, std::uint32_t own,
                   std::uint32_t other) const {
         const double restitution = pair_restitution(world_.shapes.shapes[own].material,
                                                     world_.shapes.shapes[other].material);
-        const int had = std::max(t.handed_on, known == nobody ? 0 : bodies_[known].handed_on);
+        const int had = std::max(t.impact_chain_length, known == nobody ? 0 : bodies_[known].impact_chain_length);
         double left = 1;
         for (int k = 0; k < had; k++) left *= restitution;
-        return left > tuning::handed_on_least;
+        return left > tuning::min_impact_chain;
     }
 
     // Whether the balls around two bodies do not meet before what is met first: of most that is
@@ -482,7 +482,7 @@ private:
                                  points_touching(a, b, hit.fraction, 5 * sweep_gap(own, other)),
                                  far ? ClosesBy::velocity_or_sweep : ClosesBy::velocity);
             // What touches and bounces does so at once.
-            if (hit.at_start && bouncy && !held && hands_on(t, known, own, other)) {
+            if (hit.at_start && bouncy && !held && passes_impact_on(t, known, own, other)) {
                 const std::vector<ImpactPoint> points =
                     points_touching(a, b, from, 5 * sweep_gap(own, other));
                 if ((points.size() == 1 || !turned) && meet(from, points, ClosesBy::bouncing))
@@ -642,8 +642,8 @@ private:
         if (modifier.restitution > 0 && hit.approach > tuning::restitution_speed)
             note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.
-        const std::uint32_t met = toi_body_of(body_b);
-        if (hit.approach <= 0 && met != nobody && is_exhausted(bodies_[met]))
+        const std::uint32_t hit_body = toi_body_of(body_b);
+        if (hit.approach <= 0 && hit_body != nobody && is_exhausted(bodies_[hit_body]))
             bodies_[index].impacts = tuning::sweep_impacts;
         else
             bodies_[index].impacts++;
@@ -682,11 +682,11 @@ private:
     }
 
     // Who is met asleep wakes when all impacts are known, with as much around it as this one stirs.
-    void file_wake(std::uint32_t body, std::uint32_t met) {
-        const BodyCold& cold = world_.bodies.cold[met];
+    void file_wake(std::uint32_t body, std::uint32_t hit_body) {
+        const BodyCold& cold = world_.bodies.cold[hit_body];
         if (cold.set != BodySet::sleeping && !cold.asleep_in_place) return;
         const double momentum = world_.bodies.cold[body].mass * length(warm_of(world_, body).v);
-        world_.wake_requests.push_back({met, mass_stirred_by(momentum)});
+        world_.wake_requests.push_back({hit_body, mass_stirred_by(momentum)});
     }
 
     // Who would have met a body that goes another way now looks anew, at everything. That body
@@ -699,14 +699,14 @@ private:
         for (const std::size_t k : fast_toi_bodies_on(body, bodies_[index].swept)) {
             ToiBody& t = bodies_[k];
             if (!t.checked || is_exhausted(t)) continue;
-            if (meets_next(k, body))
+            if (hits_next(k, body))
                 recheck(k);
             else if (!searches(index))
                 recheck_against(k, body);
         }
         // Those that would have met it where it no longer goes.
         dependents_.take(body, [&](std::size_t k) {
-            if (next_[k] <= 1 && meets_next(k, body)) recheck(k);
+            if (next_[k] <= 1 && hits_next(k, body)) recheck(k);
         });
     }
     // Fast bodies that had nobody to meet so far, and whose way crosses a box.
@@ -716,25 +716,25 @@ private:
             if (toi_body_of(body) == nobody) bodies.push_back(body);
         });
         std::sort(bodies.begin(), bodies.end());
-        std::vector<std::uint32_t> met;
+        std::vector<std::uint32_t> hit_body;
         for (const std::uint32_t body : bodies) {
             ToiBody& t = bodies_[add(body, true)];
-            find_contacts_on_path(world_.bodies.cold[body].at, met);
-            start(t, met);
+            find_contacts_on_path(world_.bodies.cold[body].at, hit_body);
+            start(t, hit_body);
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
         }
     }
     // The other fast TOI bodies whose way crosses a box, in order. They know the body from now on.
     const std::vector<std::size_t>& fast_toi_bodies_on(std::uint32_t body, const Aabb& way) {
-        met_.clear();
+        hit_bodies_.clear();
         candidates_.for_each_swept(way, [&](std::uint32_t other) {
             const std::uint32_t known = toi_body_of(other);
             if (other == body) return;
-            if (known != nobody && bodies_[known].fast) met_.push_back(known);
+            if (known != nobody && bodies_[known].fast) hit_bodies_.push_back(known);
         });
-        std::sort(met_.begin(), met_.end());
-        for (const std::size_t k : met_) candidates_.insert(body, bodies_[k].candidates);
-        return met_;
+        std::sort(hit_bodies_.begin(), hit_bodies_.end());
+        for (const std::size_t k : hit_bodies_) candidates_.insert(body, bodies_[k].candidates);
+        return hit_bodies_;
     }
 
     void report(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
@@ -755,7 +755,7 @@ private:
         if (bounced) {
             // It may bounce off the next as well.
             t.fast |= cold.continuous;
-            t.handed_on++;
+            t.impact_chain_length++;
             if (t.held && cold.first_joint == none && leaves_its_support(body, end.v, at)) {
                 t.held = false;
                 t.gain = gain_in_free_fall(world_, cold, step_.dt);
@@ -772,7 +772,7 @@ private:
     SweptMotions motions_;             // in the whole step
     CcdCandidates candidates_{world_, finalize_.before, fast_};
     ToiDependents dependents_;      // of TOI bodies, by whom they meet next
-    std::vector<std::size_t> met_;  // scratch
+    std::vector<std::size_t> hit_bodies_;  // scratch
     std::vector<ToiBody> bodies_;
     std::vector<double> next_;  // by TOI body: when something next happens to it
     std::vector<std::size_t> to_check_;
@@ -795,7 +795,7 @@ Skipped solve_continuous(StepContext& step) {
     return ran;
 }
 
-Skipped place_toi_bodies(StepContext& step) {
+Skipped move_toi_bodies(StepContext& step) {
     const std::vector<ToiBody>& changed = step.scratch.continuous.changed;
     if (changed.empty()) return "no impact between steps";
     std::vector<std::uint32_t> transformed_shape;

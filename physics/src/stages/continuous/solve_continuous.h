@@ -13,11 +13,11 @@ namespace jostle::physics {
 
 // Reads: FinalizeScratch, contacts of fast bodies, ContactScratch::had_contacts, the broad phases.
 // Writes: hit events; files wake requests for what is met asleep. Leaves in scratch:
-// ContinuousScratch::changed for place_toi_bodies, the bodies that impacts sent another way.
+// ContinuousScratch::changed for move_toi_bodies, the bodies that impacts sent another way.
 Skipped solve_continuous(StepContext& step);
 
 // Puts those where their ways end: warm records, motion bounds, fat boxes. After
 // wake_after_impacts: whom they met is awake by then. Leaves nothing in scratch.
-Skipped place_toi_bodies(StepContext& step);
+Skipped move_toi_bodies(StepContext& step);
 
 }  // namespace jostle::physics

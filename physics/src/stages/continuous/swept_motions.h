@@ -32,10 +32,10 @@ public:
         const BodyStore& bodies = step.world.bodies;
         motions_.resize(known.size());
         sweeps_.resize(known.size());
-        place_.assign(step.scratch.finalize.fast.size(), not_known);
+        index_.assign(step.scratch.finalize.fast.size(), not_known);
         for (std::size_t k = 0; k < known.size(); k++) {
-            ASSERT(known[k] < place_.size() && place_[known[k]] == not_known);
-            place_[known[k]] = static_cast<std::uint32_t>(k);
+            ASSERT(known[k] < index_.size() && index_[known[k]] == not_known);
+            index_[known[k]] = static_cast<std::uint32_t>(k);
         }
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
@@ -50,18 +50,18 @@ public:
 
     // Whether an awake body's way is among those.
     bool knows(std::uint32_t awake) const {
-        return awake < place_.size() && place_[awake] != not_known;
+        return awake < index_.size() && index_[awake] != not_known;
     }
     // Its way, if it is.
     const Sweep& sweep_of(std::uint32_t awake) const {
         ASSERT(knows(awake));
-        return sweeps_[place_[awake]];
+        return sweeps_[index_[awake]];
     }
     // Of any body; one whose way is not known comes from where its velocity leads back to.
     SweptMotion of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
         const bool awake = cold.set == BodySet::awake;
-        if (awake && knows(cold.at)) return motions_[place_[cold.at]];
+        if (awake && knows(cold.at)) return motions_[index_[cold.at]];
         const BodyWarm& warm = warm_of(world, body);
         if (!awake) return {warm.center, {}, 0};
         const Vec3 motion = warm.v * dt_;
@@ -77,21 +77,21 @@ public:
                   std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const BodyCold& cold_other = world.bodies.cold[other];
         if (left_to_contacts(world, cold, cold_other)) return false;
-        const SweptMotion met = of(world, other);
-        const Vec3 closing = motion.motion - met.motion;
+        const SweptMotion other_motion = of(world, other);
+        const Vec3 closing = motion.motion - other_motion.motion;
         if (cold_other.type != BodyType::dynamic) {
             if (!is_on_path(world, motion, cold.radius, world.shapes.shapes[other_shape]))
                 return false;
         } else {
             // How near their centres come, were both to move evenly.
-            const Vec3 apart = met.center - motion.center;
+            const Vec3 apart = other_motion.center - motion.center;
             const double nearest =
                 clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
             const double reach = cold.radius + cold_other.radius + tuning::swept_margin;
             if (!(length_squared(apart - closing * nearest) < reach * reach)) return false;
         }
         // A little less than foreseen, so that nothing falls between the two.
-        return length(closing) + motion.turning + met.turning >=
+        return length(closing) + motion.turning + other_motion.turning >=
                    tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius ||
                bounces();
     }
@@ -109,7 +109,7 @@ private:
 
     std::vector<SweptMotion> motions_;
     std::vector<Sweep> sweeps_;         // of the same
-    std::vector<std::uint32_t> place_;  // by awake index: among motions_
+    std::vector<std::uint32_t> index_;  // by awake index: among motions_
     double dt_ = 0;
 };
 

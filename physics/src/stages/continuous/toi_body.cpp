@@ -143,7 +143,7 @@ bool is_exhausted(const ToiBody& t) {
     return t.impacts >= tuning::sweep_impacts;
 }
 
-void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt) {
+void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt) {
     const BodyCold& cold = world.bodies.cold[body];
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     BodyWarm& warm = warm_of(world, body);
@@ -173,7 +173,7 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     BodyWarm& warm = warm_of(world, t.body);
     warm.v = t.velocity + t.gain * (until - t.sweep.from);
     warm.w = stayed ? t.spin : t.end_spin;
-    place_elsewhere(world, t.body, center_at(t.sweep, until),
+    move_body_to(world, t.body, center_at(t.sweep, until),
                     stayed ? rotation_at(t.sweep, until) : t.end_rotation, dt);
 }
 

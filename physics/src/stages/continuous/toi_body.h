@@ -40,11 +40,11 @@ struct ToiBody {
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
     int legs = 0;                         // that lie behind it
-    int handed_on = 0;                    // impacts that it had, found by itself or another
+    int impact_chain_length = 0;                    // impacts that it had, found by itself or another
     bool checked = false;                 // the impact below is the first on its way
     bool queued = false;                  // on the list of those that are to look
-    std::uint32_t anew_in = 0;            // the round in which it last looked at everything
-    std::vector<std::uint32_t> diverted;  // bodies that go another way since then
+    std::uint32_t full_search_round = 0;            // the round in which it last looked at everything
+    std::vector<std::uint32_t> deflected_bodies;  // bodies that go another way since then
     // The first impact that is known, if any.
     double fraction = Impact::never;  // of the step
     std::uint32_t own_shape = none, other_shape = none;
@@ -85,7 +85,7 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
 // Whether it has used up its impacts and is where it will be when the step ends.
 bool is_exhausted(const ToiBody& t);
 // Puts a body somewhere else than where the step left it: warm record, motion bound, fat boxes.
-void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt);
+void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt);
 // Puts its body where its way ends, with the velocity that it has there.
 void finish_toi(WorldState& world, const ToiBody& t, double dt);
 

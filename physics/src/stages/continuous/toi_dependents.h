@@ -13,9 +13,9 @@ namespace jostle::physics {
 
 class ToiDependents {
 public:
-    void add(std::uint32_t body, std::size_t who) {
+    void add(std::uint32_t body, std::size_t dependent) {
         if (body >= latest_.size()) latest_.resize(body + 1, nobody);
-        chain_.push_back({who, latest_[body]});
+        chain_.push_back({dependent, latest_[body]});
         latest_[body] = static_cast<std::uint32_t>(chain_.size() - 1);
     }
 
@@ -24,16 +24,16 @@ public:
     void take(std::uint32_t body, Visit&& visit) {
         if (body >= latest_.size()) return;
         for (std::uint32_t at = std::exchange(latest_[body], nobody); at != nobody;
-             at = chain_[at].before)
-            visit(chain_[at].who);
+             at = chain_[at].previous)
+            visit(chain_[at].dependent);
     }
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
 
     struct Node {
-        std::size_t who;
-        std::uint32_t before;
+        std::size_t dependent;
+        std::uint32_t previous;
     };
     std::vector<std::uint32_t> latest_;  // by body
     std::vector<Node> chain_;

@@ -33,7 +33,7 @@ bool left_fat_aabb(const ShapeStore& store, MotionBound& motion, const BodyWarm&
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.
-bool strayed(const ShapeStore& store, const BodyWarm& warm, const BodyCold& cold) {
+bool left_predicted_aabb(const ShapeStore& store, const BodyWarm& warm, const BodyCold& cold) {
     for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next)
         if (!fits_fat_aabb(store.shapes[s], warm, cold.radius, 0)) return true;
     return false;
@@ -71,7 +71,7 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what
 // it may move without a sweep.
-bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, double dt) {
+bool was_deflected(const FreeMotion& motion, Quat turn, const BodyCold& cold, double dt) {
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2 : 2);
     const double missed =
         length(motion.v * dt - motion.displacement) + length(motion.w * dt - turned) * cold.radius;
@@ -85,8 +85,8 @@ void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& b
     scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
     scratch.not_finite.assign(bodies.awake.size(), 0);
     scratch.fast.assign(bodies.awake.size(), 0);
-    scratch.thrown.assign(bodies.awake.size(), 0);
-    scratch.strayed.assign(bodies.awake.size(), 0);
+    scratch.deflected.assign(bodies.awake.size(), 0);
+    scratch.left_predicted_aabb.assign(bodies.awake.size(), 0);
     scratch.bouncing.assign(bodies.awake.size(), 0);
     for (const std::uint32_t body : bouncing) {
         const BodyCold& cold = bodies.cold[body];
@@ -105,7 +105,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
     // Once in a step.
-    ASSERT(scratch.fast[awake_index] == 0 && scratch.thrown[awake_index] == 0);
+    ASSERT(scratch.fast[awake_index] == 0 && scratch.deflected[awake_index] == 0);
     ASSERT(scratch.left_fat_aabb[awake_index] == 0 && scratch.not_finite[awake_index] == 0);
     warm.force = warm.torque = {};
     const Vec3 center = warm.center + motion.displacement;
@@ -128,9 +128,9 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
         scratch.before[awake_index] = warm;
         scratch.fast[awake_index] = 1;
         scratch.any_fast = 1;
-    } else if (bounces || was_thrown(motion, turn, cold, step.dt)) {
+    } else if (bounces || was_deflected(motion, turn, cold, step.dt)) {
         scratch.before[awake_index] = warm;
-        scratch.thrown[awake_index] = 1;
+        scratch.deflected[awake_index] = 1;
     }
     warm.center = center;
     warm.rotation = motion.rotation;
@@ -138,7 +138,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     warm.v = motion.v;
     warm.w = motion.w;
     if (scratch.fast[awake_index] != 0)
-        scratch.strayed[awake_index] = strayed(world.shapes, warm, cold) ? 1 : 0;
+        scratch.left_predicted_aabb[awake_index] = left_predicted_aabb(world.shapes, warm, cold) ? 1 : 0;
     MotionBound& bound = world.bodies.motion[warm.body];
     bound.travel += displacement;
     bound.turned += turned;

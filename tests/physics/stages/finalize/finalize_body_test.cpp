@@ -70,9 +70,9 @@ TEST(FinalizeBody, fast_is_what_moves_by_half_its_thickness) {
 TEST(FinalizeBody, thrown_is_what_did_not_come_from_where_its_velocity_leads_back_to) {
     Step step;
     step.finalize(FreeMotion{{0.05, 0, 0}, {}, {-6, 0, 0}, {}});
-    EXPECT_EQ(step.found().thrown[0], 1);
+    EXPECT_EQ(step.found().deflected[0], 1);
     step.move({6, 0, 0});
-    EXPECT_EQ(step.found().thrown[0], 0);
+    EXPECT_EQ(step.found().deflected[0], 0);
 }
 
 // What is not a number is not taken over.

@@ -25,8 +25,8 @@ inline constexpr double fat_margin = 0.04;  // m
 // more than so many radii of the ball around the body; else by those, or one step if that is
 // further. A thousand balls of 0.15 m at up to 100 m/s have 12,700 pairs without that bound and
 // 2060 with it.
-inline constexpr double fat_steps_ahead = 3;
-inline constexpr double fat_radii_ahead = 2;
+inline constexpr double fat_lookahead_steps = 3;
+inline constexpr double fat_lookahead_radii = 2;
 
 // --- narrow phase ---
 // Contacts begin this far before the surfaces meet, plus the way the pair moves in one step.
@@ -325,6 +325,6 @@ inline constexpr int first_trial_pause = 8, longest_trial_pause = 512;
 inline constexpr unsigned light_task = 4000;
 // From so many moves on the trees are told of them beside other work: a few take less time than to
 // wake a thread.
-inline constexpr int moves_beside = 256;
+inline constexpr int async_moves_min = 256;
 
 }  // namespace jostle::physics::tuning

@@ -13,8 +13,8 @@ std::uint32_t create_island(WorldState& world) {
     if (index == world.islands.islands.size()) world.islands.islands.emplace_back();
     world.islands.islands[index] = Island{};
     if (controls_error(world.def)) {
-        world.islands.islands[index].colour_set.batch = first_rung;
-        world.islands.islands[index].error.wanted = first_rung;
+        world.islands.islands[index].colour_set.batch = initial_substep_level;
+        world.islands.islands[index].error.wanted = initial_substep_level;
     }
     return index;
 }

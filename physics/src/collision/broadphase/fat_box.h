@@ -19,9 +19,9 @@ inline double fat_margin_of(double radius) {
 // `step`: m, what it moves in one step. `radius`: m, of the ball around its body.
 inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
     const Aabb wide = grow(shape, fat_margin_of(radius));
-    const double displacement = length(step), most = tuning::fat_radii_ahead * radius;
-    const bool far = displacement * tuning::fat_steps_ahead > most;
-    const Vec3 ahead = step * (far ? maximum(1, most / displacement) : tuning::fat_steps_ahead);
+    const double displacement = length(step), most = tuning::fat_lookahead_radii * radius;
+    const bool far = displacement * tuning::fat_lookahead_steps > most;
+    const Vec3 ahead = step * (far ? maximum(1, most / displacement) : tuning::fat_lookahead_steps);
     return {wide.low + min(ahead, Vec3{}), wide.high + max(ahead, Vec3{})};
 }
 

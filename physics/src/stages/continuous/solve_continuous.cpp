@@ -212,9 +212,9 @@ private:
         step_.team.finish();  // the trees: finalize.cpp
         world_.shapes.statics->flush();
         for (ToiBody& t : bodies_)
-            if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
+            if (has_left_predicted_aabb(t)) candidates_.find(t.body, t.swept, t.candidates);
     }
-    bool has_strayed(const ToiBody& t) const {
+    bool has_left_predicted_aabb(const ToiBody& t) const {
         return finalize_.left_predicted_aabb[world_.bodies.cold[t.body].at] != 0;
     }
     // The shapes among a fast body's contacts that it may meet.
@@ -249,7 +249,7 @@ private:
     void start(ToiBody& t, const std::vector<std::uint32_t>& hit_body) {
         begin_toi(world_, t, finalize_.before[world_.bodies.cold[t.body].at], step_.dt);
         t.swept = swept_aabb_of(t);
-        if (has_strayed(t)) return;
+        if (has_left_predicted_aabb(t)) return;
         t.candidates = hit_body;
         candidates_.tidy(t.body, t.candidates);
     }
@@ -721,7 +721,7 @@ private:
             ToiBody& t = bodies_[add(body, true)];
             find_contacts_on_path(world_.bodies.cold[body].at, hit_body);
             start(t, hit_body);
-            if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
+            if (has_left_predicted_aabb(t)) candidates_.find(t.body, t.swept, t.candidates);
         }
     }
     // The other fast TOI bodies whose way crosses a box, in order. They know the body from now on.

@@ -57,7 +57,7 @@ Skipped finalize(StepContext& step) {
         shapes.moving->flush();
     };
     // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
-    if (moves.size() >= tuning::moves_beside)
+    if (moves.size() >= tuning::async_moves_min)
         step.team.start(tell_trees);
     else if (!moves.empty())
         tell_trees();

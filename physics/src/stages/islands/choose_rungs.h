@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // With a tolerance (WorldDef::tolerance), how many sub-steps each island takes: the fewest of
-// rung_substeps with which its error, as stages/solver/error_trial.h measured it, keeps to the
+// substeps_per_level with which its error, as stages/solver/error_trial.h measured it, keeps to the
 // tolerance. Finer at once, coarser with some patience: contacts move from set to set.
 //
 // With a budget (WorldDef::substep_budget) what islands want is dealt out: the one that a coarser

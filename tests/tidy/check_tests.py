@@ -47,7 +47,7 @@ COVERED_BY = {
     "stages/step_scratch.h":
         (["physics/world/stop_stepping_test.cpp"], "a step ends after the sub-step in which it is told to, and leaves a whole world"),
     "world/island_substeps.cpp":
-        (["physics/stages/islands/choose_rungs_test.cpp", "tools/sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
+        (["physics/stages/islands/choose_substep_levels_test.cpp", "tools/sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
     "constraints/direct/block_pattern.cpp":
         (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),
     "constraints/direct/direct_body.h":

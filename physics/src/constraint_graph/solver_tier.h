@@ -38,7 +38,7 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 
 // The islands of a tier lie in so many batches, whole: threads solve batches side by side, each
 // alone, without waiting for one another. In a larger one they share the colours. In a world with a
-// tolerance a batch is a rung: its islands take substeps_per_level (stages/islands/choose_rungs.h).
+// tolerance a batch is a rung: its islands take substeps_per_level (stages/islands/choose_substep_levels.h).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> substeps_per_level = {2, 6, 16, 48};
 inline constexpr std::uint8_t initial_substep_level = 2;  // of an island of which nothing is known

@@ -9,7 +9,7 @@
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/islands/assign_batches.h"
-#include "physics/src/stages/islands/choose_rungs.h"
+#include "physics/src/stages/islands/choose_substep_levels.h"
 #include "physics/src/stages/islands/heavy_load.h"
 #include "physics/src/stages/islands/sort_constraints.h"
 #include "physics/src/stages/step_scratch.h"
@@ -164,7 +164,7 @@ Skipped prepare_islands(StepContext& step) {
     if (world.islands.some_lost) scale_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
     if (controls_error(world.def))
-        choose_rungs(step);
+        choose_substep_levels(step);
     else if (world.steps % tuning::batch_interval == 1)
         assign_batches(step);
     if (world.steps % tuning::sort_interval == 1) sort_constraints(step);

@@ -14,7 +14,7 @@
 // Reads: awake bodies, contacts that press, joints, Island::kept_load. Writes: tier and batch of
 // islands (Island::colour_set), and with them the colours and slots of contacts; impulses of
 // islands that lost a load. Runs every eighth step, and when a load was lost; with a tolerance,
-// every step (choose_rungs.h). Leaves nothing else in scratch.
+// every step (choose_substep_levels.h). Leaves nothing else in scratch.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

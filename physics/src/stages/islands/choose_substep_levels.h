@@ -16,6 +16,6 @@
 
 namespace jostle::physics {
 
-void choose_rungs(StepContext& step);
+void choose_substep_levels(StepContext& step);
 
 }  // namespace jostle::physics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/choose_rungs.h"
+#include "physics/src/stages/islands/choose_substep_levels.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -127,7 +127,7 @@ void share_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
 
 }  // namespace
 
-void choose_rungs(StepContext& step) {
+void choose_substep_levels(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t> asking;
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {

@@ -129,8 +129,8 @@ inline constexpr int tier_patience = 4;  // looks
 inline constexpr int trial_interval = 8, first_trial_interval = 2;
 // An island takes a coarser rung after so many looks at which it would have kept to this part of
 // the tolerance there.
-inline constexpr int rung_patience = 2;  // looks
-inline constexpr double rung_reserve = 0.5;
+inline constexpr int substep_level_patience = 2;  // looks
+inline constexpr double substep_level_reserve = 0.5;
 // s: how long what a step's contacts got wrong in a velocity goes on, in the mean.
 inline constexpr double velocity_error_life = 0.125;
 // With a budget rungs are dealt out anew in every so many steps.

@@ -380,7 +380,7 @@ Fault check_islands(const WorldState& world) {
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.error.estimate < 0 || island.error.wanted >= batch_count ||
-            island.error.easy > tuning::rung_patience)
+            island.error.easy > tuning::substep_level_patience)
             return at("islands", i, "has an error, a rung or a patience out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
             return at("islands", i, "sleeps with some of its bodies");

@@ -27,12 +27,12 @@ TEST(SolverTier, with_a_tolerance_a_rung_says_how_many_and_never_more_than_64) {
     const WorldDef world{.tolerance = 0.01};
     const int low[] = {2, 6, 16, 48}, slender[] = {6, 18, 48, 64}, tall[] = {16, 48, 64, 64},
               heavy[] = {8, 24, 64, 64};
-    for (std::uint8_t rung = 0; rung < batch_count; rung++) {
-        EXPECT_EQ(substeps_of({SolverTier::low, rung}, world), low[rung]);
-        EXPECT_EQ(substeps_of({SolverTier::slender, rung}, world), slender[rung]);
-        EXPECT_EQ(substeps_of({SolverTier::tall, rung}, world), tall[rung]);
-        EXPECT_EQ(substeps_of({SolverTier::heavy, rung}, world), heavy[rung]);
-        EXPECT_EQ(substeps_of({SolverTier::low, rung}, WorldDef{}), 8) << "without one";
+    for (std::uint8_t substep_level = 0; substep_level < batch_count; substep_level++) {
+        EXPECT_EQ(substeps_of({SolverTier::low, substep_level}, world), low[substep_level]);
+        EXPECT_EQ(substeps_of({SolverTier::slender, substep_level}, world), slender[substep_level]);
+        EXPECT_EQ(substeps_of({SolverTier::tall, substep_level}, world), tall[substep_level]);
+        EXPECT_EQ(substeps_of({SolverTier::heavy, substep_level}, world), heavy[substep_level]);
+        EXPECT_EQ(substeps_of({SolverTier::low, substep_level}, WorldDef{}), 8) << "without one";
     }
 }
 

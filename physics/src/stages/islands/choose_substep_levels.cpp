@@ -17,18 +17,18 @@ namespace {
 
 constexpr std::uint8_t finest = batch_count - 1;
 
-int substeps_at(const WorldState& world, const Island& island, std::uint8_t rung) {
-    return substeps_of({island.colour_set.tier, rung}, world);
+int substeps_at(const WorldState& world, const Island& island, std::uint8_t substep_level) {
+    return substeps_of({island.colour_set.tier, substep_level}, world);
 }
 
 // By how much errors grow on another rung: of first order.
-double growth(const WorldState& world, const Island& island, std::uint8_t rung) {
+double growth(const WorldState& world, const Island& island, std::uint8_t substep_level) {
     return static_cast<double>(substeps_of(island.colour_set, world)) /
-           substeps_at(world, island, rung);
+           substeps_at(world, island, substep_level);
 }
 
 // Answers a measurement.
-void choose_wanted(const WorldState& world, Island& island) {
+void choose_target_level(const WorldState& world, Island& island) {
     IslandError& error = island.error;
     ASSERT(error.fresh && error.estimate > 0);
     error.fresh = false;
@@ -40,10 +40,10 @@ void choose_wanted(const WorldState& world, Island& island) {
         return;
     }
     const bool easy = now > 0 && error.estimate * growth(world, island, now - 1) <=
-                                     tuning::rung_reserve * tolerance;
+                                     tuning::substep_level_reserve * tolerance;
     error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
     error.wanted = now;
-    if (error.easy < tuning::rung_patience) return;
+    if (error.easy < tuning::substep_level_patience) return;
     error.wanted = now - 1;
     error.easy = 0;
 }
@@ -51,7 +51,7 @@ void choose_wanted(const WorldState& world, Island& island) {
 // What manifolds tie together is on one rung.
 struct TiedGroup {
     std::span<const std::uint32_t> islands;
-    std::uint8_t rung = 0;  // that it is to have
+    std::uint8_t substep_level = 0;  // that it is to have
     double error = 0;
     std::int64_t bodies = 0;
 };
@@ -60,7 +60,7 @@ TiedGroup measured(const WorldState& world, std::span<const std::uint32_t> islan
     TiedGroup group{.islands = islands};
     for (const std::uint32_t i : group.islands) {
         const Island& island = world.islands.islands[i];
-        group.rung = std::max(group.rung, island.error.wanted);
+        group.substep_level = std::max(group.substep_level, island.error.wanted);
         group.error = maximum(
             group.error, island.error.estimate > 0 ? island.error.estimate : world.def.tolerance);
         group.bodies += island.bodies;
@@ -70,7 +70,7 @@ TiedGroup measured(const WorldState& world, std::span<const std::uint32_t> islan
 
 void move(WorldState& world, const TiedGroup& group) {
     const ColourSetKey from = world.islands.islands[group.islands.front()].colour_set;
-    move_to_set(world, group.islands, {from.tier, group.rung});
+    move_to_set(world, group.islands, {from.tier, group.substep_level});
 }
 
 bool is_awake(const WorldState& world, std::uint32_t island) {
@@ -83,7 +83,7 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<TiedGroup> find_held_groups(const WorldState& world, const TiedIslands& tied) {
+std::vector<TiedGroup> find_active_groups(const WorldState& world, const TiedIslands& tied) {
     std::vector<TiedGroup> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -98,28 +98,28 @@ std::vector<TiedGroup> find_held_groups(const WorldState& world, const TiedIslan
 }
 
 // Lowers rungs until all together keep to the budget, or all are on the first.
-void share_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
+void distribute_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
     const auto spends = [&](const TiedGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
-        return group.bodies * substeps_at(world, island, group.rung);
+        return group.bodies * substeps_at(world, island, group.substep_level);
     };
     const auto harm = [&](const TiedGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
-        return group.error * growth(world, island, group.rung - 1);
+        return group.error * growth(world, island, group.substep_level - 1);
     };
     std::int64_t spent = 0;
     for (const TiedGroup& group : groups) spent += spends(group);
     using Offer = std::pair<double, std::size_t>;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
     const auto offer = [&](std::size_t k) {
-        if (groups[k].rung > 0) offers.push({harm(groups[k]), k});
+        if (groups[k].substep_level > 0) offers.push({harm(groups[k]), k});
     };
     for (std::size_t k = 0; k < groups.size(); k++) offer(k);
     while (spent > world.def.substep_budget && !offers.empty()) {
         const std::size_t k = offers.top().second;
         offers.pop();
         spent -= spends(groups[k]);
-        groups[k].rung--;
+        groups[k].substep_level--;
         spent += spends(groups[k]);
         offer(k);
     }
@@ -132,7 +132,7 @@ void choose_substep_levels(StepContext& step) {
     std::vector<std::uint32_t> asking;
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
         if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
-        choose_wanted(world, world.islands.islands[i]);
+        choose_target_level(world, world.islands.islands[i]);
         if (world.islands.islands[i].error.wanted != world.islands.islands[i].colour_set.batch)
             asking.push_back(i);
     }
@@ -141,8 +141,8 @@ void choose_substep_levels(StepContext& step) {
         for (const std::uint32_t i : asking) move(world, measured(world, tied.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
         const TiedIslands tied(world);
-        std::vector<TiedGroup> groups = find_held_groups(world, tied);
-        share_budget(world, groups);
+        std::vector<TiedGroup> groups = find_active_groups(world, tied);
+        distribute_budget(world, groups);
         for (const TiedGroup& group : groups) move(world, group);
     }
     auto& unknown = step.scratch.islands.unknown;

@@ -49,15 +49,15 @@ void choose_target_level(const WorldState& world, Island& island) {
 }
 
 // What manifolds tie together is on one rung.
-struct TiedGroup {
+struct CoupledGroup {
     std::span<const std::uint32_t> islands;
     std::uint8_t substep_level = 0;  // that it is to have
     double error = 0;
     std::int64_t bodies = 0;
 };
 
-TiedGroup measured(const WorldState& world, std::span<const std::uint32_t> islands) {
-    TiedGroup group{.islands = islands};
+CoupledGroup measured(const WorldState& world, std::span<const std::uint32_t> islands) {
+    CoupledGroup group{.islands = islands};
     for (const std::uint32_t i : group.islands) {
         const Island& island = world.islands.islands[i];
         group.substep_level = std::max(group.substep_level, island.error.wanted);
@@ -68,7 +68,7 @@ TiedGroup measured(const WorldState& world, std::span<const std::uint32_t> islan
     return group;
 }
 
-void move(WorldState& world, const TiedGroup& group) {
+void move(WorldState& world, const CoupledGroup& group) {
     const ColourSetKey from = world.islands.islands[group.islands.front()].colour_set;
     move_to_set(world, group.islands, {from.tier, group.substep_level});
 }
@@ -83,8 +83,8 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<TiedGroup> find_active_groups(const WorldState& world, const TiedIslands& tied) {
-    std::vector<TiedGroup> groups;
+std::vector<CoupledGroup> find_active_groups(const WorldState& world, const TiedIslands& tied) {
+    std::vector<CoupledGroup> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -98,17 +98,17 @@ std::vector<TiedGroup> find_active_groups(const WorldState& world, const TiedIsl
 }
 
 // Lowers rungs until all together keep to the budget, or all are on the first.
-void distribute_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
-    const auto spends = [&](const TiedGroup& group) {
+void distribute_budget(const WorldState& world, std::vector<CoupledGroup>& groups) {
+    const auto spends = [&](const CoupledGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
         return group.bodies * substeps_at(world, island, group.substep_level);
     };
-    const auto harm = [&](const TiedGroup& group) {
+    const auto harm = [&](const CoupledGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
         return group.error * growth(world, island, group.substep_level - 1);
     };
     std::int64_t spent = 0;
-    for (const TiedGroup& group : groups) spent += spends(group);
+    for (const CoupledGroup& group : groups) spent += spends(group);
     using Offer = std::pair<double, std::size_t>;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
     const auto offer = [&](std::size_t k) {
@@ -141,9 +141,9 @@ void choose_substep_levels(StepContext& step) {
         for (const std::uint32_t i : asking) move(world, measured(world, tied.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
         const TiedIslands tied(world);
-        std::vector<TiedGroup> groups = find_active_groups(world, tied);
+        std::vector<CoupledGroup> groups = find_active_groups(world, tied);
         distribute_budget(world, groups);
-        for (const TiedGroup& group : groups) move(world, group);
+        for (const CoupledGroup& group : groups) move(world, group);
     }
     auto& unknown = step.scratch.islands.unknown;
     unknown.fill(0);

@@ -92,7 +92,7 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     return tied;
 }
 
-TiedIslands::TiedIslands(const WorldState& world) : first_(world.islands.islands.size()) {
+CoupledIslands::CoupledIslands(const WorldState& world) : first_(world.islands.islands.size()) {
     const auto count = static_cast<std::uint32_t>(first_.size());
     for (std::uint32_t i = 0; i < count; i++) first_[i] = i;
     const auto root = [&](std::uint32_t i) {

@@ -18,9 +18,9 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
 
 // The same for all islands at once: of many islands that takes as long as of a few. True until a
 // manifold begins or ends; sets may change.
-class TiedIslands {
+class CoupledIslands {
 public:
-    explicit TiedIslands(const WorldState& world);
+    explicit CoupledIslands(const WorldState& world);
     // Rising. Those that are asleep are alone.
     std::span<const std::uint32_t> group_of(std::uint32_t island) const {
         const std::uint32_t first = first_[island];

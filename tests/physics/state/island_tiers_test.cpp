@@ -79,7 +79,7 @@ TEST(IslandTiers, ties_of_all_are_those_of_each) {
     }
     run(world, 1);
     const WorldState& state = state_of(world);
-    const TiedIslands all(state);
+    const CoupledIslands all(state);
     std::set<std::size_t> sizes;
     for (std::uint32_t i = 0; i < state.islands.ids.size(); i++) {
         if (!state.islands.ids.alive(i)) continue;

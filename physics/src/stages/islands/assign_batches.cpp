@@ -75,7 +75,7 @@ struct Group {
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, const TiedIslands& tied,
+std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& tied,
                                const std::vector<std::uint32_t>& weights, SolverTier tier) {
     std::vector<Group> groups;
     std::vector<bool> seen(weights.size(), false);  // by first island of a group
@@ -92,7 +92,7 @@ std::vector<Group> find_groups(const WorldState& world, const TiedIslands& tied,
 
 // The heaviest stay where they are while there is space; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void assign(WorldState& world, const TiedIslands& tied, const std::vector<std::uint32_t>& weights,
+void assign(WorldState& world, const CoupledIslands& tied, const std::vector<std::uint32_t>& weights,
             SolverTier tier, const Work& work) {
     std::vector<Group> groups = find_groups(world, tied, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
@@ -124,7 +124,7 @@ void assign_batches(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& weights = step.scratch.islands.weights;
     const std::array<Work, tier_count> works = weigh_islands(world.bodies, world.islands, weights);
-    std::optional<TiedIslands> tied;
+    std::optional<CoupledIslands> tied;
     for (const SolverTier tier : all_tiers) {
         const Work& work = works[index_of(tier)];
         if (!is_unequal(work)) continue;

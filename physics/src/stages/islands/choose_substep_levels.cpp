@@ -83,7 +83,7 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<CoupledGroup> find_active_groups(const WorldState& world, const TiedIslands& tied) {
+std::vector<CoupledGroup> find_active_groups(const WorldState& world, const CoupledIslands& tied) {
     std::vector<CoupledGroup> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -137,10 +137,10 @@ void choose_substep_levels(StepContext& step) {
             asking.push_back(i);
     }
     if (world.def.substep_budget == 0 && !asking.empty()) {
-        const TiedIslands tied(world);
+        const CoupledIslands tied(world);
         for (const std::uint32_t i : asking) move(world, measured(world, tied.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
-        const TiedIslands tied(world);
+        const CoupledIslands tied(world);
         std::vector<CoupledGroup> groups = find_active_groups(world, tied);
         distribute_budget(world, groups);
         for (const CoupledGroup& group : groups) move(world, group);

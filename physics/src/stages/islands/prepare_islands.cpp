@@ -111,7 +111,7 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
 
 // Up at once; down when all that is tied to it has been content with less for a while.
 void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
-                 std::optional<TiedIslands>& all_tied, std::uint32_t index, Vec3 up) {
+                 std::optional<CoupledIslands>& all_tied, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const SolverTier need = need_of(world, extents, index, up);
     island.calm = need < island.colour_set.tier
@@ -137,7 +137,7 @@ void choose_tiers(WorldState& world, IslandScratch& scratch) {
     const Vec3 up = -normalized(world.def.gravity);
     find_awake_islands(world, scratch.awake);
     measure_extents(world.bodies, world.islands, scratch, world.def.gravity);
-    std::optional<TiedIslands> tied;  // when first needed: moves to other sets leave it true
+    std::optional<CoupledIslands> tied;  // when first needed: moves to other sets leave it true
     for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, tied, i, up);
 }
 

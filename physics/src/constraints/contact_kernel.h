@@ -283,14 +283,14 @@ JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rol
         scale = select(over, limit / root(max(length2, splat(1e-30f))), splat(1));
     f1 = select(of, f1 * scale, old1);
     f2 = select(of, f2 * scale, old2);
-    const Wide wanted = fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion);
-    const Wide torsion = select(of, max(-torsion_limit, min(wanted, torsion_limit)), old_torsion);
+    const Wide unclamped = fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion);
+    const Wide torsion = select(of, max(-torsion_limit, min(unclamped, torsion_limit)), old_torsion);
     store(m.friction[0], f1);
     store(m.friction[1], f2);
     store(m.torsion, torsion);
     pair.apply(fma(pair.t2, f2 - old2, pair.t1 * (f1 - old1)), pair.n * (torsion - old_torsion));
     if (rolling != nullptr) solve_rolling(m, *rolling, normal_impulse, pair, of);
-    return ~(~over & ~(absolute(wanted) > torsion_limit));
+    return ~(~over & ~(absolute(unclamped) > torsion_limit));
 }
 
 // What parts at more than `speed` and no longer presses holds nothing: the friction of the warm
@@ -374,7 +374,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     // own wish does not change: what a soft point leaks and what it then wants anew make up for
     // each other (contact_settings.cpp: mass_scale + impulse_scale = 1). From one point to the next
     // only a fused multiply-add, a maximum and a difference have to be waited for.
-    Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
+    Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], unclamped[kPoints], rate[kPoints],
         coupling[kPoints][kPoints];
     PointResponse r[kPoints];
     Wide slop = splat(set.slop), push_speed = splat(set.push_speed);
@@ -403,13 +403,13 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const Wide meet = gap[i] * splat(set.inverse_h);
         if constexpr (kRelax) {
             rate[i] = splat(1) / r[i].k;
-            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
+            unclamped[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
         } else {
             const Wide soft = max((gap[i] + slop) * splat(set.bias_rate), -push_speed);
             const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
             rate[i] = (splat(1) - impulse_scale) / r[i].k;
             const Wide kept = fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
-            wanted[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
+            unclamped[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
         }
     }
     // Mostly nothing is squeezed. A point that is gives back what a soft one does.
@@ -428,7 +428,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             const Wide leak = select(is_squeezed(gap[i]), splat(set.impulse_scale), zero);
             rate[i] = (splat(1) - leak) / r[i].k;
             const Wide meet = select(gap[i] > zero, gap[i] * splat(set.inverse_h), zero);
-            wanted[i] =
+            unclamped[i] =
                 fnma(rate[i], vn + meet, fma(leak, load(m.mean_impulse[i]) - lambda[i], lambda[i]));
         }
     }
@@ -444,12 +444,12 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     for (int sweep = 0; sweep < sweeps; sweep++) {
         JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
-            const Wide now = max(wanted[i], zero);
+            const Wide now = max(unclamped[i], zero);
             const Wide change = now - lambda[i];
             lambda[i] = now;
             JOSTLE_UNROLL
             for (int j = 0; j < kPoints; j++)
-                if (j != i) wanted[j] = fnma(coupling[j][i], change, wanted[j]);
+                if (j != i) unclamped[j] = fnma(coupling[j][i], change, unclamped[j]);
         }
     }
     WideImpulse sum;
@@ -597,8 +597,8 @@ void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitut
             const WideMask hit = (load<RestitutionWide>(restitution_wide.peak[i]) > zero) &
                                  (approach < splat(-set.restitution_speed)) &
                                  (load<ContactConstraintWideMeta>(restitution) > zero);
-            const Wide wanted = -load<ContactConstraintWideMeta>(restitution) * approach;
-            const Wide now = max(given[i] + (wanted - vn) / r.k, zero);
+            const Wide unclamped = -load<ContactConstraintWideMeta>(restitution) * approach;
+            const Wide now = max(given[i] + (unclamped - vn) / r.k, zero);
             const Wide d = select(hit, now - given[i], zero);
             given[i] = given[i] + d;
             left_with = max(left_with, given[i]);

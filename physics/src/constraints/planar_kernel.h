@@ -111,8 +111,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         const Wide limit = load(m.mu) * pressing();
         Wide u1 = pair.tx * ux + pair.ty * uy;
         if (rolling != nullptr) u1 += load(rolling->surface[0]);
-        const Wide old = load(m.friction[0]), wanted = old - load(m.friction_mass[0]) * u1;
-        const Wide now = select(of, max(-limit, min(wanted, limit)), old);
+        const Wide old = load(m.friction[0]), unclamped = old - load(m.friction_mass[0]) * u1;
+        const Wide now = select(of, max(-limit, min(unclamped, limit)), old);
         store(m.friction[0], now);
         pair.apply(pair.tx * (now - old), pair.ty * (now - old), zero);
         if (rolling != nullptr) {
@@ -126,7 +126,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             store(rolling->roll[1], after);
             pair.apply(zero, zero, pair.z_sign * (after - before));
         }
-        return absolute(wanted) > limit;
+        return absolute(unclamped) > limit;
     };
     // Before the normals and, of what slips, after them: as in solve_block().
     WideMask slips = zero > zero;

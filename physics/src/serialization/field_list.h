@@ -94,7 +94,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("gravity_scale", b.gravity_scale);
     v.field("continuous", b.continuous);
     v.field("locks", b.locks);
-    v.field("wanted_mass", b.wanted_mass);
+    v.field("mass_override", b.mass_override);
     v.field("user_data", b.user_data);
     v.field("mass", b.mass);
     v.field("inverse_mass", b.inverse_mass);
@@ -452,10 +452,10 @@ void visit_fields(V& v, Island& island) {
     v.field("calm", island.calm);
     v.field("uneven", island.uneven);
     v.field("mass", island.mass);
-    v.field("kept_load", island.kept_load);
+    v.field("remaining_load", island.remaining_load);
     v.optional("dt", island.dt, 11);
     v.optional("error_estimate", island.error.estimate, 13);
-    v.optional("wanted_rung", island.error.wanted, 13);
+    v.optional("wanted_rung", island.error.target_level, 13);
     v.optional("easy", island.error.easy, 13);
     v.optional("fresh_estimate", island.error.fresh, 13);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });

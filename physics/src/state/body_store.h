@@ -31,7 +31,7 @@ struct BodyCold {
     bool continuous = true;
     AxisLocks locks = 0;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
-    double wanted_mass = 0;  // kg; 0: what the shapes give
+    double mass_override = 0;  // kg; 0: what the shapes give
     std::uint64_t user_data = 0;
 
     // What its shapes make of it. Infinite mass and inertia are zero inverses.

@@ -153,7 +153,7 @@ void note_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.island == none || cold.constraints == 0) return;
     Island& island = world.islands.islands[cold.island];
-    island.kept_load *= clamp(1 - cold.mass / island.mass, 0, 1);
+    island.remaining_load *= clamp(1 - cold.mass / island.mass, 0, 1);
     world.islands.some_lost = true;
 }
 

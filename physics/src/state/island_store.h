@@ -20,7 +20,7 @@ namespace jostle::physics {
 // endlessly many would give (stages/solver/error_trial.h).
 struct IslandError {
     double estimate = 0;      // m in a second of such steps; 0: not known
-    std::uint8_t wanted = 0;  // the rung that the tolerance asks for, whatever the budget
+    std::uint8_t target_level = 0;  // the rung that the tolerance asks for, whatever the budget
     std::uint8_t easy = 0;    // looks in a row that a coarser one would have passed
     bool fresh = false;       // measured, and not yet acted upon
 };
@@ -39,7 +39,7 @@ struct Island {
     bool uneven = false;         // a touch began between bodies of very different mass
     std::uint64_t split_at = 0;  // the step of the last attempt to split it
     double mass = 0;             // kg, of its bodies
-    double kept_load = 1;        // share of its mass that the user has left it since the last step
+    double remaining_load = 1;        // share of its mass that the user has left it since the last step
     IslandError error;
     // s, when asleep: of the step in which it fell asleep, whose impulses it keeps; as much longer
     // as its sub-steps were.
@@ -51,7 +51,7 @@ struct Island {
 struct IslandStore {
     IdPool ids;
     std::vector<Island> islands;
-    bool some_lost = true;  // some kept_load may be below 1; not saved
+    bool some_lost = true;  // some remaining_load may be below 1; not saved
 };
 
 }  // namespace jostle::physics

@@ -74,22 +74,22 @@ void swap_sets(WorldState& world, ColourSetKey from, ColourSetKey to, Moved&& mo
 
 }  // namespace
 
-std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island) {
+std::vector<std::uint32_t> coupled_islands(const WorldState& world, std::uint32_t island) {
     std::vector<bool> seen(world.islands.islands.size(), false);
-    std::vector<std::uint32_t> tied{island};
+    std::vector<std::uint32_t> coupled{island};
     seen[island] = true;
-    for (std::size_t k = 0; k < tied.size(); k++)
-        for_each_body(world, tied[k], [&](std::uint32_t body) {
+    for (std::size_t k = 0; k < coupled.size(); k++)
+        for_each_body(world, coupled[k], [&](std::uint32_t body) {
             for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
                 const Contact& c = world.contacts.contacts[index];
                 const std::uint32_t other =
                     world.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
                 if (other == none || seen[other]) return;
                 seen[other] = true;
-                tied.push_back(other);
+                coupled.push_back(other);
             });
         });
-    return tied;
+    return coupled;
 }
 
 CoupledIslands::CoupledIslands(const WorldState& world) : first_(world.islands.islands.size()) {
@@ -181,7 +181,7 @@ void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (controls_error(world.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
     for (const std::uint32_t island : {a, b})
         if (world.islands.islands[island].colour_set != to)
-            move_to_set(world, tied_islands(world, island), to);
+            move_to_set(world, coupled_islands(world, island), to);
 }
 
 }  // namespace jostle::physics

@@ -14,7 +14,7 @@ namespace jostle::physics {
 
 // The awake islands that manifolds tie to this one, itself the first: these share one store.
 // Manifolds may tie islands that do not touch yet.
-std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island);
+std::vector<std::uint32_t> coupled_islands(const WorldState& world, std::uint32_t island);
 
 // The same for all islands at once: of many islands that takes as long as of a few. True until a
 // manifold begins or ends; sets may change.

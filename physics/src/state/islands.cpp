@@ -14,7 +14,7 @@ std::uint32_t create_island(WorldState& world) {
     world.islands.islands[index] = Island{};
     if (controls_error(world.def)) {
         world.islands.islands[index].colour_set.batch = initial_substep_level;
-        world.islands.islands[index].error.wanted = initial_substep_level;
+        world.islands.islands[index].error.target_level = initial_substep_level;
     }
     return index;
 }
@@ -65,7 +65,7 @@ namespace {
 // What is not known of one is not known of both.
 IslandError joined(const IslandError& a, const IslandError& b) {
     return {.estimate = a.estimate == 0 || b.estimate == 0 ? 0 : maximum(a.estimate, b.estimate),
-            .wanted = std::max(a.wanted, b.wanted)};
+            .target_level = std::max(a.target_level, b.target_level)};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.uneven = into.uneven || from.uneven;
     into.split_at = std::max(into.split_at, from.split_at);
     into.mass += from.mass;
-    into.kept_load = minimum(into.kept_load, from.kept_load);
+    into.remaining_load = minimum(into.remaining_load, from.remaining_load);
     into.error = joined(into.error, from.error);
     from = Island{};
     world.islands.ids.give_back(b);

@@ -22,7 +22,7 @@ struct ListenerStore {
     };
     std::vector<Entry> order;                      // modules among them
     std::vector<std::unique_ptr<Module>> modules;  // in their order
-    StepHooks wanted;  // by any of them, but concurrent: by all who want sub-steps; derived
+    StepHooks active_hooks;  // by any of them, but concurrent: by all who want sub-steps; derived
     World* stepping = nullptr;  // set within World::step()
 
     bool empty() const { return order.empty(); }
@@ -38,17 +38,17 @@ struct ListenerStore {
     }
     void add(StepListener& listener) {
         order.push_back({&listener, listener.hooks()});
-        derive_wanted();
+        derive_active_hooks();
     }
     // What each wants of the step that begins.
     void refresh_hooks() {
         for (Entry& entry : order) entry.hooks = entry.listener->hooks();
-        derive_wanted();
+        derive_active_hooks();
     }
     void remove(const StepListener& listener) {
         ASSERT(contains(listener));
         std::erase_if(order, [&](const Entry& entry) { return entry.listener == &listener; });
-        derive_wanted();
+        derive_active_hooks();
     }
     void add(std::unique_ptr<Module> module) {
         add(static_cast<StepListener&>(*module));
@@ -76,14 +76,14 @@ struct ListenerStore {
     }
 
 private:
-    void derive_wanted() {
-        wanted = {};
+    void derive_active_hooks() {
+        active_hooks = {};
         for (const Entry& entry : order) {
             if (entry.hooks.substeps)
-                wanted.concurrent =
-                    entry.hooks.concurrent && (wanted.concurrent || !wanted.substeps);
-            wanted.substeps |= entry.hooks.substeps;
-            wanted.pre_solve |= entry.hooks.pre_solve;
+                active_hooks.concurrent =
+                    entry.hooks.concurrent && (active_hooks.concurrent || !active_hooks.substeps);
+            active_hooks.substeps |= entry.hooks.substeps;
+            active_hooks.pre_solve |= entry.hooks.pre_solve;
         }
     }
 };

@@ -376,10 +376,10 @@ Fault check_islands(const WorldState& world) {
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
         if (!(is_step_length(island.dt) || is_step_length(0.5 * island.dt)) ||
-            island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
+            island.remaining_load < 0 || island.remaining_load > 1 || island.calm > tuning::tier_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
-        if (island.error.estimate < 0 || island.error.wanted >= batch_count ||
+        if (island.error.estimate < 0 || island.error.target_level >= batch_count ||
             island.error.easy > tuning::substep_level_patience)
             return at("islands", i, "has an error, a rung or a patience out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))

@@ -58,7 +58,7 @@ Fault body_numbers(const BodyCold& b, std::size_t index) {
         return wrong(" has a damping out of range");
     if (!within(b.gravity_scale, -1e3, 1e3)) return wrong(" has a gravity scale out of range");
     if (b.locks >= 64) return wrong(" has locks beyond the six axes");
-    if (!check_mass(b.wanted_mass).ok()) return wrong(" has a wanted mass out of range");
+    if (!check_mass(b.mass_override).ok()) return wrong(" has a wanted mass out of range");
     if (b.type != BodyType::dynamic && (b.mass != 0 || b.inertia != diagonal({0, 0, 0})))
         return wrong(" has a mass but is not dynamic");
     if (!within(b.mass, 0, 1e25)) return wrong(" has a mass out of range");

@@ -74,7 +74,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
                  .linear_damping = def.linear_damping,
                  .angular_damping = def.angular_damping,
                  .gravity_scale = def.gravity_scale,
-                 .wanted_mass = def.mass,
+                 .mass_override = def.mass,
                  .user_data = def.user_data};
     world.bodies.motion[index] = {};
     BodyWarm warm{.body = index,
@@ -174,7 +174,7 @@ Result<BodyDef> World::definition(BodyId body) const {
                    .sleep_allowed = cold.sleep_allowed,
                    .locks = cold.locks,
                    .continuous = cold.continuous,
-                   .mass = cold.wanted_mass,
+                   .mass = cold.mass_override,
                    .user_data = cold.user_data};
 }
 

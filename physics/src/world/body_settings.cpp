@@ -99,7 +99,7 @@ Status World::set_mass(BodyId body, double mass) {
     wake_body(world, body.index);
     // Manifolds hold what both masses make of an impulse: they are built anew.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
-    world.bodies.cold[body.index].wanted_mass = mass;
+    world.bodies.cold[body.index].mass_override = mass;
     update_mass(world, body.index);
     after_move(world, body.index);
     return {};

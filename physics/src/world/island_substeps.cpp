@@ -18,7 +18,7 @@ IslandSubsteps describe_island(const WorldState& world, const Island& island) {
                         .substeps = substeps_of(set, world),
                         .error = island.error.estimate};
     result.target_substeps = controls_error(world.def)
-                                 ? substeps_of({set.tier, island.error.wanted}, world)
+                                 ? substeps_of({set.tier, island.error.target_level}, world)
                                  : result.substeps;
     return result;
 }

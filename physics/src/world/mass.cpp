@@ -45,7 +45,7 @@ void update_mass(WorldState& world, std::uint32_t body) {
         if (!shape.trigger)
             total = combined(total, moved(mass_of_shape(shape, world.def.planar), shape.pose));
     }
-    if (cold.wanted_mass > 0 && total.mass > 0) total = scaled_to(total, cold.wanted_mass);
+    if (cold.mass_override > 0 && total.mass > 0) total = scaled_to(total, cold.mass_override);
     const bool dynamic = cold.type == BodyType::dynamic && total.mass > 0;
     const Vec3 origin = warm.center - warm.axes * cold.local_center;
     const Vec3 old_center = warm.center;

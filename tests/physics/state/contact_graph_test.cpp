@@ -189,7 +189,7 @@ TEST(ContactGraph, an_island_notes_what_load_it_lost) {
     const std::uint32_t island = state.bodies.cold[lower.index].island;
     ASSERT_EQ(state.bodies.cold[upper.index].island, island);
     must(world.destroy_body(upper));
-    EXPECT_NEAR(state.islands.islands[island].kept_load, 0.25, 1e-12);
+    EXPECT_NEAR(state.islands.islands[island].remaining_load, 0.25, 1e-12);
     EXPECT_TRUE(state.islands.some_lost);
 }
 

@@ -62,9 +62,9 @@ struct StackAndNeighbour {
 TEST(IslandTiers, manifolds_tie_islands_that_do_not_touch) {
     const StackAndNeighbour near(0.01), far(1);
     ASSERT_NE(near.island, near.other);
-    EXPECT_EQ(tied_islands(near.state, near.island),
+    EXPECT_EQ(coupled_islands(near.state, near.island),
               (std::vector<std::uint32_t>{near.island, near.other}));
-    EXPECT_EQ(tied_islands(far.state, far.island), std::vector{far.island});
+    EXPECT_EQ(coupled_islands(far.state, far.island), std::vector{far.island});
 }
 
 // A row of stacks, some of which are near enough to the next for a manifold: looked for all at once
@@ -83,7 +83,7 @@ TEST(IslandTiers, ties_of_all_are_those_of_each) {
     std::set<std::size_t> sizes;
     for (std::uint32_t i = 0; i < state.islands.ids.size(); i++) {
         if (!state.islands.ids.alive(i)) continue;
-        std::vector<std::uint32_t> alone = tied_islands(state, i);
+        std::vector<std::uint32_t> alone = coupled_islands(state, i);
         std::sort(alone.begin(), alone.end());
         const auto group = all.group_of(i);
         EXPECT_EQ(std::vector(group.begin(), group.end()), alone) << "island " << i;

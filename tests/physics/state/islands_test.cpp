@@ -60,14 +60,14 @@ TEST(Islands, the_smaller_joins_the_larger_and_of_equals_the_higher_the_lower) {
 TEST(Islands, what_is_joined_has_the_marks_of_both) {
     Row row(2);
     row.island(0).split_at = 70;
-    row.island(0).kept_load = 0.5;
+    row.island(0).remaining_load = 0.5;
     row.island(1).may_be_split = row.island(1).uneven = true;
     row.island(1).split_at = 30;
     join_islands(row.state, 0, 1);
     EXPECT_TRUE(row.island(0).may_be_split);
     EXPECT_TRUE(row.island(0).uneven);
     EXPECT_EQ(row.island(0).split_at, 70u);
-    EXPECT_EQ(row.island(0).kept_load, 0.5);
+    EXPECT_EQ(row.island(0).remaining_load, 0.5);
 }
 
 TEST(Islands, a_body_leaves_from_anywhere_and_the_last_frees_the_island) {

@@ -70,7 +70,7 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
     } else {
         rows[0] = hanging(a, pulley->point_a, 1);
         rows[1] = hanging(b, pulley->point_b, pulley->ratio);
-        terms.wanted = pulley->length;
+        terms.target = pulley->length;
     }
     // A carrier that is the other end, or the other's carrier, takes part once.
     const std::uint32_t bodies[] = {joint.body_a, joint.body_b, carriers[0].body, carriers[1].body};
@@ -103,12 +103,12 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
     }
     if (pulley == nullptr) {
         const std::vector<double>& memory = joint.memory;
-        terms.wanted = memory[CoupleMemory::sum];
+        terms.target = memory[CoupleMemory::sum];
         // Made just now, or carried by another body since.
         if (memory[CoupleMemory::measured] == 0 ||
             memory[CoupleMemory::carrier_a] != static_cast<double>(carriers[0].body) ||
             memory[CoupleMemory::carrier_b] != static_cast<double>(carriers[1].body))
-            terms.wanted = terms.sum;
+            terms.target = terms.sum;
     }
     return terms;
 }
@@ -135,8 +135,8 @@ void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, cons
     }
     lane.put(to.rope, rope ? 1 : 0);
     lane.put(to.impulse, joint.motor);
-    to.sum[lane.at] = terms.wanted;
-    lane.put(to.error, terms.sum - terms.wanted);
+    to.sum[lane.at] = terms.target;
+    lane.put(to.error, terms.sum - terms.target);
 }
 
 void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane) {

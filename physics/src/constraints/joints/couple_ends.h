@@ -40,7 +40,7 @@ struct CoupleTerms {
     End ends[2];
     bool takes_part[4] = {};
     std::uint32_t body[4] = {};
-    double sum = 0, wanted = 0;  // of both ways, by their scales
+    double sum = 0, target = 0;  // of both ways, by their scales
 };
 CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                          const Carrier* carriers);

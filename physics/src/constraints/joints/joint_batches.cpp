@@ -146,13 +146,13 @@ void forget_patterns(JointBatches& batches) {
 std::int64_t most_work_of(const JointBatches::Size& group, const JointAsks& asks) {
     const JointSolver solver = solver_of(group.wishes, asks.of_world);
     if (solver == JointSolver::iterative) return 0;
-    const bool wanted = solver == JointSolver::direct;
+    const bool target = solver == JointSolver::direct;
     // A single point is solved exactly by the sweeps, too.
-    if (group.joints < 2 && !wanted) return 0;
-    if (is_net(group.joints, group.bodies) && !(wanted && group.joints <= tuning::most_net_joints))
+    if (group.joints < 2 && !target) return 0;
+    if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::most_net_joints))
         return 0;
     return most_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
-                     wanted ? asks.budget : 0);
+                     target ? asks.budget : 0);
 }
 
 // The one of that pattern with a free lane, or a new one.

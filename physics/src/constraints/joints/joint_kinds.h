@@ -73,16 +73,16 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
                                held(0, 1, own.xy), held(0, 2, own.xz), held(1, 2, own.yz)};
     const Wide3 want = pair.spin() * s.velocity_scale + axis * (scale * s.position_rate) +
                        (own * impulse) * s.impulse_scale;
-    Wide3 wanted = impulse - solve3(matrix, want);
-    const Wide size = root(dot(wanted, wanted)), most = load(t.drive_most);
+    Wide3 target = impulse - solve3(matrix, want);
+    const Wide size = root(dot(target, target)), most = load(t.drive_most);
     const WideMask strong = size > most;
-    wanted = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
-    const Wide3 change = wanted - impulse;
+    target = target * select(strong, most / select(strong, size, splat(1)), splat(1));
+    const Wide3 change = target - impulse;
     const Wide3 answer = -(back[0] * change.x + back[1] * change.y + back[2] * change.z);
     pair.apply_angular(change);
     pair.push(answer);
     point = point + answer;
-    impulse = wanted;
+    impulse = target;
     pair.keep(t.angular, impulse);
 }
 
@@ -328,9 +328,9 @@ struct JointKernel<VelocityRow> {
                                          VelocityRowWide& t, unsigned) {
         const Jacobian jacobian(pair, t);
         const Wide softness = load(t.softness), before = load(t.impulse);
-        const Wide wanted = kRelax ? load(t.speed) : load(t.speed) - load(t.bias);
+        const Wide target = kRelax ? load(t.speed) : load(t.speed) - load(t.bias);
         const Wide response = inverse_above(jacobian.effective(pair) + softness, splat(0));
-        const Wide error = jacobian.rate(pair) + softness * before - wanted;
+        const Wide error = jacobian.rate(pair) + softness * before - target;
         const Wide now = max(min(before - error * response, load(t.upper)), load(t.lower));
         jacobian.apply(pair, now - before);
         store(t.impulse, now);
@@ -359,12 +359,12 @@ struct JointKernel<GrabJoint> {
             pair.keep(t.angular, angular);
         }
         const Wide3 before = point;
-        Wide3 wanted = point;
+        Wide3 target = point;
         JointPair tried = pair;
-        hold_points(tried, spring_of<kRelax>(t.point_soft), wanted);
-        const Wide size = root(dot(wanted, wanted)), most = load(t.motor_most);
+        hold_points(tried, spring_of<kRelax>(t.point_soft), target);
+        const Wide size = root(dot(target, target)), most = load(t.motor_most);
         const WideMask strong = size > most;
-        point = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
+        point = target * select(strong, most / select(strong, size, splat(1)), splat(1));
         pair.push(point - before);
         pair.keep(block.point, point);
         return {point, angular};

@@ -269,7 +269,7 @@ struct JointRowWriter {
     // Gears, racks and pulleys.
     void couple() {
         const CoupleTerms terms = couple_terms(joint, a, b, carriers);
-        JointRow row{.role = RowRole::couple, .error = terms.sum - terms.wanted};
+        JointRow row{.role = RowRole::couple, .error = terms.sum - terms.target};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;
             JointRowJacobian& part = row.jacobians[row.jacobian_count++];

@@ -9,7 +9,7 @@
 namespace jostle::physics {
 
 inline bool has_pre_solve_listeners(const ListenerStore& listeners) {
-    return listeners.wanted.pre_solve;
+    return listeners.active_hooks.pre_solve;
 }
 
 // What is about to touch, by index of shape.

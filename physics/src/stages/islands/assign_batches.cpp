@@ -75,13 +75,13 @@ struct Group {
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& tied,
+std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& coupled,
                                const std::vector<std::uint32_t>& weights, SolverTier tier) {
     std::vector<Group> groups;
     std::vector<bool> seen(weights.size(), false);  // by first island of a group
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0 || world.islands.islands[i].colour_set.tier != tier) continue;
-        const std::span<const std::uint32_t> islands = tied.group_of(i);
+        const std::span<const std::uint32_t> islands = coupled.group_of(i);
         if (seen[islands.front()]) continue;
         seen[islands.front()] = true;
         Group& group = groups.emplace_back(Group{islands});
@@ -92,9 +92,9 @@ std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& ti
 
 // The heaviest stay where they are while there is space; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void assign(WorldState& world, const CoupledIslands& tied, const std::vector<std::uint32_t>& weights,
+void assign(WorldState& world, const CoupledIslands& coupled, const std::vector<std::uint32_t>& weights,
             SolverTier tier, const Work& work) {
-    std::vector<Group> groups = find_groups(world, tied, weights, tier);
+    std::vector<Group> groups = find_groups(world, coupled, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());
     for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
@@ -124,12 +124,12 @@ void assign_batches(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& weights = step.scratch.islands.weights;
     const std::array<Work, tier_count> works = weigh_islands(world.bodies, world.islands, weights);
-    std::optional<CoupledIslands> tied;
+    std::optional<CoupledIslands> coupled;
     for (const SolverTier tier : all_tiers) {
         const Work& work = works[index_of(tier)];
         if (!is_unequal(work)) continue;
-        if (!tied) tied.emplace(world);
-        assign(world, *tied, weights, tier, work);
+        if (!coupled) coupled.emplace(world);
+        assign(world, *coupled, weights, tier, work);
     }
 }
 

@@ -35,16 +35,16 @@ void choose_target_level(const WorldState& world, Island& island) {
     const std::uint8_t now = island.colour_set.batch;
     const double tolerance = world.def.tolerance;
     if (error.estimate > tolerance) {
-        error.wanted = std::min<std::uint8_t>(now + 1, finest);
+        error.target_level = std::min<std::uint8_t>(now + 1, finest);
         error.easy = 0;
         return;
     }
     const bool easy = now > 0 && error.estimate * growth(world, island, now - 1) <=
                                      tuning::substep_level_reserve * tolerance;
     error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
-    error.wanted = now;
+    error.target_level = now;
     if (error.easy < tuning::substep_level_patience) return;
-    error.wanted = now - 1;
+    error.target_level = now - 1;
     error.easy = 0;
 }
 
@@ -60,7 +60,7 @@ CoupledGroup measured(const WorldState& world, std::span<const std::uint32_t> is
     CoupledGroup group{.islands = islands};
     for (const std::uint32_t i : group.islands) {
         const Island& island = world.islands.islands[i];
-        group.substep_level = std::max(group.substep_level, island.error.wanted);
+        group.substep_level = std::max(group.substep_level, island.error.target_level);
         group.error = maximum(
             group.error, island.error.estimate > 0 ? island.error.estimate : world.def.tolerance);
         group.bodies += island.bodies;
@@ -83,13 +83,13 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<CoupledGroup> find_active_groups(const WorldState& world, const CoupledIslands& tied) {
+std::vector<CoupledGroup> find_active_groups(const WorldState& world, const CoupledIslands& coupled) {
     std::vector<CoupledGroup> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (!is_held(cold)) continue;
-        const std::span<const std::uint32_t> islands = tied.group_of(cold.island);
+        const std::span<const std::uint32_t> islands = coupled.group_of(cold.island);
         if (seen[islands.front()]) continue;
         seen[islands.front()] = true;
         groups.push_back(measured(world, islands));
@@ -133,15 +133,15 @@ void choose_substep_levels(StepContext& step) {
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
         if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
         choose_target_level(world, world.islands.islands[i]);
-        if (world.islands.islands[i].error.wanted != world.islands.islands[i].colour_set.batch)
+        if (world.islands.islands[i].error.target_level != world.islands.islands[i].colour_set.batch)
             asking.push_back(i);
     }
     if (world.def.substep_budget == 0 && !asking.empty()) {
-        const CoupledIslands tied(world);
-        for (const std::uint32_t i : asking) move(world, measured(world, tied.group_of(i)));
+        const CoupledIslands coupled(world);
+        for (const std::uint32_t i : asking) move(world, measured(world, coupled.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
-        const CoupledIslands tied(world);
-        std::vector<CoupledGroup> groups = find_active_groups(world, tied);
+        const CoupledIslands coupled(world);
+        std::vector<CoupledGroup> groups = find_active_groups(world, coupled);
         distribute_budget(world, groups);
         for (const CoupledGroup& group : groups) move(world, group);
     }

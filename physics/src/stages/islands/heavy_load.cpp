@@ -43,7 +43,7 @@ void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodie
         const std::uint32_t island = world.bodies.cold[body].island;
         const ColourSetKey set = world.islands.islands[island].colour_set;
         if (set.tier == SolverTier::heavy || !is_heavy_load(world, body, up)) continue;
-        move_to_set(world, tied_islands(world, island), {SolverTier::heavy, set.batch});
+        move_to_set(world, coupled_islands(world, island), {SolverTier::heavy, set.batch});
     }
 }
 

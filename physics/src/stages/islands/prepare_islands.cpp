@@ -95,10 +95,10 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
 // What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
 // else what most of its bodies do.
 SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
-                       std::span<const std::uint32_t> tied, Vec3 up) {
+                       std::span<const std::uint32_t> coupled, Vec3 up) {
     SolverTier most = SolverTier::flat, most_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
-    for (const std::uint32_t i : tied) {
+    for (const std::uint32_t i : coupled) {
         const SolverTier need = need_of(world, extents, i, up);
         most = std::max(most, need);
         if (need <= SolverTier::heap) most_low = std::max(most_low, need);
@@ -111,7 +111,7 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
 
 // Up at once; down when all that is tied to it has been content with less for a while.
 void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
-                 std::optional<CoupledIslands>& all_tied, std::uint32_t index, Vec3 up) {
+                 std::optional<CoupledIslands>& all_coupled, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const SolverTier need = need_of(world, extents, index, up);
     island.calm = need < island.colour_set.tier
@@ -119,26 +119,26 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
                       : 0;
     if (need == island.colour_set.tier || extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
-    if (!all_tied) all_tied.emplace(world);
-    const std::span<const std::uint32_t> tied = all_tied->group_of(index);
-    const SolverTier common = common_need(world, extents, tied, up);
+    if (!all_coupled) all_coupled.emplace(world);
+    const std::span<const std::uint32_t> coupled = all_coupled->group_of(index);
+    const SolverTier common = common_need(world, extents, coupled, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
     std::uint32_t calm = 0, all = 0;
-    for (const std::uint32_t i : tied) {
+    for (const std::uint32_t i : coupled) {
         const Island& other = world.islands.islands[i];
         all += other.bodies;
         if (other.calm >= tuning::tier_patience) calm += other.bodies;
     }
     if (common > island.colour_set.tier || 2 * calm > all)
-        move_to_set(world, tied, {common, island.colour_set.batch});
+        move_to_set(world, coupled, {common, island.colour_set.batch});
 }
 
 void choose_tiers(WorldState& world, IslandScratch& scratch) {
     const Vec3 up = -normalized(world.def.gravity);
     find_awake_islands(world, scratch.awake);
     measure_extents(world.bodies, world.islands, scratch, world.def.gravity);
-    std::optional<CoupledIslands> tied;  // when first needed: moves to other sets leave it true
-    for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, tied, i, up);
+    std::optional<CoupledIslands> coupled;  // when first needed: moves to other sets leave it true
+    for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, coupled, i, up);
 }
 
 // ---- loads that went ----
@@ -146,9 +146,9 @@ void choose_tiers(WorldState& world, IslandScratch& scratch) {
 void scale_lost_loads(WorldState& world) {
     world.islands.some_lost = false;
     for (Island& island : world.islands.islands) {
-        if (island.kept_load < tuning::noticed_load && !island.asleep)
-            scale_warm_start(world, island, static_cast<float>(island.kept_load));
-        island.kept_load = 1;
+        if (island.remaining_load < tuning::noticed_load && !island.asleep)
+            scale_warm_start(world, island, static_cast<float>(island.remaining_load));
+        island.remaining_load = 1;
     }
 }
 

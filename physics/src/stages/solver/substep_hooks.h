@@ -14,14 +14,14 @@
 namespace jostle::physics {
 
 inline bool has_substep_listeners(const ListenerStore& listeners) {
-    return listeners.wanted.substeps;
+    return listeners.active_hooks.substeps;
 }
 // Groups are then one a colour set, and chunks of free bodies.
 inline bool listens_at_once(const ListenerStore& listeners) {
-    return listeners.wanted.substeps && listeners.wanted.concurrent;
+    return listeners.active_hooks.substeps && listeners.active_hooks.concurrent;
 }
 inline bool listens_on_one_thread(const ListenerStore& listeners) {
-    return listeners.wanted.substeps && !listeners.wanted.concurrent;
+    return listeners.active_hooks.substeps && !listeners.active_hooks.concurrent;
 }
 
 // A sub-step of a group of bodies.

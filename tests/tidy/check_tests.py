@@ -160,7 +160,7 @@ COVERED_BY = {
         (["behaviour/stack_stays_test.cpp", "behaviour/sleeping_test.cpp"], "what rests comes back from the solver to the millimetre"),
     "stages/finalize/integrate_free.cpp":
         (["behaviour/free_fall_test.cpp"], "parabolas; the formula is constraints/free_motion's"),
-    "stages/islands/link_islands.cpp":
+    "stages/islands/merge_islands.cpp":
         (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
          "each touch begins and ends once; the stores agree after each step"),
     "stages/pairs/update_triggers.cpp":

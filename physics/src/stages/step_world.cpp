@@ -11,7 +11,7 @@
 #include "physics/src/stages/finalize/integrate_free.h"
 #include "physics/src/stages/finalize/quarantine.h"
 #include "physics/src/stages/update_step_budget.h"
-#include "physics/src/stages/islands/link_islands.h"
+#include "physics/src/stages/islands/merge_islands.h"
 #include "physics/src/stages/islands/prepare_islands.h"
 #include "physics/src/stages/pairs/update_pairs.h"
 #include "physics/src/stages/pairs/update_triggers.h"
@@ -109,7 +109,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<begin_contacts>(step, Stage::begin_contacts);             // new manifolds are to be solved
     run<prepare_islands>(step, Stage::prepare_islands);           // sub-steps by what an island is
     run<solve_constraints>(step, Stage::solve_constraints);       // sub-steps of all that touches
-    run<link_islands>(step, Stage::link_islands);                 // what hangs together
+    run<merge_islands>(step, Stage::merge_islands);                 // what hangs together
     run<integrate_free>(step, Stage::integrate_free);             // all that touches nothing
     run<finalize>(step, Stage::finalize);                         // poses, bounds, rest time
     run<solve_continuous>(step, Stage::solve_continuous);         // nothing passes through a wall

@@ -61,7 +61,7 @@ struct WorldState : WorldStores {
     WakeRequests wake_requests;
     std::uint64_t static_revision = 0;  // World::static_revision()
     StepProfile profile;
-    // Composite pairs of which a part began or ended to touch: link_islands reports them.
+    // Composite pairs of which a part began or ended to touch: merge_islands reports them.
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<TaskTeam> team;

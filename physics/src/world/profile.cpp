@@ -15,8 +15,8 @@ const char* stage_name(Stage stage) {
             return "begin_contacts";
         case Stage::prepare_islands:
             return "prepare_islands";
-        case Stage::link_islands:
-            return "link_islands";
+        case Stage::merge_islands:
+            return "merge_islands";
         case Stage::solve_constraints:
             return "solve_constraints";
         case Stage::integrate_free:

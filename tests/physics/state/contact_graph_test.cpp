@@ -164,7 +164,7 @@ TEST(ContactGraph, a_pair_ends_to_touch_once_when_its_last_part_does) {
     const std::uint32_t second = create_child_contact(scene.state, scene.pair, 2);
     begin_touch(scene.state, first);
     begin_touch(scene.state, second);
-    scene.state.contacts.contacts[scene.pair].touching = true;  // as link_islands reports it
+    scene.state.contacts.contacts[scene.pair].touching = true;  // as merge_islands reports it
     EXPECT_EQ(scene.contact(scene.pair).touching_children, 2u);
     std::vector<ContactEnd>& reported = scene.ended;
     end_touch(scene.state, first);

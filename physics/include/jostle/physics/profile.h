@@ -15,7 +15,7 @@ enum class Stage {
     wake_bodies,
     begin_contacts,
     prepare_islands,
-    link_islands,
+    merge_islands,
     solve_constraints,
     integrate_free,
     finalize,

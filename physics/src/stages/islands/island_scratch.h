@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What prepare_islands and link_islands use again from step to step. For the solver in it:
+// What prepare_islands and merge_islands use again from step to step. For the solver in it:
 // `unknown`.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/link_islands.h"
+#include "physics/src/stages/islands/merge_islands.h"
 
 #include <algorithm>
 
@@ -84,7 +84,7 @@ void report_composites(WorldState& world) {
 
 }  // namespace
 
-Skipped link_islands(StepContext& step) {
+Skipped merge_islands(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     std::vector<std::uint32_t>& changes = step.scratch.islands.touch_changes;

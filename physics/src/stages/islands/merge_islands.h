@@ -13,6 +13,6 @@
 
 namespace jostle::physics {
 
-Skipped link_islands(StepContext& step);
+Skipped merge_islands(StepContext& step);
 
 }  // namespace jostle::physics

@@ -10,7 +10,7 @@
 namespace jostle::physics {
 namespace {
 
-void link_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+void attach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
     Joint& j = store.joints[joint];
     j.prev[side] = none;
     j.next[side] = body.first_joint;
@@ -19,7 +19,7 @@ void link_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Body
     body.first_joint = joint * 2 + side;
 }
 
-void unlink_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+void detach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
     const std::uint32_t next = store.joints[joint].next[side],
                         prev = store.joints[joint].prev[side];
     if (next != none) store.joints[next / 2].prev[next % 2] = prev;
@@ -38,12 +38,12 @@ void forget_density(WorldState& world, std::uint32_t joint) {
             world.islands.islands[world.bodies.cold[body].island].too_dense_for = -1;
 }
 
-void link_joint(WorldState& world, std::uint32_t joint) {
+void attach_joint(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     ASSERT(j.body_a != j.body_b);
     ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
-    if (j.body_a != none) link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
-    link_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
+    if (j.body_a != none) attach_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
+    attach_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
     if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
         join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
     forget_density(world, joint);
@@ -54,8 +54,8 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
     ASSERT(world.joints.ids.alive(joint));
     forget_density(world, joint);
     const std::uint32_t a = j.body_a, b = j.body_b;
-    if (a != none) unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
-    unlink_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
+    if (a != none) detach_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
+    detach_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
     if (is_dynamic(world, a) && is_dynamic(world, b))
         world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
     const bool collided = j.collide_connected;

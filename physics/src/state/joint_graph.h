@@ -12,7 +12,7 @@
 namespace jostle::physics {
 
 // The joint's record is filled: puts it on its bodies' lists and joins their islands (both awake).
-void link_joint(WorldState& world, std::uint32_t joint);
+void attach_joint(WorldState& world, std::uint32_t joint);
 // The shapes of its bodies may meet from then on.
 void destroy_joint(WorldState& world, std::uint32_t joint);
 // The islands of a joint that has changed may be solved directly again (Island::too_dense_for).

@@ -96,7 +96,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.break_torque = def.break_torque;
     j.user_data = def.user_data;
     j.solver = def.solver;
-    link_joint(world, index);
+    attach_joint(world, index);
     return joint_id(world, index);
 }
 

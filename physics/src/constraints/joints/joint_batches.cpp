@@ -34,7 +34,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 }
 
 // The first joint of each group is its root; the others follow it in `next`, in order.
-void link_groups(JointBatches& batches, const JointLevels& levels,
+void merge_groups(JointBatches& batches, const JointLevels& levels,
                  std::span<const std::uint8_t> is_point, std::size_t bodies,
                  std::span<const JointWishes> wishes) {
     const std::size_t joints = levels.joints.size();
@@ -197,7 +197,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
     batches.found.assign(levels.joints.size(), 0);
     batches.used = 0;
     batches.count++;
-    link_groups(batches, levels, is_point, bodies, asks.wishes);
+    merge_groups(batches, levels, is_point, bodies, asks.wishes);
     batches.first.assign(bodies, -1);
     for (std::size_t root = 0; root < levels.joints.size(); root++) {
         if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root))

@@ -20,7 +20,7 @@ namespace jostle::physics {
 enum class SolverTier : std::uint8_t {
     flat,     // at most three layers, all slow
     low,      // what nothing is known of yet or moves: contacts learn the force of each point
-    heap,     // most of it lies still, on more ground than it is high: like low, but stiffer; with
+    pile,     // most of it lies still, on more ground than it is high: like low, but stiffer; with
               // sleep, more sub-steps
     slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it
               // sway
@@ -30,7 +30,7 @@ enum class SolverTier : std::uint8_t {
 };
 inline constexpr int tier_count = 6;
 inline constexpr std::array<SolverTier, tier_count> all_tiers = {
-    SolverTier::flat,    SolverTier::low,  SolverTier::heap,
+    SolverTier::flat,    SolverTier::low,  SolverTier::pile,
     SolverTier::slender, SolverTier::tall, SolverTier::heavy};
 inline constexpr std::size_t index_of(SolverTier tier) {
     return static_cast<std::size_t>(tier);
@@ -64,7 +64,7 @@ static_assert(index_of(asleep_set) == colour_set_count - 1);
 inline int substeps_of(SolverTier tier, const WorldDef& world) {
     ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
     constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
-    const int most = tier == SolverTier::heap && world.sleeping ? 3 : halves[index_of(tier)];
+    const int most = tier == SolverTier::pile && world.sleeping ? 3 : halves[index_of(tier)];
     return (world.substeps * most + 1) / 2;
 }
 

@@ -209,7 +209,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const double reach =
         minimum(tuning::match_distance * size_scale(size), tuning::match_fraction * size);
     const Loads loads =
-        redistribute_loads(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
+        redistribute_loads(old, m, center_a, reach, contact.colour_set.tier > SolverTier::pile);
     double friction_radius = 0;
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;

@@ -140,7 +140,7 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
     }
     const std::int32_t in_from = world.graph.sets[index_of(from)].contacts;
     const std::int32_t in_to = world.graph.sets[index_of(to)].contacts;
-    const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::heap};
+    const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::pile};
     const bool swap = contacts > in_from && 2 * in_to < in_from;
     if (swap) swap_sets(world, from, to, [&](const Contact& c) { rescale(world, c, by); });
     // What rests in place has a set of its own.

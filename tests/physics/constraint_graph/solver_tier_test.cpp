@@ -19,8 +19,8 @@ TEST(SolverTier, of_eight_substeps_takes_four_to_thirty_two) {
 }
 
 TEST(SolverTier, heaps_take_more_only_where_bodies_may_sleep) {
-    EXPECT_EQ(substeps_of(SolverTier::heap, {.substeps = 8, .sleeping = false}), 8);
-    EXPECT_EQ(substeps_of(SolverTier::heap, {.substeps = 5, .sleeping = true}), 8) << "rounded up";
+    EXPECT_EQ(substeps_of(SolverTier::pile, {.substeps = 8, .sleeping = false}), 8);
+    EXPECT_EQ(substeps_of(SolverTier::pile, {.substeps = 5, .sleeping = true}), 8) << "rounded up";
 }
 
 TEST(SolverTier, with_a_tolerance_a_rung_says_how_many_and_never_more_than_64) {
@@ -52,7 +52,7 @@ TEST(SolverTier, from_low_to_slender_neighbours_change_nothing) {
     std::set<SolverTier> usual;
     for (const SolverTier tier : all_tiers)
         if (is_usual(tier)) usual.insert(tier);
-    EXPECT_EQ(usual, (std::set{SolverTier::low, SolverTier::heap, SolverTier::slender}));
+    EXPECT_EQ(usual, (std::set{SolverTier::low, SolverTier::pile, SolverTier::slender}));
 }
 
 TEST(ColourSetKey, every_tier_and_batch_has_a_set_and_what_sleeps_the_last) {

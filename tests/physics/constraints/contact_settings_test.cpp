@@ -38,7 +38,7 @@ TEST(ContactSettings, stiffness_goes_with_the_rate_of_substeps) {
 TEST(ContactSettings, low_tiers_learn_each_point_and_tall_ones_their_mean) {
     for (const SolverTier tier : all_tiers) {
         const ContactSettings set = contact_settings(dt, substeps_of(tier, {}), tier);
-        EXPECT_EQ(set.per_point, tier <= SolverTier::heap ? 1 : 0);
+        EXPECT_EQ(set.per_point, tier <= SolverTier::pile ? 1 : 0);
         EXPECT_EQ(set.relax_sweeps, tier < SolverTier::tall ? 2 : 1);
     }
 }

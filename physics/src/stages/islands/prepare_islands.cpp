@@ -85,7 +85,7 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
         const auto bodies = static_cast<int>(island.bodies);
         if (layers_of(extent) <= tuning::flat_layers)
             return extent.bodies == bodies ? SolverTier::flat : SolverTier::low;
-        return 2 * extent.bodies > bodies ? SolverTier::heap : SolverTier::low;
+        return 2 * extent.bodies > bodies ? SolverTier::pile : SolverTier::low;
     }
     const double limit =
         island.colour_set.tier < SolverTier::tall ? tuning::tall_layers : tuning::tall_layers_end;
@@ -101,8 +101,8 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
     for (const std::uint32_t i : coupled) {
         const SolverTier need = need_of(world, extents, i, up);
         most = std::max(most, need);
-        if (need <= SolverTier::heap) most_low = std::max(most_low, need);
-        (need <= SolverTier::heap ? low : slender) += world.islands.islands[i].bodies;
+        if (need <= SolverTier::pile) most_low = std::max(most_low, need);
+        (need <= SolverTier::pile ? low : slender) += world.islands.islands[i].bodies;
         extents[i].tier_chosen = true;
     }
     if (most > SolverTier::slender) return most;

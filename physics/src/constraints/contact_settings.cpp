@@ -21,10 +21,10 @@ ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int s
     const bool low = tier <= SolverTier::pile;
     const double mean_impulse_time =
         low ? tuning::low_mean_impulse_time : tuning::mean_impulse_time;
-    const double stiffness = tier == SolverTier::pile ? tuning::heap_contact_stiffness
+    const double stiffness = tier == SolverTier::pile ? tuning::pile_contact_stiffness
                              : low                    ? tuning::low_contact_stiffness
                                                       : tuning::contact_stiffness;
-    const double damping = tier == SolverTier::pile      ? tuning::heap_contact_damping_ratio
+    const double damping = tier == SolverTier::pile      ? tuning::pile_contact_damping_ratio
                            : tier == SolverTier::slender ? tuning::slender_contact_damping_ratio
                                                          : tuning::contact_damping_ratio;
     const double h = dt / substeps, omega = 2 * pi * stiffness * stiff_as / dt;

@@ -84,8 +84,8 @@ inline constexpr double low_contact_stiffness = 0.36;
 // in a sub-step where these undo a sixth, 3 to 163 of 5000 poured bodies moved faster than 5 cm/s
 // at looks between ten and fifteen seconds, with these 1 to 11. A tower that is put up with these
 // bounces for longer.
-inline constexpr double heap_contact_stiffness = 0.5;
-inline constexpr double heap_contact_damping_ratio = 8;
+inline constexpr double pile_contact_stiffness = 0.5;
+inline constexpr double pile_contact_damping_ratio = 8;
 inline constexpr double contact_damping_ratio = 10;
 // At 10 a wall of 30 rows sways at up to 0.15 m/s for ten seconds, at 4 it is still after four. A
 // wall of 100 rows, on more sub-steps, creeps at 3 to 5: it leans 49 to 60 mm in half a minute

@@ -31,7 +31,7 @@ Status check_options(const ConstraintSystemOptions& options) {
 }
 
 // By joints and touching contacts, through what can be pushed. Rising by index.
-std::vector<std::uint32_t> hanging_together(const WorldState& world, std::uint32_t body) {
+std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t> found = {body};
     std::vector<bool> seen(world.bodies.cold.size());
     seen[body] = true;
@@ -298,7 +298,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const double h = options.h != 0 ? options.h : dt / settings.substeps;
     ConstraintSystemBuilder all{world, options, h};
     all.number_of.assign(world.bodies.cold.size(), -1);
-    const std::vector<std::uint32_t> bodies = hanging_together(world, body);
+    const std::vector<std::uint32_t> bodies = constrained_group(world, body);
     const auto too_many = [&] {
         return Error{ErrorCode::resource_exhausted,
                      "what hangs together with body {" + std::to_string(body) + ", " +

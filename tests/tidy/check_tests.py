@@ -184,7 +184,7 @@ COVERED_BY = {
         (["behaviour/jointed_contacts_test.cpp"], "its passes are those of any step in which jointed bodies touch"),
     "stages/solver/solve_joints.cpp":
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
-    "stages/solver/strike_jointed.cpp":
+    "stages/solver/apply_joint_impacts.cpp":
         (["behaviour/impacts_test.cpp"], "a cradle on threads at three rates: the last ball swings out, the others hang still"),
     "stages/solver/substep_hooks.cpp":
         (["behaviour/listeners_test.cpp"], "groups, order, pushes, springs of their own"),

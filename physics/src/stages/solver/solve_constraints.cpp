@@ -14,7 +14,7 @@
 #include "physics/src/stages/solver/joint_groups.h"
 #include "physics/src/stages/solver/solve_joint_batches.h"
 #include "physics/src/stages/solver/solve_joints.h"
-#include "physics/src/stages/solver/strike_jointed.h"
+#include "physics/src/stages/solver/apply_joint_impacts.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"
 
@@ -333,7 +333,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     const double h = step.dt / set.substeps;
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
-    if (!scratch.jointed.of(task.first, task.last).empty()) strike_jointed(step, contacts.runs);
+    if (!scratch.jointed.of(task.first, task.last).empty()) apply_joint_impacts(step, contacts.runs);
     const bool bounces = begin_restitution(contacts);
     const bool listened = has_substep_listeners(step.world.listeners);
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];

@@ -17,6 +17,6 @@
 namespace jostle::physics {
 
 // Reads: manifolds of a task, hot records as prepared. Writes: velocities of hot records.
-void strike_jointed(StepContext& step, std::span<const ColourRun> runs);
+void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs);
 
 }  // namespace jostle::physics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/strike_jointed.h"
+#include "physics/src/stages/solver/apply_joint_impacts.h"
 
 #include <algorithm>
 #include <tuple>
@@ -113,7 +113,7 @@ void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
 
 }  // namespace
 
-void strike_jointed(StepContext& step, std::span<const ColourRun> runs) {
+void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
     std::vector<Strike> pairs;
     for (const ColourRun& run : runs) {
         if (pair_kind_of(run.number) != PairKind::dynamic) continue;

@@ -16,7 +16,7 @@ namespace {
 // A push runs along a row of so many pairs in a step, and the rest of it in the next.
 constexpr int most_rounds = 64;
 
-struct Strike {
+struct JointImpact {
     const ContactConstraintWide* block;
     const ContactConstraintWideMeta* meta;
     int lane;
@@ -34,7 +34,7 @@ struct StrikePoints {
     double closing = 0;  // m/s: of the point that closes fastest
 };
 
-StrikePoints strike_points(const HotBodies& hot, const Strike& s, double dt) {
+StrikePoints strike_points(const HotBodies& hot, const JointImpact& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
@@ -80,7 +80,7 @@ void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
 }
 
 // Whether it was one.
-bool strike(HotBodies& hot, const Strike& s, double dt) {
+bool strike(HotBodies& hot, const JointImpact& s, double dt) {
     const StrikePoints meeting = strike_points(hot, s, dt);
     if (meeting.points.empty()) return false;
     HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
@@ -95,7 +95,7 @@ bool strike(HotBodies& hot, const Strike& s, double dt) {
 
 // Pairs that bounce, with a body on joints.
 void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
-                         std::vector<Strike>& found) {
+                         std::vector<JointImpact>& found) {
     const auto jointed = [&](std::uint32_t body) {
         return world.bodies.cold[body].first_joint != none;
     };
@@ -114,7 +114,7 @@ void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
 }  // namespace
 
 void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
-    std::vector<Strike> pairs;
+    std::vector<JointImpact> pairs;
     for (const ColourRun& run : runs) {
         if (pair_kind_of(run.number) != PairKind::dynamic) continue;
         find_bouncing_pairs(step.world, *run.colour, pairs);
@@ -122,21 +122,21 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
     }
     if (pairs.empty()) return;
     HotBodies& hot = step.scratch.solver.hot;
-    std::vector<Strike> closing;
+    std::vector<JointImpact> closing;
     for (int round = 0; round < most_rounds; round++) {
         closing.clear();
-        for (Strike& s : pairs) {
+        for (JointImpact& s : pairs) {
             s.closing = strike_points(hot, s, step.dt).closing;
             if (s.closing > 0) closing.push_back(s);
         }
         // By contact where equally fast, not by place: which islands a task holds depends on the
         // threads.
-        std::sort(closing.begin(), closing.end(), [](const Strike& x, const Strike& y) {
+        std::sort(closing.begin(), closing.end(), [](const JointImpact& x, const JointImpact& y) {
             return std::tuple(-x.closing, x.meta->contact[x.lane]) <
                    std::tuple(-y.closing, y.meta->contact[y.lane]);
         });
         bool any = false;
-        for (const Strike& s : closing) any |= strike(hot, s, step.dt);
+        for (const JointImpact& s : closing) any |= strike(hot, s, step.dt);
         if (!any) return;
     }
 }

@@ -28,20 +28,20 @@ Vec3 hot_velocity_at(const HotBody& body, Vec3 arm) {
 }
 
 // A manifold in which two meet within the step: its points at that moment, from the centre of a.
-struct StrikePoints {
+struct JointImpactPoints {
     Vec3 center_b;  // from the centre of a
     std::vector<ImpactPoint> points;
     double closing = 0;  // m/s: of the point that closes fastest
 };
 
-StrikePoints strike_points(const HotBodies& hot, const JointImpact& s, double dt) {
+JointImpactPoints strike_points(const HotBodies& hot, const JointImpact& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
                   &b = hot[static_cast<std::size_t>(block.b[k])];
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
-    StrikePoints meeting;
+    JointImpactPoints meeting;
     double first = dt;  // s until then
     for (int i = 0; i < 4; i++) {
         const double gap{block.gap[i][k]};
@@ -81,7 +81,7 @@ void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
 
 // Whether it was one.
 bool strike(HotBodies& hot, const JointImpact& s, double dt) {
-    const StrikePoints meeting = strike_points(hot, s, dt);
+    const JointImpactPoints meeting = strike_points(hot, s, dt);
     if (meeting.points.empty()) return false;
     HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
             &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];

@@ -34,14 +34,14 @@ struct JointImpactPoints {
     double closing = 0;  // m/s: of the point that closes fastest
 };
 
-JointImpactPoints strike_points(const HotBodies& hot, const JointImpact& s, double dt) {
+JointImpactPoints joint_impact_points(const HotBodies& hot, const JointImpact& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
                   &b = hot[static_cast<std::size_t>(block.b[k])];
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
-    JointImpactPoints meeting;
+    JointImpactPoints impact;
     double first = dt;  // s until then
     for (int i = 0; i < 4; i++) {
         const double gap{block.gap[i][k]};
@@ -50,16 +50,16 @@ JointImpactPoints strike_points(const HotBodies& hot, const JointImpact& s, doub
         const double closing =
             -dot(n, hot_velocity_at(b, arm_b + in_plane) - hot_velocity_at(a, arm_a + in_plane));
         if (closing <= tuning::restitution_speed || gap > closing * dt) continue;
-        meeting.closing = maximum(meeting.closing, closing);
-        meeting.points.push_back({in_plane, n});
+        impact.closing = maximum(impact.closing, closing);
+        impact.points.push_back({in_plane, n});
         first = minimum(first, maximum(gap, 0) / closing);
     }
     // The arms follow, as in the solver (PairBodies::follow).
     const Vec3 apart = (hot_velocity_at(b, arm_b) - hot_velocity_at(a, arm_a)) * first;
     const Vec3 meets_a = arm_a + apart * double{block.anchor_blend[k]};
-    for (ImpactPoint& p : meeting.points) p.position += meets_a;
-    meeting.center_b = arm_a - arm_b + apart;
-    return meeting;
+    for (ImpactPoint& p : impact.points) p.position += meets_a;
+    impact.center_b = arm_a - arm_b + apart;
+    return impact;
 }
 
 ImpactBody hot_impact_body(const HotBody& hot, Vec3 center) {
@@ -80,13 +80,13 @@ void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
 }
 
 // Whether it was one.
-bool strike(HotBodies& hot, const JointImpact& s, double dt) {
-    const JointImpactPoints meeting = strike_points(hot, s, dt);
-    if (meeting.points.empty()) return false;
+bool resolve_joint_impact(HotBodies& hot, const JointImpact& s, double dt) {
+    const JointImpactPoints impact = joint_impact_points(hot, s, dt);
+    if (impact.points.empty()) return false;
     HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
             &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
-    ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, meeting.center_b);
-    resolve_impact(a, b, meeting.points, double{s.meta->restitution[s.lane]},
+    ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, impact.center_b);
+    resolve_impact(a, b, impact.points, double{s.meta->restitution[s.lane]},
                    double{s.block->mu[s.lane]});
     set_hot_velocity(hot_a, a);
     set_hot_velocity(hot_b, b);
@@ -126,7 +126,7 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
     for (int round = 0; round < most_rounds; round++) {
         closing.clear();
         for (JointImpact& s : pairs) {
-            s.closing = strike_points(hot, s, step.dt).closing;
+            s.closing = joint_impact_points(hot, s, step.dt).closing;
             if (s.closing > 0) closing.push_back(s);
         }
         // By contact where equally fast, not by place: which islands a task holds depends on the
@@ -136,7 +136,7 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
                    std::tuple(-y.closing, y.meta->contact[y.lane]);
         });
         bool any = false;
-        for (const JointImpact& s : closing) any |= strike(hot, s, step.dt);
+        for (const JointImpact& s : closing) any |= resolve_joint_impact(hot, s, step.dt);
         if (!any) return;
     }
 }

@@ -10,7 +10,7 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/group_fields.h"
-#include "physics/src/stages/solver/kept_impulses.h"
+#include "physics/src/stages/solver/warm_start_cache.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/joint_graph.h"

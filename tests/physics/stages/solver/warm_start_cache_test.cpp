@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/kept_impulses.h"
+#include "physics/src/stages/solver/warm_start_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -104,7 +104,7 @@ void set_up(DirectJoint& joint, const JointKind& kind, const DirectEnd& a, const
 
 // What a world keeps of a joint from step to step: impulses of a sub-step of h on b. Of a distance
 // only what acts along it. After write_vectors().
-struct KeptImpulses {
+struct WarmStartCache {
     Vec3 point, angular;  // world
     Vec3 turns;           // of what keeps them by gimbal row: first, middle, last
     struct Way {
@@ -113,8 +113,8 @@ struct KeptImpulses {
     std::array<Way, 6> ways{};  // by slot
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
-                 const KeptImpulses& kept, double h);
-KeptImpulses keep_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
+                 const WarmStartCache& kept, double h);
+WarmStartCache keep_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                          double h);
 
 }  // namespace jostle::physics

@@ -17,7 +17,7 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_way(DirectWay& way, double& force, const KeptImpulses::Way& kept, double h) {
+void load_way(DirectWay& way, double& force, const WarmStartCache::Way& kept, double h) {
     if (way.has_limit()) way.at_limit = kept.lower > 0 ? 1 : (kept.upper > 0 ? -1 : 0);
     load_grip(way, (kept.motor + kept.friction) / h);
     if (way.at_limit != 0) {
@@ -28,8 +28,8 @@ void load_way(DirectWay& way, double& force, const KeptImpulses::Way& kept, doub
     }
 }
 
-KeptImpulses::Way keep_way(const DirectWay& way, double force, double h) {
-    KeptImpulses::Way kept;
+WarmStartCache::Way keep_way(const DirectWay& way, double force, double h) {
+    WarmStartCache::Way kept;
     if (way.at_limit > 0) kept.lower = maximum(2 * h * force, 1e-300);
     if (way.at_limit < 0) kept.upper = maximum(-2 * h * force, 1e-300);
     const bool held = way.at_limit == 0 && way.is_held();
@@ -43,7 +43,7 @@ KeptImpulses::Way keep_way(const DirectWay& way, double force, double h) {
 }  // namespace
 
 // Forces are halves, of the two halves of a step.
-void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const KeptImpulses& kept,
+void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const WarmStartCache& kept,
                  double h) {
     const double half = 0.5 / h;
     if (j.is_ball())
@@ -69,9 +69,9 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     }
 }
 
-KeptImpulses keep_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
+WarmStartCache keep_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
     const double both = 2 * h;
-    KeptImpulses kept;
+    WarmStartCache kept;
     if (j.is_ball())
         kept.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;
     else if (j.kind == DirectJoint::Points::rod)

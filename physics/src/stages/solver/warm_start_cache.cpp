@@ -18,8 +18,8 @@ bool has_axes(const JointKind& kind) {
 
 }  // namespace
 
-KeptImpulses read_kept(const Joint& from, Quat carried) {
-    KeptImpulses kept{.point = rotate(carried, from.point)};
+WarmStartCache read_kept(const Joint& from, Quat carried) {
+    WarmStartCache kept{.point = rotate(carried, from.point)};
     if (has_axes(from.kind)) {
         kept.turns = from.angular;
         const std::size_t count = from.memory.size() / AxisImpulses::count;
@@ -37,13 +37,13 @@ KeptImpulses read_kept(const Joint& from, Quat carried) {
     return kept;
 }
 
-void write_kept(Joint& to, Quat carried, const KeptImpulses& kept) {
+void write_kept(Joint& to, Quat carried, const WarmStartCache& kept) {
     to.point = inverse_rotate(carried, kept.point);
     if (has_axes(to.kind)) {
         to.angular = kept.turns;
         const std::size_t count = to.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
-            const KeptImpulses::Way& way = kept.ways[k];
+            const WarmStartCache::Way& way = kept.ways[k];
             double* const at = &to.memory[k * AxisImpulses::count];
             at[AxisImpulses::lower] = way.lower;
             at[AxisImpulses::upper] = way.upper;

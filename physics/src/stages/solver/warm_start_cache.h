@@ -10,7 +10,7 @@
 namespace jostle::physics {
 
 // `carried`: the rotation of the body with which impulses turn.
-KeptImpulses read_kept(const Joint& from, Quat carried);
-void write_kept(Joint& to, Quat carried, const KeptImpulses& kept);
+WarmStartCache read_kept(const Joint& from, Quat carried);
+void write_kept(Joint& to, Quat carried, const WarmStartCache& kept);
 
 }  // namespace jostle::physics

@@ -10,7 +10,7 @@ namespace {
 using namespace physics;
 
 // Each kind's own fields come back, whichever way they are kept.
-TEST(KeptImpulses, come_back_as_they_were) {
+TEST(WarmStartCache, come_back_as_they_were) {
     const Quat carried = normalized(Quat{0.3, -0.2, 0.5, 0.7});
     for_each_joint_kind([&](const auto& kind) {
         Joint joint;
@@ -22,7 +22,7 @@ TEST(KeptImpulses, come_back_as_they_were) {
         joint.lower = 1, joint.upper = 2, joint.spring = 3, joint.motor = 4, joint.swing = 5;
         for (std::size_t k = 0; k < joint.memory.size(); k++)
             joint.memory[k] = static_cast<double>(k) + 1;
-        const KeptImpulses kept = read_kept(joint, carried);
+        const WarmStartCache kept = read_kept(joint, carried);
         Joint after = joint;
         after.point = after.angular = {};
         after.lower = after.upper = after.spring = after.motor = after.swing = 0;

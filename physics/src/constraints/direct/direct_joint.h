@@ -113,7 +113,7 @@ struct WarmStartCache {
     std::array<Way, 6> ways{};  // by slot
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
-                 const WarmStartCache& kept, double h);
+                 const WarmStartCache& cache, double h);
 WarmStartCache keep_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                          double h);
 

@@ -17,45 +17,45 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_way(DirectWay& way, double& force, const WarmStartCache::Way& kept, double h) {
-    if (way.has_limit()) way.at_limit = kept.lower > 0 ? 1 : (kept.upper > 0 ? -1 : 0);
-    load_grip(way, (kept.motor + kept.friction) / h);
+void load_way(DirectWay& way, double& force, const WarmStartCache::Way& cache, double h) {
+    if (way.has_limit()) way.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
+    load_grip(way, (cache.motor + cache.friction) / h);
     if (way.at_limit != 0) {
         if (way.is_held()) way.grip = DirectWay::at_rest;
-        force = (kept.lower - kept.upper) * (0.5 / h);
+        force = (cache.lower - cache.upper) * (0.5 / h);
     } else if (way.is_held()) {
-        force = (kept.motor + kept.friction) * (0.5 / h);
+        force = (cache.motor + cache.friction) * (0.5 / h);
     }
 }
 
 WarmStartCache::Way keep_way(const DirectWay& way, double force, double h) {
-    WarmStartCache::Way kept;
-    if (way.at_limit > 0) kept.lower = maximum(2 * h * force, 1e-300);
-    if (way.at_limit < 0) kept.upper = maximum(-2 * h * force, 1e-300);
+    WarmStartCache::Way cache;
+    if (way.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
+    if (way.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
     const bool held = way.at_limit == 0 && way.is_held();
     const double gripped = h * (held ? 2 * force : way.push());
-    kept.friction = maximum(-way.rubs * h, minimum(gripped, way.rubs * h));
-    kept.motor = gripped - kept.friction;
-    if (way.rate > 0) kept.spring = -h * way.stiffness * stretch_of(way, way.value);
-    return kept;
+    cache.friction = maximum(-way.rubs * h, minimum(gripped, way.rubs * h));
+    cache.motor = gripped - cache.friction;
+    if (way.rate > 0) cache.spring = -h * way.stiffness * stretch_of(way, way.value);
+    return cache;
 }
 
 }  // namespace
 
 // Forces are halves, of the two halves of a step.
-void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const WarmStartCache& kept,
+void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const WarmStartCache& cache,
                  double h) {
     const double half = 0.5 / h;
     if (j.is_ball())
-        for (int k = 0; k < 3; k++) j.force[k] = kept.point[k] * half;
+        for (int k = 0; k < 3; k++) j.force[k] = cache.point[k] * half;
     else if (j.kind == DirectJoint::Points::rod)
-        j.force[0] = kept.ways[0].spring * half;
+        j.force[0] = cache.ways[0].spring * half;
     else
-        for (int k = 0; k < j.points; k++) j.force[k] = dot(j.linear[k], kept.point) * half;
-    Vec3 angular = kept.angular;
+        for (int k = 0; k < j.points; k++) j.force[k] = dot(j.linear[k], cache.point) * half;
+    Vec3 angular = cache.angular;
     if (j.gimbal && j.turns > 0) {
         const LockedRows rows = locked_rows(j, a, b);
-        angular = rows.first * kept.turns.x + rows.middle * kept.turns.y + rows.last * kept.turns.z;
+        angular = rows.first * cache.turns.x + rows.middle * cache.turns.y + rows.last * cache.turns.z;
     }
     // The rows of the turns are perpendicular where joints hold.
     for (int k = j.points; k < j.first_way(); k++) {
@@ -64,32 +64,32 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     }
     int row = j.first_way();
     for (DirectWay& way : j.ways) {
-        load_way(way, j.force[row], kept.ways[static_cast<std::size_t>(way.slot)], h);
+        load_way(way, j.force[row], cache.ways[static_cast<std::size_t>(way.slot)], h);
         row++;
     }
 }
 
 WarmStartCache keep_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
     const double both = 2 * h;
-    WarmStartCache kept;
+    WarmStartCache cache;
     if (j.is_ball())
-        kept.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;
+        cache.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;
     else if (j.kind == DirectJoint::Points::rod)
-        kept.ways[0].spring = j.force[0] * both;
+        cache.ways[0].spring = j.force[0] * both;
     else
-        for (int k = 0; k < j.points; k++) kept.point += j.linear[k] * (j.force[k] * both);
+        for (int k = 0; k < j.points; k++) cache.point += j.linear[k] * (j.force[k] * both);
     for (int k = j.points; k < j.first_way(); k++)
-        kept.angular += j.angular_b[k] * (j.force[k] * both);
+        cache.angular += j.angular_b[k] * (j.force[k] * both);
     if (j.gimbal && j.turns > 0) {
         const LockedRows rows = locked_rows(j, a, b);
-        kept.turns = {dot(rows.first, kept.angular), dot(rows.middle, kept.angular),
-                      dot(rows.last, kept.angular)};
-        kept.angular = {};
+        cache.turns = {dot(rows.first, cache.angular), dot(rows.middle, cache.angular),
+                      dot(rows.last, cache.angular)};
+        cache.angular = {};
     }
     int row = j.first_way();
     for (const DirectWay& way : j.ways)
-        kept.ways[static_cast<std::size_t>(way.slot)] = keep_way(way, j.force[row++], h);
-    return kept;
+        cache.ways[static_cast<std::size_t>(way.slot)] = keep_way(way, j.force[row++], h);
+    return cache;
 }
 
 }  // namespace jostle::physics

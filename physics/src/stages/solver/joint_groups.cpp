@@ -226,7 +226,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
            end_of(world, group, b, from.frame_b));
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
     write_vectors(joint, body_a, body_b);
-    load_forces(joint, body_a, body_b, read_kept(from, carried_by(group, joint, from.kind)), h);
+    load_forces(joint, body_a, body_b, read_warm_start(from, carried_by(group, joint, from.kind)), h);
 }
 
 // False if it is too dense to be solved directly.
@@ -267,7 +267,7 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     const DirectBody& b = group.solver.bodies[static_cast<std::size_t>(joint.b)];
     const DirectBody& a = group.solver.bodies[static_cast<std::size_t>(joint.a)];
     write_vectors(joint, a, b);
-    write_kept(to, carried_by(group, joint, to.kind), keep_forces(joint, a, b, h));
+    write_warm_start(to, carried_by(group, joint, to.kind), keep_forces(joint, a, b, h));
     to.force = joint.force_sum * (1 / step.dt);
     to.torque = joint.torque_sum * (1 / step.dt);
 }

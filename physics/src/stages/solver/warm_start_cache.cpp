@@ -18,32 +18,32 @@ bool has_axes(const JointKind& kind) {
 
 }  // namespace
 
-WarmStartCache read_kept(const Joint& from, Quat carried) {
-    WarmStartCache kept{.point = rotate(carried, from.point)};
+WarmStartCache read_warm_start(const Joint& from, Quat carried) {
+    WarmStartCache cache{.point = rotate(carried, from.point)};
     if (has_axes(from.kind)) {
-        kept.turns = from.angular;
+        cache.turns = from.angular;
         const std::size_t count = from.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
             const double* const at = &from.memory[k * AxisImpulses::count];
-            kept.ways[k] = {at[AxisImpulses::lower], at[AxisImpulses::upper],
+            cache.ways[k] = {at[AxisImpulses::lower], at[AxisImpulses::upper],
                             at[AxisImpulses::spring_impulse], at[AxisImpulses::motor],
                             at[AxisImpulses::friction]};
         }
-        return kept;
+        return cache;
     }
-    kept.angular = rotate(carried, from.angular);
-    kept.ways[0] = {from.lower, from.upper, from.spring, from.motor, 0};
-    kept.ways[1].upper = from.swing;
-    return kept;
+    cache.angular = rotate(carried, from.angular);
+    cache.ways[0] = {from.lower, from.upper, from.spring, from.motor, 0};
+    cache.ways[1].upper = from.swing;
+    return cache;
 }
 
-void write_kept(Joint& to, Quat carried, const WarmStartCache& kept) {
-    to.point = inverse_rotate(carried, kept.point);
+void write_warm_start(Joint& to, Quat carried, const WarmStartCache& cache) {
+    to.point = inverse_rotate(carried, cache.point);
     if (has_axes(to.kind)) {
-        to.angular = kept.turns;
+        to.angular = cache.turns;
         const std::size_t count = to.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
-            const WarmStartCache::Way& way = kept.ways[k];
+            const WarmStartCache::Way& way = cache.ways[k];
             double* const at = &to.memory[k * AxisImpulses::count];
             at[AxisImpulses::lower] = way.lower;
             at[AxisImpulses::upper] = way.upper;
@@ -53,12 +53,12 @@ void write_kept(Joint& to, Quat carried, const WarmStartCache& kept) {
         }
         return;
     }
-    to.angular = inverse_rotate(carried, kept.angular);
-    to.lower = kept.ways[0].lower;
-    to.upper = kept.ways[0].upper;
-    to.spring = kept.ways[0].spring;
-    to.motor = kept.ways[0].motor;
-    to.swing = kept.ways[1].upper;
+    to.angular = inverse_rotate(carried, cache.angular);
+    to.lower = cache.ways[0].lower;
+    to.upper = cache.ways[0].upper;
+    to.spring = cache.ways[0].spring;
+    to.motor = cache.ways[0].motor;
+    to.swing = cache.ways[1].upper;
     to.friction = {};
 }
 

@@ -10,7 +10,7 @@
 namespace jostle::physics {
 
 // `carried`: the rotation of the body with which impulses turn.
-WarmStartCache read_kept(const Joint& from, Quat carried);
-void write_kept(Joint& to, Quat carried, const WarmStartCache& kept);
+WarmStartCache read_warm_start(const Joint& from, Quat carried);
+void write_warm_start(Joint& to, Quat carried, const WarmStartCache& cache);
 
 }  // namespace jostle::physics

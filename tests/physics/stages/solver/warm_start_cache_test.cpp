@@ -22,12 +22,12 @@ TEST(WarmStartCache, come_back_as_they_were) {
         joint.lower = 1, joint.upper = 2, joint.spring = 3, joint.motor = 4, joint.swing = 5;
         for (std::size_t k = 0; k < joint.memory.size(); k++)
             joint.memory[k] = static_cast<double>(k) + 1;
-        const WarmStartCache kept = read_kept(joint, carried);
+        const WarmStartCache kept = read_warm_start(joint, carried);
         Joint after = joint;
         after.point = after.angular = {};
         after.lower = after.upper = after.spring = after.motor = after.swing = 0;
         after.memory.assign(joint.memory.size(), 0);
-        write_kept(after, carried, kept);
+        write_warm_start(after, carried, kept);
         const char* const name = kind_name(joint.kind);
         EXPECT_LT(length(after.point - joint.point), 1e-12) << name;
         EXPECT_LT(length(after.angular - joint.angular), 1e-12) << name;

@@ -56,7 +56,7 @@ COVERED_BY = {
     "constraints/direct/direct_bounds.cpp":
         (["physics/constraints/direct/direct_way_test.cpp"], "limits, motors, friction and springs against closed forms"),
     "constraints/direct/direct_kinds.cpp":
-        (["physics/constraints/direct/direct_way_test.cpp", "physics/constraints/direct/direct_memory_test.cpp"],
+        (["physics/constraints/direct/direct_way_test.cpp", "physics/constraints/direct/direct_warm_start_test.cpp"],
          "sliders, a cardan joint, ropes and shoulders move as they should; the rows of each mix of axes"),
     "constraints/direct/direct_pattern.cpp":
         (["physics/constraints/direct/direct_group_test.cpp", "physics/constraints/direct/direct_way_test.cpp"],

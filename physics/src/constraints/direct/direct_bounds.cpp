@@ -112,7 +112,7 @@ void DirectGroup::set_bounds(double h) {
 // A limit does not pull, and what holds at a speed gives no more than its most. `value`: forces or
 // impulses, of which a unit force makes `scale`. What is no longer held pushes for `time`. True if
 // something changed: then solve again.
-bool DirectGroup::keep_bounds(DirectJoint& joint, const double* value, double scale, double time,
+bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
                               bool at_velocities) {
     bool changed = false;
     for (int row = joint.first_way(); row < joint.rows(); row++) {

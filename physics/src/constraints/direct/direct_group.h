@@ -104,8 +104,8 @@ private:
     bool set_targets(double h);  // true if something is left for later steps
     void commit();
     // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
-    // over h are kept as the joints' forces if `keep_forces`.
-    void project_velocities(double h, double bias, bool keep_forces = true);
+    // over h are kept as the joints' forces if `save_forces`.
+    void project_velocities(double h, double bias, bool save_forces = true);
 
     // ---- direct_bounds.cpp ----
     void give(DirectJoint& joint, const DirectWay& way, double impulse);
@@ -114,7 +114,7 @@ private:
     void soften_springs(double h);
     void set_row(DirectJoint& joint, int row);
     void set_bounds(double h);
-    bool keep_bounds(DirectJoint& joint, const double* value, double scale, double time,
+    bool enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
                      bool at_velocities = false);
     bool reach_limits(double h, double time);
     bool is_on_limit() const;

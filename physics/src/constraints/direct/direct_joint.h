@@ -114,7 +114,7 @@ struct WarmStartCache {
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h);
-WarmStartCache keep_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
+WarmStartCache save_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                          double h);
 
 }  // namespace jostle::physics

@@ -167,7 +167,7 @@ void rate(const DirectJoint& joint, Vec3 va, Vec3 wa, Vec3 vb, Vec3 wb, double* 
 
 }  // namespace
 
-void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
+void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
     for (int round = 0;; round++) {
         factor_here();
         for (DirectBody& body : bodies) {
@@ -191,14 +191,14 @@ void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];
             const double* const impulse = right_side_.data() + matrix_.row_of(static_cast<int>(k));
-            if (!keep_forces) continue;
+            if (!save_forces) continue;
             for (int r = 0; r < joint.rows(); r++)
                 if (!joint.off[as_index(r)]) joint.force[r] = impulse[r] / h;
             for (std::size_t w = 0; w < joint.ways.size(); w++)
                 if (joint.ways[w].at_limit == 0 && !joint.ways[w].is_held())
                     joint.force[as_index(joint.first_way()) + w] = 0;
             if (smooth_ || round >= bound_rounds) continue;
-            if (keep_bounds(joint, joint.force, 0.5, 0.5 * h, true)) changed = true;
+            if (enforce_bounds(joint, joint.force, 0.5, 0.5 * h, true)) changed = true;
         }
         if (!changed) break;
     }

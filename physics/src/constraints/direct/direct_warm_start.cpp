@@ -17,7 +17,7 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_way(DirectWay& way, double& force, const WarmStartCache::Way& cache, double h) {
+void load_free_axis(DirectWay& way, double& force, const WarmStartCache::Way& cache, double h) {
     if (way.has_limit()) way.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
     load_grip(way, (cache.motor + cache.friction) / h);
     if (way.at_limit != 0) {
@@ -28,7 +28,7 @@ void load_way(DirectWay& way, double& force, const WarmStartCache::Way& cache, d
     }
 }
 
-WarmStartCache::Way keep_way(const DirectWay& way, double force, double h) {
+WarmStartCache::Way save_free_axis(const DirectWay& way, double force, double h) {
     WarmStartCache::Way cache;
     if (way.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
     if (way.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
@@ -64,12 +64,12 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     }
     int row = j.first_way();
     for (DirectWay& way : j.ways) {
-        load_way(way, j.force[row], cache.ways[static_cast<std::size_t>(way.slot)], h);
+        load_free_axis(way, j.force[row], cache.ways[static_cast<std::size_t>(way.slot)], h);
         row++;
     }
 }
 
-WarmStartCache keep_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
+WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
     const double both = 2 * h;
     WarmStartCache cache;
     if (j.is_ball())
@@ -88,7 +88,7 @@ WarmStartCache keep_forces(const DirectJoint& j, const DirectBody& a, const Dire
     }
     int row = j.first_way();
     for (const DirectWay& way : j.ways)
-        cache.ways[static_cast<std::size_t>(way.slot)] = keep_way(way, j.force[row++], h);
+        cache.ways[static_cast<std::size_t>(way.slot)] = save_free_axis(way, j.force[row++], h);
     return cache;
 }
 

@@ -275,7 +275,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
         if (smooth_ || round == bound_rounds) break;
         bool changed = reach_limits(h, 0);
         for (DirectJoint& joint : joints)
-            if (keep_bounds(joint, joint.impulse, h, 0)) changed = true;
+            if (enforce_bounds(joint, joint.impulse, h, 0)) changed = true;
         if (!changed) break;
     }
     for (DirectBody& body : bodies) {

@@ -79,7 +79,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
             bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
         bool changed = reach_limits(h, 0.5 * h);
         for (DirectJoint& joint : joints)
-            if (keep_bounds(joint, joint.impulse, 0.5 * h, 0.5 * h)) changed = true;
+            if (enforce_bounds(joint, joint.impulse, 0.5 * h, 0.5 * h)) changed = true;
         for (std::size_t k = 0; k < bodies.size(); k++)
             before_guess_[2 * k] = bodies[k].p, before_guess_[2 * k + 1] = bodies[k].l;
         if (!changed) {

@@ -267,7 +267,7 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     const DirectBody& b = group.solver.bodies[static_cast<std::size_t>(joint.b)];
     const DirectBody& a = group.solver.bodies[static_cast<std::size_t>(joint.a)];
     write_vectors(joint, a, b);
-    write_warm_start(to, carried_by(group, joint, to.kind), keep_forces(joint, a, b, h));
+    write_warm_start(to, carried_by(group, joint, to.kind), save_forces(joint, a, b, h));
     to.force = joint.force_sum * (1 / step.dt);
     to.torque = joint.torque_sum * (1 / step.dt);
 }

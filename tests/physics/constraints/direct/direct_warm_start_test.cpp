@@ -47,7 +47,7 @@ TEST(DirectMemory, keeps_what_rows_carry) {
         DirectGroup group = askew(kind);
         DirectJoint& joint = group.joints[0];
         for (int k = 0; k < joint.first_way(); k++) joint.force[k] = 3 + k;
-        const WarmStartCache kept = keep_forces(joint, group.bodies[0], group.bodies[1], h);
+        const WarmStartCache kept = save_forces(joint, group.bodies[0], group.bodies[1], h);
         for (double& force : joint.force) force = 0;
         load_forces(joint, group.bodies[0], group.bodies[1], kept, h);
         for (int k = 0; k < joint.first_way(); k++)
@@ -62,7 +62,7 @@ TEST(DirectMemory, keeps_what_bounds_a_way) {
     DirectWay& way = joint.ways[0];
     const int row = joint.first_way();
     const auto again = [&] {
-        const WarmStartCache kept = keep_forces(joint, group.bodies[0], group.bodies[1], h);
+        const WarmStartCache kept = save_forces(joint, group.bodies[0], group.bodies[1], h);
         way.at_limit = 7;
         way.grip = 7;
         joint.force[row] = 0;

@@ -174,7 +174,7 @@ COVERED_BY = {
     "stages/sleep/wake_bodies.cpp":
         (["behaviour/sleeping_test.cpp", "behaviour/partial_sleep_test.cpp", "behaviour/continuous_test.cpp"],
          "who is disturbed, and who is hit by a bullet; the rules are state/wake's"),
-    "stages/solver/hot_motion.cpp":
+    "stages/solver/solver_velocities.cpp":
         (["behaviour/listeners_test.cpp", "behaviour/force_fields_test.cpp"], "jointed and floating bodies in the middle of the solve"),
     "stages/solver/solve_constraints.cpp":
         (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",

@@ -4,7 +4,7 @@
 #include "jostle/physics/step_listener.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/solver/hot_motion.h"
+#include "physics/src/stages/solver/solver_velocities.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/force_fields.h"
 

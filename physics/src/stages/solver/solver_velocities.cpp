@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/hot_motion.h"
+#include "physics/src/stages/solver/solver_velocities.h"
 
 #include "physics/src/foundation/check.h"
 

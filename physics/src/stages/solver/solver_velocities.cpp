@@ -24,7 +24,7 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
     return now;
 }
 
-void push_hot(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
+void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
               Vec3 impulse, Vec3 angular_impulse) {
     ASSERT(awake_index + 1 < scratch.hot.size());
     HotBody& hot = scratch.hot[awake_index + 1];

@@ -88,7 +88,7 @@ private:
         return motion_now(step_.world.bodies, step_.scratch.solver, awake_index(id));
     }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
-        push_hot(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
+        apply_solver_impulse(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
                  angular_impulse);
     }
 
@@ -179,7 +179,7 @@ void push_by_fields(StepContext& step, const SubstepMoment& moment,
             const BodyWarm now = motion_now(bodies, scratch, awake);
             const FieldPush push = field_push(world, now, bodies.cold[now.body], time, clock_pair.h);
             if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-            push_hot(bodies, scratch, awake, push.force * clock_pair.h, push.torque * clock_pair.h);
+            apply_solver_impulse(bodies, scratch, awake, push.force * clock_pair.h, push.torque * clock_pair.h);
         }
     });
 }

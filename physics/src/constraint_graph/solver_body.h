@@ -16,7 +16,7 @@
 
 namespace jostle::physics {
 
-struct alignas(64) HotBody {
+struct alignas(64) SolverBody {
     // row 0: velocity; read and written by every contact pass
     float v[3];          // m/s
     float w[3];          // rad/s
@@ -36,7 +36,7 @@ struct alignas(64) HotBody {
     // starting costs one subtraction per body.
     float free[8];
 };
-static_assert(sizeof(HotBody) == 128);
+static_assert(sizeof(SolverBody) == 128);
 
 // The first three of a row.
 inline Vec3 to_vec3(const float* row) {
@@ -64,21 +64,21 @@ public:
 
     void resize(std::size_t count) {  // nobody included
         all_.resize(spare + count);
-        std::fill(all_.begin(), all_.begin() + spare + 1, HotBody{});
+        std::fill(all_.begin(), all_.begin() + spare + 1, SolverBody{});
     }
     std::size_t size() const { return all_.size() - spare; }
-    HotBody* data() { return all_.data() + spare; }
-    HotBody& operator[](std::size_t index) {
+    SolverBody* data() { return all_.data() + spare; }
+    SolverBody& operator[](std::size_t index) {
         ASSERT(spare + index < all_.size());
         return all_[spare + index];
     }
-    const HotBody& operator[](std::size_t index) const {
+    const SolverBody& operator[](std::size_t index) const {
         ASSERT(spare + index < all_.size());
         return all_[spare + index];
     }
 
 private:
-    std::vector<HotBody> all_;
+    std::vector<SolverBody> all_;
 };
 
 }  // namespace jostle::physics

@@ -13,7 +13,7 @@ namespace jostle::physics::JOSTLE_ISA {
 template <bool kFirst>
 void accelerate_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {
-        HotBody& hot = range.bodies[range.indices[k]];
+        SolverBody& hot = range.bodies[range.indices[k]];
         const ExternalChange& external = range.external[range.indices[k]];
         const Wide now = load(hot.v);
         const Wide free = fma(now, load(external.keep), load(external.push));
@@ -32,7 +32,7 @@ inline void advance_range(const BodyRange& range, float h) {
     Wide pace = splat(h);
     pace[6] = pace[7] = 0;
     for (int k = range.begin; k < range.end; k++) {
-        HotBody& hot = range.bodies[range.indices[k]];
+        SolverBody& hot = range.bodies[range.indices[k]];
         store(hot.dp, fma(load(hot.v), pace, load(hot.dp)));
     }
 }

@@ -63,7 +63,7 @@ JOSTLE_INLINE void load_inertia(WideSide& s) {
         for (int k = 0; k < lane_count; k++) s.free_z[k] = s.rows[k][8 + 6];
 }
 
-JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int32_t* index) {
+JOSTLE_INLINE void load_side(WideSide& s, const SolverBody* bodies, const std::int32_t* index) {
     for (int k = 0; k < lane_count; k++) {
         constexpr auto next =
             static_cast<int>(sizeof(ContactConstraintWide) / sizeof(std::int32_t));
@@ -116,7 +116,7 @@ struct PairBodies {
     WideSide a, b;
     Wide3 n, t1, t2, arm_a, arm_b;
 
-    JOSTLE_INLINE PairBodies(const ContactConstraintWide& m, const HotBody* bodies) {
+    JOSTLE_INLINE PairBodies(const ContactConstraintWide& m, const SolverBody* bodies) {
         load_side(a, bodies, m.a);
         load_inertia<kInertia>(a);
         if constexpr (kPair != PairKind::static_) load_side(b, bodies, m.b);
@@ -212,7 +212,7 @@ JOSTLE_INLINE PointResponse response_of(const ContactConstraintWide& m, Wide x, 
 }
 
 template <PairKind kPair, Inertia kInertia>
-void warm_start_block(ContactConstraintWide& m, const RollingWide* rolling, HotBody* bodies) {
+void warm_start_block(ContactConstraintWide& m, const RollingWide* rolling, SolverBody* bodies) {
     PairBodies<kPair, kInertia> pair(m, bodies);
     WideImpulse sum;
     for (int i = 0; i < 4; i++) sum.add(load(m.x[i]), load(m.y[i]), load(m.lambda[i]));
@@ -352,7 +352,7 @@ inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_r
 // kPoints: 4, or 1 for blocks of manifolds with one point each, which lies at the centre.
 template <int kPoints, PairKind kPair, Inertia kInertia, bool kRelax, bool kLast>
 PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
-                       RollingWide* rolling, HotBody* bodies, const ContactSettings& set,
+                       RollingWide* rolling, SolverBody* bodies, const ContactSettings& set,
                        int sweeps) {
     PairBodies<kPair, kInertia> pair(m, bodies);
     const PairMotion motion = pair.follow(m);
@@ -533,7 +533,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
 // Notes the approach speed of each point at the start of the step.
 template <PairKind kPair, Inertia kInertia>
 void begin_restitution(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
-                       const HotBody* bodies) {
+                       const SolverBody* bodies) {
     const PairBodies<kPair, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
@@ -549,7 +549,7 @@ void begin_restitution(const ContactConstraintWide& m, RestitutionWide& restitut
 // restitution_wide.
 template <PairKind kPair, Inertia kInertia>
 void predict_approach(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
-                      const HotBody* bodies, const ContactSettings& set) {
+                      const SolverBody* bodies, const ContactSettings& set) {
     const PairBodies<kPair, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
@@ -578,7 +578,7 @@ inline void record_peaks(const ContactConstraintWide& m, RestitutionWide& restit
 // part.
 template <PairKind kPair, Inertia kInertia>
 void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitution_wide,
-                       const float* restitution, HotBody* bodies, const ContactSettings& set) {
+                       const float* restitution, SolverBody* bodies, const ContactSettings& set) {
     PairBodies<kPair, kInertia> pair(m, bodies);
     pair.follow(m);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();

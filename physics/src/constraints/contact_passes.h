@@ -30,7 +30,7 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
 // What every pass needs.
 struct ContactTask {
     std::span<const ColourRun> runs;
-    HotBody* bodies;
+    SolverBody* bodies;
     const ContactSettings& set;
     TaskTeam& team;
 };

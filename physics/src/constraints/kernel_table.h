@@ -54,7 +54,7 @@ JOSTLE_INLINE RollingWide* rolling_of(const ContactRange& range, int k) {
     return range.metas[k].bits(LaneFlag::rolls) != 0 ? &range.rollings[k] : nullptr;
 }
 
-inline void warm_start_range(const ContactRange& range, HotBody* bodies,
+inline void warm_start_range(const ContactRange& range, SolverBody* bodies,
                              const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
         if (set.planar)
@@ -66,7 +66,7 @@ inline void warm_start_range(const ContactRange& range, HotBody* bodies,
 }
 
 template <bool kRelax, bool kLast>
-void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
+void solve_range(const ContactRange& range, SolverBody* bodies, const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
         constexpr int all = 4;
         ContactConstraintWideMeta& meta = range.metas[k];
@@ -88,7 +88,7 @@ void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettin
     });
 }
 
-inline void begin_restitution_range(const ContactRange& range, HotBody* bodies,
+inline void begin_restitution_range(const ContactRange& range, SolverBody* bodies,
                                     const ContactSettings&) {
     each_block(range, [&](int k, auto pair, auto inertia) {
         if (range.metas[k].bits(LaneFlag::bounces) != 0)
@@ -97,7 +97,7 @@ inline void begin_restitution_range(const ContactRange& range, HotBody* bodies,
     });
 }
 
-inline void predict_approach_range(const ContactRange& range, HotBody* bodies,
+inline void predict_approach_range(const ContactRange& range, SolverBody* bodies,
                                    const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
         if (range.metas[k].bits(LaneFlag::bounces) != 0)
@@ -106,13 +106,13 @@ inline void predict_approach_range(const ContactRange& range, HotBody* bodies,
     });
 }
 
-inline void record_peaks_range(const ContactRange& range, HotBody*, const ContactSettings&) {
+inline void record_peaks_range(const ContactRange& range, SolverBody*, const ContactSettings&) {
     for (int k = range.begin; k < range.end; k++)
         if (range.metas[k].bits(LaneFlag::bounces) != 0)
             record_peaks(range.blocks[k], range.restitutions[k]);
 }
 
-inline void apply_restitution_range(const ContactRange& range, HotBody* bodies,
+inline void apply_restitution_range(const ContactRange& range, SolverBody* bodies,
                                     const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
         if (range.metas[k].bits(LaneFlag::bounces) != 0)

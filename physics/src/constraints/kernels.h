@@ -30,7 +30,7 @@ struct ContactRange {
 
 // Some bodies by hot index.
 struct BodyRange {
-    HotBody* bodies;
+    SolverBody* bodies;
     const ExternalChange* external;
     const std::uint32_t* indices;
     int begin, end;
@@ -51,9 +51,9 @@ struct JointRange {
 
 struct BatchView;  // constraints/joints/joint_batches.h
 
-using JointPass = void (*)(const JointRange&, HotBody*, const JointStep&);
-using BatchKernel = void (*)(const BatchView&, HotBody*, const JointStep&);
-using ContactPass = void (*)(const ContactRange&, HotBody*, const ContactSettings&);
+using JointPass = void (*)(const JointRange&, SolverBody*, const JointStep&);
+using BatchKernel = void (*)(const BatchView&, SolverBody*, const JointStep&);
+using ContactPass = void (*)(const ContactRange&, SolverBody*, const ContactSettings&);
 
 struct Kernels {
     ContactPass warm_start, solve, relax;
@@ -67,7 +67,7 @@ struct Kernels {
     JointPass warm_start_joints, solve_joints, relax_joints;
     // Batches of groups that are solved at once: where the bodies are, then velocities.
     // (again: after contacts have changed them).
-    void (*factor_batch)(const BatchView&, const HotBody*, const JointStep&);
+    void (*factor_batch)(const BatchView&, const SolverBody*, const JointStep&);
     BatchKernel solve_batch, solve_batch_again, relax_batch;
     // Around the passes of joints, for the bodies that have some.
     void (*begin_joints)(const BodyRange&);
@@ -93,9 +93,9 @@ extern const Kernels table;
 }
 // The passes over contacts, two blocks at a time.
 namespace avx512_two {
-void solve(const ContactRange&, HotBody*, const ContactSettings&);
-void relax(const ContactRange&, HotBody*, const ContactSettings&);
-void relax_last(const ContactRange&, HotBody*, const ContactSettings&);
+void solve(const ContactRange&, SolverBody*, const ContactSettings&);
+void relax(const ContactRange&, SolverBody*, const ContactSettings&);
+void relax_last(const ContactRange&, SolverBody*, const ContactSettings&);
 }  // namespace avx512_two
 #endif
 

@@ -20,7 +20,7 @@ bool is_alike(const ContactConstraintWideMeta& a, const ContactConstraintWideMet
 }
 
 template <PairKind kPair, bool kRelax, bool kLast>
-void solve_two(const ContactRange& range, int k, HotBody* bodies, const ContactSettings& set) {
+void solve_two(const ContactRange& range, int k, SolverBody* bodies, const ContactSettings& set) {
     ContactConstraintWide& block = range.blocks[k];
     ContactConstraintWideMeta& meta = range.metas[k];
     const int sweeps = kRelax ? set.relax_sweeps : set.soft_sweeps;
@@ -48,7 +48,7 @@ void solve_two(const ContactRange& range, int k, HotBody* bodies, const ContactS
 
 // `one`: the same pass with eight lanes.
 template <bool kRelax, bool kLast>
-void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettings& set,
+void solve_range(const ContactRange& range, SolverBody* bodies, const ContactSettings& set,
                  ContactPass one) {
     if (set.planar || range.one_by_one || range.pair == PairKind::kinematic)
         return one(range, bodies, set);
@@ -70,13 +70,13 @@ void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettin
 
 }  // namespace
 
-void solve(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
+void solve(const ContactRange& range, SolverBody* bodies, const ContactSettings& set) {
     solve_range<false, false>(range, bodies, set, avx512::table.solve);
 }
-void relax(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
+void relax(const ContactRange& range, SolverBody* bodies, const ContactSettings& set) {
     solve_range<true, false>(range, bodies, set, avx512::table.relax);
 }
-void relax_last(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
+void relax_last(const ContactRange& range, SolverBody* bodies, const ContactSettings& set) {
     solve_range<true, true>(range, bodies, set, avx512::table.relax_last);
 }
 

@@ -17,7 +17,7 @@ struct PlanarSide {
     Wide vx, vy, w;
 };
 
-JOSTLE_INLINE void load_planar(PlanarSide& s, const HotBody* bodies, const std::int32_t* index) {
+JOSTLE_INLINE void load_planar(PlanarSide& s, const SolverBody* bodies, const std::int32_t* index) {
     for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
     load_rows(s.rows, 0, s.state);
     s.vx = s.state[0];
@@ -38,7 +38,7 @@ struct PlanarBodies {
     Wide nx, ny, tx, ty, ax, ay, bx, by;
     Wide z_sign;  // +1 or -1: which way the second tangent looks along z
 
-    JOSTLE_INLINE PlanarBodies(const ContactConstraintWide& m, const HotBody* bodies) {
+    JOSTLE_INLINE PlanarBodies(const ContactConstraintWide& m, const SolverBody* bodies) {
         load_planar(a, bodies, m.a);
         if constexpr (kPair != PairKind::static_) load_planar(b, bodies, m.b);
         nx = load(m.normal[0]);
@@ -80,7 +80,7 @@ struct PlanarBodies {
 };
 
 template <PairKind kPair>
-void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, HotBody* bodies) {
+void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, SolverBody* bodies) {
     PlanarBodies<kPair> pair(m, bodies);
     const Wide l0 = load(m.lambda[0]), l1 = load(m.lambda[1]), f = load(m.friction[0]);
     const Wide total = l0 + l1;
@@ -93,7 +93,7 @@ void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, Hot
 
 template <PairKind kPair, bool kRelax, bool kLast>
 PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
-                        RollingWide* rolling, HotBody* bodies, const ContactSettings& set) {
+                        RollingWide* rolling, SolverBody* bodies, const ContactSettings& set) {
     PlanarBodies<kPair> pair(m, bodies);
     const Wide zero = splat(0);
     Wide ux, uy, w;

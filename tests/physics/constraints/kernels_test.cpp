@@ -55,7 +55,7 @@ TEST(Kernels, a_set_that_is_not_there_is_refused_with_those_that_are) {
 TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
     const UsualSet keep;
     Random random(181);
-    HotBody start{};
+    SolverBody start{};
     ExternalChange external{};
     for (int k = 0; k < 8; k++) {
         external.keep[k] = k < 6 ? 0.99f : 1.0f;
@@ -74,7 +74,7 @@ TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
     for (const InstructionSet set : available_instruction_sets()) {
         SCOPED_TRACE(instruction_set_name(set));
         must(use_instruction_set(set));
-        HotBody body = start;
+        SolverBody body = start;
         const std::uint32_t index = 0;
         const BodyRange range{&body, &external, &index, 0, 1};
         kernels().accelerate(range);

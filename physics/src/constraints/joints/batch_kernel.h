@@ -63,7 +63,7 @@ JOSTLE_INLINE WideQuat axes_of(const BatchBody& body) {
 }
 // Velocities to what the points allow. Soft passes: and take away what they are apart.
 template <BatchPass kPass>
-void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step) {
+void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& step) {
     for (int k = 0; k < batch.body_count; k++) {
         BatchBody& body = batch.bodies[k];
         const float* rows[8];
@@ -124,11 +124,11 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         Wide3 w = load_symmetric(body.inverse_inertia) * load3(body.w);
         if constexpr (kPass == BatchPass::first) w = w + load3(body.turned);
         if (body.any_along) w = rotate(conjugate(axes_of(body)), w);
-        alignas(32) float nobody[sizeof(HotBody) / sizeof(float)];
+        alignas(32) float nobody[sizeof(SolverBody) / sizeof(float)];
         float* to[8];
         for (int lane = 0; lane < 8; lane++)
             to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : nobody;
-        // What joints do counts as what acts without contacts: HotBody::free.
+        // What joints do counts as what acts without contacts: SolverBody::free.
         constexpr int changed[] = {0, 24};
         for (const int row : changed) {
             Wide state[8];

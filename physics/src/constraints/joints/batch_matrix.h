@@ -80,12 +80,12 @@ JOSTLE_INLINE const BatchBody& carrier_of(const BatchView& batch, int joint) {
     return batch.bodies[batch.pushed[ends.b] != 0 ? ends.b : ends.a];
 }
 
-JOSTLE_INLINE void find_rows(const BatchBody& body, const HotBody* bodies, const float* rows[8]) {
+JOSTLE_INLINE void find_rows(const BatchBody& body, const SolverBody* bodies, const float* rows[8]) {
     for (int k = 0; k < 8; k++) rows[k] = bodies[body.hot[k]].v;
 }
 
 // Where the bodies are.
-JOSTLE_INLINE void load_motion(BatchBody& body, const HotBody* bodies) {
+JOSTLE_INLINE void load_motion(BatchBody& body, const SolverBody* bodies) {
     const float* rows[8];
     find_rows(body, bodies, rows);
     Wide state[8], motion[8], inertia[8];
@@ -216,7 +216,7 @@ JOSTLE_INLINE void stiffen_inertia(BatchBody& body, const JointStep& step) {
     store(body.stiff, select(fast, splat(1), splat(0)));
 }
 
-inline void factor_batch(const BatchView& batch, const HotBody* bodies, const JointStep& step) {
+inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const JointStep& step) {
     for (int k = 0; k < batch.body_count; k++) {
         load_motion(batch.bodies[k], bodies);
         for (float(&row)[8] : batch.bodies[k].stiffness) store(row, splat(0));

@@ -50,10 +50,10 @@ struct alignas(32) BatchJoint {
 };
 struct alignas(32) BatchBody {
     std::int32_t hot[8];
-    float inverse_mass[3][8], inverse_inertia[6][8];  // as HotBody's
+    float inverse_mass[3][8], inverse_inertia[6][8];  // as SolverBody's
     float rotation[4][8];                             // since the step began
     float moved[3][8];                                // likewise, m
-    float spins_along[8];                             // as HotBody's
+    float spins_along[8];                             // as SolverBody's
     float v[3][8], w[3][8];                           // while solving; then what changed them
     float stiffness[6][8];  // of what the joints bear, as the body turns: N m s / rad
     float stiff[8];         // 1: too stiff for the sub-step; `inverse_inertia` knows of it

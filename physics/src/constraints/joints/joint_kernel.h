@@ -36,7 +36,7 @@ JOSTLE_INLINE JointAxesWide& own_of(const JointRange& range, int block, JointAxe
     return range.axes[block - range.first];
 }
 
-inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
+inline void warm_start_joint_range(const JointRange& range, SolverBody* bodies, const JointStep&) {
     with_kind(range.kind, [&](auto kernel) {
         using Own = typename decltype(kernel)::Own;
         if constexpr (std::is_same_v<Own, JointCoupleWide>) {
@@ -55,7 +55,7 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
 }
 
 template <bool kRelax>
-void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
+void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointStep& step) {
     with_kind(range.kind, [&](auto kernel) {
         using Own = typename decltype(kernel)::Own;
         if constexpr (std::is_same_v<Own, JointCoupleWide>) {
@@ -91,13 +91,13 @@ void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep
 // the directions of the moment.
 inline void begin_joints_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {
-        HotBody& hot = range.bodies[range.indices[k]];
+        SolverBody& hot = range.bodies[range.indices[k]];
         store(hot.free, load(hot.free) - load(hot.v));
     }
 }
 inline void end_joints_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {
-        HotBody& hot = range.bodies[range.indices[k]];
+        SolverBody& hot = range.bodies[range.indices[k]];
         store(hot.free, load(hot.free) + load(hot.v));
     }
 }

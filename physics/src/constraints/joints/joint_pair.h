@@ -78,7 +78,7 @@ JOSTLE_INLINE Wide3 solve3(const WideSymmetric& m, Wide3 v) {
 
 struct JointSide {
     const float* rows[8];
-    Wide state[8];  // HotBody's row 0
+    Wide state[8];  // SolverBody's row 0
     Wide3 v, w, dp;
     Wide3 inverse_mass;  // per axis of the world
     WideSymmetric inverse_inertia;
@@ -89,7 +89,7 @@ struct JointSide {
     bool any_along;     // some keep their spin in axes that turn with them
     WideQuat along;     // how those have turned
 
-    JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
+    JOSTLE_INLINE void load_from(const SolverBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
         for (int k = 0; k < 8; k++) rows[k] = bodies[index[k]].v;
         load_rows(rows, 0, state);
@@ -133,7 +133,7 @@ struct JointPair {
     Wide3 apart;       // from a's anchor to b's, m
     WideQuat carried;  // how the joint's impulses turned since the start of the step
 
-    JOSTLE_INLINE JointPair(const JointConstraintWide& block, const HotBody* bodies) {
+    JOSTLE_INLINE JointPair(const JointConstraintWide& block, const SolverBody* bodies) {
         a.load_from(bodies, block.a, block.arm_a);
         b.load_from(bodies, block.b, block.arm_b);
         apart = load3(block.apart) + (b.dp - a.dp) + (b.swept - a.swept);

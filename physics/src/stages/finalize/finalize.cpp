@@ -12,7 +12,7 @@ namespace jostle::physics {
 namespace {
 
 FreeMotion motion_of(const SolverScratch& solver, std::size_t hot_index, const BodyWarm& warm) {
-    const HotBody& hot = solver.hot[hot_index];
+    const SolverBody& hot = solver.hot[hot_index];
     const SpinAxes axes = solver.spin_axes[hot_index];
     if (axes == SpinAxes::world_by_substeps)
         return {to_vec3(hot.dp), solver.gyroscopic[hot_index].now, to_vec3(hot.v), to_vec3(hot.w)};

@@ -23,7 +23,7 @@ struct JointImpact {
     double closing = 0;  // m/s
 };
 
-Vec3 hot_velocity_at(const HotBody& body, Vec3 arm) {
+Vec3 hot_velocity_at(const SolverBody& body, Vec3 arm) {
     return to_vec3(body.v) + cross(to_vec3(body.w), arm);
 }
 
@@ -37,7 +37,7 @@ struct JointImpactPoints {
 JointImpactPoints joint_impact_points(const HotBodies& hot, const JointImpact& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
-    const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
+    const SolverBody &a = hot[static_cast<std::size_t>(block.a[k])],
                   &b = hot[static_cast<std::size_t>(block.b[k])];
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
@@ -62,7 +62,7 @@ JointImpactPoints joint_impact_points(const HotBodies& hot, const JointImpact& s
     return impact;
 }
 
-ImpactBody hot_impact_body(const HotBody& hot, Vec3 center) {
+ImpactBody hot_impact_body(const SolverBody& hot, Vec3 center) {
     const auto at = [&](int k) { return double{hot.inertia[k]}; };
     return {
         .center = center,
@@ -73,7 +73,7 @@ ImpactBody hot_impact_body(const HotBody& hot, Vec3 center) {
         .w = to_vec3(hot.w)};
 }
 
-void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
+void set_hot_velocity(SolverBody& hot, const ImpactBody& body) {
     const Vec3 v = body.v, w = body.w;
     hot.v[0] = as_float(v.x), hot.v[1] = as_float(v.y), hot.v[2] = as_float(v.z);
     hot.w[0] = as_float(w.x), hot.w[1] = as_float(w.y), hot.w[2] = as_float(w.z);
@@ -83,7 +83,7 @@ void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
 bool resolve_joint_impact(HotBodies& hot, const JointImpact& s, double dt) {
     const JointImpactPoints impact = joint_impact_points(hot, s, dt);
     if (impact.points.empty()) return false;
-    HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
+    SolverBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
             &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
     ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, impact.center_b);
     resolve_impact(a, b, impact.points, double{s.meta->restitution[s.lane]},

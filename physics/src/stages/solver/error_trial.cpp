@@ -117,7 +117,7 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
         world.islands.islands[world.bodies.cold[world.bodies.awake[hot - 1].body].island]
             .error.fresh = false;
     for (std::size_t k = 0; k < bodies.size(); k++) {
-        const HotBody &now = step.scratch.solver.hot[bodies[k]], &then = trial.bodies[k];
+        const SolverBody &now = step.scratch.solver.hot[bodies[k]], &then = trial.bodies[k];
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
         const double shift =
             length_between(now.dp, then.dp) + cold.radius * length_between(now.dr, then.dr);

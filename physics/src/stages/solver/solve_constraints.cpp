@@ -113,7 +113,7 @@ void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepPro
     profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
-void put_inertia(HotBody& hot, const Mat3& inverse) {
+void put_inertia(SolverBody& hot, const Mat3& inverse) {
     hot.inertia[0] = as_float(inverse.x.x);
     hot.inertia[1] = as_float(inverse.y.y);
     hot.inertia[2] = as_float(inverse.z.z);
@@ -126,7 +126,7 @@ void put_inertia(HotBody& hot, const Mat3& inverse) {
 void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const WorldState& world = step.world;
     SolverScratch& scratch = step.scratch.solver;
-    HotBody& hot = scratch.hot[index + 1];
+    SolverBody& hot = scratch.hot[index + 1];
     ExternalChange& external = scratch.external[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
@@ -180,7 +180,7 @@ EulerStep euler_step_of(const BodyStore& bodies, const GyroscopicBody& g, std::u
                        : euler_step(bodies.cold[bodies.awake[hot_index - 1].body], start, h);
 }
 // Not an impulse: it counts among what acts without contacts.
-void add_spin(HotBody& hot, Vec3 change) {
+void add_spin(SolverBody& hot, Vec3 change) {
     for (int k = 0; k < 3; k++) {
         hot.w[k] += as_float(change[k]);
         hot.free[3 + k] += as_float(change[k]);
@@ -189,7 +189,7 @@ void add_spin(HotBody& hot, Vec3 change) {
 
 // Euler's equations for one sub-step, before advance(), which adds h w to the rotation vector.
 void turn_free(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t hot_index, double h) {
-    HotBody& hot = scratch.hot[hot_index];
+    SolverBody& hot = scratch.hot[hot_index];
     const GyroscopicBody& g = scratch.gyroscopic[hot_index];
     const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
     add_spin(hot, g.axes * (euler_step_of(bodies, g, hot_index, start, h).w - start));
@@ -198,7 +198,7 @@ void turn_free(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t ho
 // the body to where it goes exactly.
 void turn_jointed(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t hot_index,
                   double h) {
-    HotBody& hot = scratch.hot[hot_index];
+    SolverBody& hot = scratch.hot[hot_index];
     GyroscopicBody& g = scratch.gyroscopic[hot_index];
     const Vec3 mean = to_vec3(hot.w), own = transposed_times(g.axes, mean);
     g.now = normalized(g.now * from_rotation_vector(own * h));
@@ -219,7 +219,7 @@ void begin_gyroscopic(StepContext& step, std::span<const std::uint32_t> jointed,
     SolverScratch& scratch = step.scratch.solver;
     for (const std::uint32_t index : jointed) {
         if (scratch.spin_axes[index] == SpinAxes::world) continue;
-        HotBody& hot = scratch.hot[index];
+        SolverBody& hot = scratch.hot[index];
         GyroscopicBody& g = scratch.gyroscopic[index];
         const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
         const EulerStep change = euler_step_of(step.world.bodies, g, index, start, h);

@@ -30,7 +30,7 @@ enum class SpinAxes : std::uint8_t {
     // A gyroscopic body with contacts: the frame in which it stood as the step began and which
     // turns with it. There the inertia is constant, and contacts know it from the start of the step
     // alone: seen with another one, what they do to a thin body would be far too much. Joints turn
-    // its spin and its inertia to the world's axes and back (HotBody::spins_along).
+    // its spin and its inertia to the world's axes and back (SolverBody::spins_along).
     body,
 };
 
@@ -56,7 +56,7 @@ struct BodiesBySet {
 // What a trial of half of the sub-steps keeps (stages/solver/error_trial.h).
 struct ErrorTrial {
     std::vector<GraphColour> colours;  // as they were before it
-    std::vector<HotBody> bodies;       // as they were after it, in the task's order
+    std::vector<SolverBody> bodies;       // as they were after it, in the task's order
 };
 
 // What listeners are shown of a group.

@@ -12,7 +12,7 @@ Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
                     std::uint32_t awake_index) {
     ASSERT(awake_index + 1 < scratch.hot.size());
-    const HotBody& hot = scratch.hot[awake_index + 1];
+    const SolverBody& hot = scratch.hot[awake_index + 1];
     BodyWarm now = bodies.awake[awake_index];
     const Quat turn = from_rotation_vector(to_vec3(hot.dr));
     now.center = center_now(bodies, scratch, awake_index);
@@ -27,7 +27,7 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
 void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
               Vec3 impulse, Vec3 angular_impulse) {
     ASSERT(awake_index + 1 < scratch.hot.size());
-    HotBody& hot = scratch.hot[awake_index + 1];
+    SolverBody& hot = scratch.hot[awake_index + 1];
     const BodyCold& cold = bodies.cold[bodies.awake[awake_index].body];
     const Vec3 change = scaled(impulse, free_directions(cold)) * cold.inverse_mass;
     Vec3 about = angular_impulse;

@@ -127,7 +127,7 @@ TEST(JointBatches, hold_a_long_chain_with_a_heavy_end_in_two_solves) {
         return static_cast<float>(static_cast<double>(seed >> 8) / (1 << 23) - 1);
     };
     for (int k = 1; k <= links; k++) {
-        HotBody& body = hot[static_cast<std::size_t>(k)];
+        SolverBody& body = hot[static_cast<std::size_t>(k)];
         for (int axis = 0; axis < 3; axis++) body.v[axis] = random(), body.w[axis] = 5 * random();
         body.inverse_mass = k == links ? 0.001f : 1;
         for (int axis = 0; axis < 3; axis++) body.inertia[axis] = 300 * body.inverse_mass;
@@ -136,7 +136,7 @@ TEST(JointBatches, hold_a_long_chain_with_a_heavy_end_in_two_solves) {
     const auto parting = [&] {
         double most = 0;
         for (int k = 0; k < links; k++) {
-            const HotBody &a = hot[static_cast<std::size_t>(k)],
+            const SolverBody &a = hot[static_cast<std::size_t>(k)],
                           &b = hot[static_cast<std::size_t>(k) + 1];
             const double arm = k == 0 ? 0 : -0.1;
             const Vec3 at_a = to_vec3(a.v) + cross(to_vec3(a.w), {0, arm, 0});

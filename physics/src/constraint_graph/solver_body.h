@@ -53,7 +53,7 @@ struct alignas(64) ExternalChange {
 // Hot records by hot index. [0] is nobody, whom joints may read: it stands still and cannot be
 // pushed. Below it are bodies for unused lanes, which are read and written like all others: threads
 // that work at the same time have each their own.
-class HotBodies {
+class SolverBodies {
 public:
     static constexpr std::size_t spare = 2 * solved_set_count;
 

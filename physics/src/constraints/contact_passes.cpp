@@ -89,10 +89,10 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
             }
             if (run.blocks + run.singles == 0) continue;
             runs.push_back(run);
-            point_unused_lanes(colour, c, HotBodies::spare_index(first, false));
+            point_unused_lanes(colour, c, SolverBodies::spare_index(first, false));
             if (run.singles > 0)
                 point_unused_lanes(*run.single, single_colours + c,
-                                   HotBodies::spare_index(first, true));
+                                   SolverBodies::spare_index(first, true));
         }
     }
 }

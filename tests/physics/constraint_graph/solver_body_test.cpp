@@ -11,8 +11,8 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(HotBodies, nobody_stands_still_and_cannot_be_pushed) {
-    HotBodies bodies;
+TEST(SolverBodies, nobody_stands_still_and_cannot_be_pushed) {
+    SolverBodies bodies;
     bodies.resize(3);
     bodies[2].v[0] = 5;
     bodies.data()[0].v[1] = 1;  // what an unused lane may have left
@@ -25,13 +25,13 @@ TEST(HotBodies, nobody_stands_still_and_cannot_be_pushed) {
     EXPECT_EQ(bodies[2].v[0], 5) << "the others are made by who steps them";
 }
 
-TEST(HotBodies, every_set_and_list_has_a_spare_body_of_its_own) {
+TEST(SolverBodies, every_set_and_list_has_a_spare_body_of_its_own) {
     std::set<std::int32_t> indices;
     for (std::size_t set = 0; set < solved_set_count; set++)
-        for (const bool single : {false, true}) indices.insert(HotBodies::spare_index(set, single));
+        for (const bool single : {false, true}) indices.insert(SolverBodies::spare_index(set, single));
     EXPECT_EQ(indices.size(), 2u * solved_set_count);
     EXPECT_EQ(*indices.rbegin(), -1);
-    EXPECT_EQ(*indices.begin(), -static_cast<std::int32_t>(HotBodies::spare));
+    EXPECT_EQ(*indices.begin(), -static_cast<std::int32_t>(SolverBodies::spare));
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
     const std::size_t first = index_of(low);
     list_runs(*graph, first, first + 2, runs);
     ASSERT_EQ(runs.size(), 3u);
-    const std::int32_t several = HotBodies::spare_index(first, false),
-                       single = HotBodies::spare_index(first, true);
+    const std::int32_t several = SolverBodies::spare_index(first, false),
+                       single = SolverBodies::spare_index(first, true);
     const auto& of_three = runs[0].colour->blocks[0];
     EXPECT_EQ(of_three.a[2], 1);
     for (int lane = 3; lane < 8; lane++) EXPECT_EQ(of_three.a[lane], several);
@@ -84,7 +84,7 @@ TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
     const ContactPlace place = place_at(*graph, low, single_colours, 0);
     std::vector<ColourRun> runs;
     list_runs(*graph, index_of(low), index_of(low) + 1, runs);
-    HotBodies bodies;
+    SolverBodies bodies;
     bodies.resize(3);
     for (std::size_t k = 1; k < 3; k++) {
         bodies[k] = {};

@@ -113,7 +113,7 @@ TEST(Kernels, a_contact_stops_a_ball_in_every_set) {
         block.tangent[0][0] = 1;
         block.gap[0][0] = 0;
         block.g[0][0] = 0.5f;
-        HotBodies bodies;
+        SolverBodies bodies;
         bodies.resize(2);
         bodies[1] = {};
         bodies[1].inverse_mass = 0.5f;

@@ -34,7 +34,7 @@ struct JointImpactPoints {
     double closing = 0;  // m/s: of the point that closes fastest
 };
 
-JointImpactPoints joint_impact_points(const HotBodies& hot, const JointImpact& s, double dt) {
+JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const SolverBody &a = hot[static_cast<std::size_t>(block.a[k])],
@@ -80,7 +80,7 @@ void set_hot_velocity(SolverBody& hot, const ImpactBody& body) {
 }
 
 // Whether it was one.
-bool resolve_joint_impact(HotBodies& hot, const JointImpact& s, double dt) {
+bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
     const JointImpactPoints impact = joint_impact_points(hot, s, dt);
     if (impact.points.empty()) return false;
     SolverBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
@@ -121,7 +121,7 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
         if (run.single != nullptr) find_bouncing_pairs(step.world, *run.single, pairs);
     }
     if (pairs.empty()) return;
-    HotBodies& hot = step.scratch.solver.hot;
+    SolverBodies& hot = step.scratch.solver.hot;
     std::vector<JointImpact> closing;
     for (int round = 0; round < most_rounds; round++) {
         closing.clear();

@@ -66,7 +66,7 @@ struct ListenedGroup {
 };
 
 struct SolverScratch {
-    HotBodies hot;                         // by hot index
+    SolverBodies hot;                         // by hot index
     std::vector<ExternalChange> external;  // by hot index
     BodiesBySet bodies;                    // dynamic bodies with contacts or joints
     BodiesBySet jointed;                   // those of them with joints

@@ -119,7 +119,7 @@ TEST(JointBatches, hold_a_long_chain_with_a_heavy_end_in_two_solves) {
         if (joint.a != 0) block.arm_a[1][joint.lane] = -0.1f;
         block.arm_b[1][joint.lane] = 0.1f;
     }
-    HotBodies hot;
+    SolverBodies hot;
     hot.resize(links + 1);
     unsigned seed = 1;
     const auto random = [&] {

@@ -23,7 +23,7 @@ struct JointImpact {
     double closing = 0;  // m/s
 };
 
-Vec3 hot_velocity_at(const SolverBody& body, Vec3 arm) {
+Vec3 solver_velocity_at(const SolverBody& body, Vec3 arm) {
     return to_vec3(body.v) + cross(to_vec3(body.w), arm);
 }
 
@@ -48,21 +48,21 @@ JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact
         if (gap > 0.5 * double{no_point}) continue;
         const Vec3 in_plane = t1 * double{block.x[i][k]} + t2 * double{block.y[i][k]};
         const double closing =
-            -dot(n, hot_velocity_at(b, arm_b + in_plane) - hot_velocity_at(a, arm_a + in_plane));
+            -dot(n, solver_velocity_at(b, arm_b + in_plane) - solver_velocity_at(a, arm_a + in_plane));
         if (closing <= tuning::restitution_speed || gap > closing * dt) continue;
         impact.closing = maximum(impact.closing, closing);
         impact.points.push_back({in_plane, n});
         first = minimum(first, maximum(gap, 0) / closing);
     }
     // The arms follow, as in the solver (PairBodies::follow).
-    const Vec3 apart = (hot_velocity_at(b, arm_b) - hot_velocity_at(a, arm_a)) * first;
+    const Vec3 apart = (solver_velocity_at(b, arm_b) - solver_velocity_at(a, arm_a)) * first;
     const Vec3 meets_a = arm_a + apart * double{block.anchor_blend[k]};
     for (ImpactPoint& p : impact.points) p.position += meets_a;
     impact.center_b = arm_a - arm_b + apart;
     return impact;
 }
 
-ImpactBody hot_impact_body(const SolverBody& hot, Vec3 center) {
+ImpactBody solver_impact_body(const SolverBody& hot, Vec3 center) {
     const auto at = [&](int k) { return double{hot.inertia[k]}; };
     return {
         .center = center,
@@ -73,7 +73,7 @@ ImpactBody hot_impact_body(const SolverBody& hot, Vec3 center) {
         .w = to_vec3(hot.w)};
 }
 
-void set_hot_velocity(SolverBody& hot, const ImpactBody& body) {
+void set_solver_velocity(SolverBody& hot, const ImpactBody& body) {
     const Vec3 v = body.v, w = body.w;
     hot.v[0] = as_float(v.x), hot.v[1] = as_float(v.y), hot.v[2] = as_float(v.z);
     hot.w[0] = as_float(w.x), hot.w[1] = as_float(w.y), hot.w[2] = as_float(w.z);
@@ -85,11 +85,11 @@ bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
     if (impact.points.empty()) return false;
     SolverBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
             &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
-    ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, impact.center_b);
+    ImpactBody a = solver_impact_body(hot_a, {}), b = solver_impact_body(hot_b, impact.center_b);
     resolve_impact(a, b, impact.points, double{s.meta->restitution[s.lane]},
                    double{s.block->mu[s.lane]});
-    set_hot_velocity(hot_a, a);
-    set_hot_velocity(hot_b, b);
+    set_solver_velocity(hot_a, a);
+    set_solver_velocity(hot_b, b);
     return true;
 }
 

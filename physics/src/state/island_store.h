@@ -28,7 +28,7 @@ struct IslandError {
 struct Island {
     std::uint32_t first = none, last = none;  // bodies, through BodyCold::island_next
     std::uint32_t bodies = 0;
-    // Multiplications that each of its joints may take (joint_wishes.h) that are known to be too
+    // Multiplications that each of its joints may take (joint_solver_preferences.h) that are known to be too
     // few for all of them, -1: none. Found by the solver and true until the island's bodies or
     // joints change: not saved.
     std::int64_t too_dense_for = -1;

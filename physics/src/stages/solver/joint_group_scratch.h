@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jostle/physics/ids.h"
-#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraint_graph/joint_solver_preferences.h"
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/principal_axes.h"
 #include "physics/src/constraints/free_motion.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraint_graph/joint_solver_preferences.h"
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"

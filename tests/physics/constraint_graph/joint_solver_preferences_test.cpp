@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraint_graph/joint_wishes.h"
+#include "physics/src/constraint_graph/joint_solver_preferences.h"
 
 #include <gtest/gtest.h>
 

@@ -15,13 +15,13 @@
 namespace jostle::physics {
 
 // The own wishes of some joints: a bit for each JointSolver.
-using JointWishes = std::uint8_t;
+using JointSolverPreferences = std::uint8_t;
 
-inline JointWishes wish_of(std::optional<JointSolver> solver) {
-    return solver ? static_cast<JointWishes>(1u << static_cast<unsigned>(*solver)) : JointWishes{0};
+inline JointSolverPreferences wish_of(std::optional<JointSolver> solver) {
+    return solver ? static_cast<JointSolverPreferences>(1u << static_cast<unsigned>(*solver)) : JointSolverPreferences{0};
 }
 // By all their wishes together, else the world's.
-inline JointSolver solver_of(JointWishes wishes, JointSolver of_world) {
+inline JointSolver solver_of(JointSolverPreferences wishes, JointSolver of_world) {
     for (const JointSolver solver :
          {JointSolver::direct, JointSolver::iterative, JointSolver::automatic})
         if ((wishes & wish_of(solver)) != 0) return solver;
@@ -45,7 +45,7 @@ inline std::int64_t most_work(std::int64_t cubes, std::size_t joints, std::int64
 
 // By what find_batches() chooses.
 struct JointAsks {
-    std::span<const JointWishes> wishes;  // by place in JointLevels::joints; empty: none has one
+    std::span<const JointSolverPreferences> wishes;  // by place in JointLevels::joints; empty: none has one
     JointSolver of_world = JointSolver::automatic;
     std::int64_t budget = 0;  // of those that ask for `direct`
 };

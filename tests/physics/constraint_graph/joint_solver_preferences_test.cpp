@@ -10,25 +10,25 @@ namespace {
 using namespace physics;
 
 // Own wishes go before the world's; of them direct before iterative before automatic.
-TEST(JointWishes, are_heard_in_their_order) {
+TEST(JointSolverPreferences, are_heard_in_their_order) {
     constexpr JointSolver all[] = {JointSolver::automatic, JointSolver::iterative,
                                    JointSolver::direct};
     for (const JointSolver of_world : all) {
         EXPECT_EQ(solver_of(wish_of({}), of_world), of_world);
         for (const JointSolver own : all)
-            EXPECT_EQ(solver_of(static_cast<JointWishes>(wish_of({}) | wish_of(own)), of_world),
+            EXPECT_EQ(solver_of(static_cast<JointSolverPreferences>(wish_of({}) | wish_of(own)), of_world),
                       own);
         for (const JointSolver first : all)
             for (const JointSolver second : all)
                 EXPECT_EQ(
-                    solver_of(static_cast<JointWishes>(wish_of(first) | wish_of(second)), of_world),
+                    solver_of(static_cast<JointSolverPreferences>(wish_of(first) | wish_of(second)), of_world),
                     first > second ? first : second);
     }
 }
 
 // However many groups there are, one factorisation of all stays within the ceiling or what is
 // affordable anyway: nobody who does not ask is granted more.
-TEST(JointWishes, share_one_ceiling) {
+TEST(JointSolverPreferences, share_one_ceiling) {
     for (const std::size_t joints : {1u, 100u, 3000u, 200000u}) {
         const std::int64_t budget = direct_budget(joints);
         const auto cubes = static_cast<std::int64_t>(27 * joints);

@@ -36,7 +36,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 // The first joint of each group is its root; the others follow it in `next`, in order.
 void merge_groups(JointBatches& batches, const JointLevels& levels,
                  std::span<const std::uint8_t> is_point, std::size_t bodies,
-                 std::span<const JointWishes> wishes) {
+                 std::span<const JointSolverPreferences> wishes) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     parent.resize(joints);

@@ -102,13 +102,13 @@ struct JointBatches {
     // Scratch.
     struct Size {
         int joints = 0, bodies = 0;
-        JointWishes wishes = 0;
+        JointSolverPreferences wishes = 0;
     };
     std::vector<std::int32_t> parent, first, next, last;
     std::vector<Size> size;  // by root
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
-    std::vector<JointWishes> wishes;
+    std::vector<JointSolverPreferences> wishes;
 
     std::vector<std::uint8_t> found;  // by place in JointLevels::joints: is in a batch
     int refused = 0;                  // joints that asked for it and are not

@@ -26,7 +26,7 @@ void find_joint_batches(StepContext& step, const JointTask& task) {
     JointLevels& levels = task.levels;
     std::vector<std::uint8_t>& is_point = task.batches.is_point;
     is_point.resize(levels.joints.size());
-    std::vector<JointWishes>& wishes = task.batches.wishes;
+    std::vector<JointSolverPreferences>& wishes = task.batches.wishes;
     wishes.resize(levels.joints.size());
     for (std::size_t k = 0; k < is_point.size(); k++) {
         const Joint& joint = world.joints.joints[levels.joints[k].joint];

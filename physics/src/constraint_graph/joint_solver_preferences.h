@@ -44,7 +44,7 @@ inline std::int64_t most_work(std::int64_t cubes, std::size_t joints, std::int64
 }
 
 // By what find_batches() chooses.
-struct JointAsks {
+struct JointSolverOptions {
     std::span<const JointSolverPreferences> wishes;  // by place in JointLevels::joints; empty: none has one
     JointSolver of_world = JointSolver::automatic;
     std::int64_t budget = 0;  // of those that ask for `direct`

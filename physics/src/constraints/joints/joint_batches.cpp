@@ -143,7 +143,7 @@ void forget_patterns(JointBatches& batches) {
 // ---- batches ----
 
 // What a factor of a group's matrix may take; 0: its joints are swept.
-std::int64_t most_work_of(const JointBatches::Size& group, const JointAsks& asks) {
+std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOptions& asks) {
     const JointSolver solver = solver_of(group.wishes, asks.of_world);
     if (solver == JointSolver::iterative) return 0;
     const bool target = solver == JointSolver::direct;
@@ -191,7 +191,7 @@ bool holds_point(const JointKind& kind) {
 
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
-                  const JointAsks& asks) {
+                  const JointSolverOptions& asks) {
     ASSERT(is_point.size() == levels.joints.size());
     ASSERT(asks.wishes.empty() || asks.wishes.size() == levels.joints.size());
     batches.found.assign(levels.joints.size(), 0);

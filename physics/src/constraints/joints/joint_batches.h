@@ -122,7 +122,7 @@ bool holds_point(const JointKind& kind);
 // single ones that ask for it. After assign_levels(). `bodies`: how many hot indices there are.
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
-                  const JointAsks& asks = {});
+                  const JointSolverOptions& asks = {});
 // Once the blocks of the levels are written.
 void load_batch(JointBatch& batch, const JointLevels& levels);
 

@@ -29,7 +29,7 @@ JointLevels levels_of(const std::vector<std::pair<int, int>>& ends, std::size_t 
     return levels;
 }
 
-JointBatches batches_of(JointLevels& levels, std::size_t bodies, const JointAsks& asks = {}) {
+JointBatches batches_of(JointLevels& levels, std::size_t bodies, const JointSolverOptions& asks = {}) {
     JointBatches batches;
     const std::vector<std::uint8_t> all(levels.joints.size(), 1);
     find_batches(batches, levels, all, bodies, asks);

@@ -17,14 +17,14 @@ namespace jostle::physics {
 // The own wishes of some joints: a bit for each JointSolver.
 using JointSolverPreferences = std::uint8_t;
 
-inline JointSolverPreferences wish_of(std::optional<JointSolver> solver) {
+inline JointSolverPreferences preference_bit(std::optional<JointSolver> solver) {
     return solver ? static_cast<JointSolverPreferences>(1u << static_cast<unsigned>(*solver)) : JointSolverPreferences{0};
 }
 // By all their wishes together, else the world's.
-inline JointSolver solver_of(JointSolverPreferences wishes, JointSolver of_world) {
+inline JointSolver solver_of(JointSolverPreferences preferences, JointSolver of_world) {
     for (const JointSolver solver :
          {JointSolver::direct, JointSolver::iterative, JointSolver::automatic})
-        if ((wishes & wish_of(solver)) != 0) return solver;
+        if ((preferences & preference_bit(solver)) != 0) return solver;
     return of_world;
 }
 
@@ -45,7 +45,7 @@ inline std::int64_t most_work(std::int64_t cubes, std::size_t joints, std::int64
 
 // By what find_batches() chooses.
 struct JointSolverOptions {
-    std::span<const JointSolverPreferences> wishes;  // by place in JointLevels::joints; empty: none has one
+    std::span<const JointSolverPreferences> preferences;  // by place in JointLevels::joints; empty: none has one
     JointSolver of_world = JointSolver::automatic;
     std::int64_t budget = 0;  // of those that ask for `direct`
 };

@@ -163,7 +163,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         push_speed = push_speed * scale.speed;
     }
     // What each point wants of its impulse, with softness as an addition to its own mass.
-    const auto wish = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn, Wide& target,
+    const auto preference = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn, Wide& target,
                           Wide& soft_mass) {
         const WideMask apart = gap > zero;
         if constexpr (kRelax) {
@@ -182,8 +182,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         }
     };
     Wide t0, t1, m00, m11;
-    wish(gap0, old0, load(m.mean_impulse[0]), k00, u0 - x0 * u2, t0, m00);
-    wish(gap1, old1, load(m.mean_impulse[1]), k11, u0 - x1 * u2, t1, m11);
+    preference(gap0, old0, load(m.mean_impulse[0]), k00, u0 - x0 * u2, t0, m00);
+    preference(gap1, old1, load(m.mean_impulse[1]), k11, u0 - x1 * u2, t1, m11);
     // K (new - old) + t = 0 where new > 0: both, one, the other, or none.
     const Wide b0 = t0 - m00 * old0 - k01 * old1, b1 = t1 - k01 * old0 - m11 * old1;
     const Wide det = m00 * m11 - k01 * k01;

@@ -36,7 +36,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 // The first joint of each group is its root; the others follow it in `next`, in order.
 void merge_groups(JointBatches& batches, const JointLevels& levels,
                  std::span<const std::uint8_t> is_point, std::size_t bodies,
-                 std::span<const JointSolverPreferences> wishes) {
+                 std::span<const JointSolverPreferences> preferences) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     parent.resize(joints);
@@ -62,7 +62,7 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
         const std::int32_t root = root_of(parent, joint);
         JointBatches::Size& size = batches.size[place(root)];
         size.joints++;
-        if (!wishes.empty()) size.wishes |= wishes[k];
+        if (!preferences.empty()) size.preferences |= preferences[k];
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
             if (hot > 0 && first[place(hot)] == joint) size.bodies++;
         if (last[place(root)] >= 0) batches.next[place(last[place(root)])] = joint;
@@ -143,8 +143,8 @@ void forget_patterns(JointBatches& batches) {
 // ---- batches ----
 
 // What a factor of a group's matrix may take; 0: its joints are swept.
-std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOptions& asks) {
-    const JointSolver solver = solver_of(group.wishes, asks.of_world);
+std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOptions& options) {
+    const JointSolver solver = solver_of(group.preferences, options.of_world);
     if (solver == JointSolver::iterative) return 0;
     const bool target = solver == JointSolver::direct;
     // A single point is solved exactly by the sweeps, too.
@@ -152,7 +152,7 @@ std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOpti
     if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::most_net_joints))
         return 0;
     return most_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
-                     target ? asks.budget : 0);
+                     target ? options.budget : 0);
 }
 
 // The one of that pattern with a free lane, or a new one.
@@ -191,18 +191,18 @@ bool holds_point(const JointKind& kind) {
 
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
-                  const JointSolverOptions& asks) {
+                  const JointSolverOptions& options) {
     ASSERT(is_point.size() == levels.joints.size());
-    ASSERT(asks.wishes.empty() || asks.wishes.size() == levels.joints.size());
+    ASSERT(options.preferences.empty() || options.preferences.size() == levels.joints.size());
     batches.found.assign(levels.joints.size(), 0);
     batches.used = 0;
     batches.count++;
-    merge_groups(batches, levels, is_point, bodies, asks.wishes);
+    merge_groups(batches, levels, is_point, bodies, options.preferences);
     batches.first.assign(bodies, -1);
     for (std::size_t root = 0; root < levels.joints.size(); root++) {
         if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root))
             continue;
-        const std::int64_t most = most_work_of(batches.size[root], asks);
+        const std::int64_t most = most_work_of(batches.size[root], options);
         if (most == 0) continue;
         Numbering number{batches.first, {}, {}};
         batches.key.clear();

@@ -102,13 +102,13 @@ struct JointBatches {
     // Scratch.
     struct Size {
         int joints = 0, bodies = 0;
-        JointSolverPreferences wishes = 0;
+        JointSolverPreferences preferences = 0;
     };
     std::vector<std::int32_t> parent, first, next, last;
     std::vector<Size> size;  // by root
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
-    std::vector<JointSolverPreferences> wishes;
+    std::vector<JointSolverPreferences> preferences;
 
     std::vector<std::uint8_t> found;  // by place in JointLevels::joints: is in a batch
     int refused = 0;                  // joints that asked for it and are not
@@ -122,7 +122,7 @@ bool holds_point(const JointKind& kind);
 // single ones that ask for it. After assign_levels(). `bodies`: how many hot indices there are.
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
-                  const JointSolverOptions& asks = {});
+                  const JointSolverOptions& options = {});
 // Once the blocks of the levels are written.
 void load_batch(JointBatch& batch, const JointLevels& levels);
 

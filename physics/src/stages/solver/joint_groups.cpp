@@ -43,7 +43,7 @@ bool is_known(const WorldState& world, const Joint& joint) {
 // Figures with cones fall and tumble until they touch something, and are many: the sweeps with
 // their points solved at once take a quarter of the time, and nobody sees the difference. Who does
 // asks for it.
-bool is_left_to_sweeps(const Joint& joint) {
+bool is_left_to_iterative(const Joint& joint) {
     return std::holds_alternative<ConeTwistJoint>(joint.kind);
 }
 
@@ -51,11 +51,11 @@ bool is_left_to_sweeps(const Joint& joint) {
 // is to be solved directly.
 std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch,
                        std::uint32_t island) {
-    switch (solver_of(scratch.wishes[island], world.def.joint_solver)) {
+    switch (solver_of(scratch.preferences[island], world.def.joint_solver)) {
         case JointSolver::direct:
             return direct_budget(world.joints.ids.alive_count());
         case JointSolver::automatic:
-            if (scratch.left_to_sweeps[island] == 0) return 0;
+            if (scratch.left_to_iterative[island] == 0) return 0;
             break;
         case JointSolver::iterative:
             break;
@@ -69,8 +69,8 @@ void classify_islands(StepContext& step) {
     JointGroupScratch& scratch = step.scratch.solver.groups;
     const std::size_t islands = world.islands.ids.size();
     scratch.refused.assign(islands, 0);
-    scratch.wishes.assign(islands, 0);
-    scratch.left_to_sweeps.assign(islands, 0);
+    scratch.preferences.assign(islands, 0);
+    scratch.left_to_iterative.assign(islands, 0);
     scratch.active.clear();
     if (scratch.of_island.size() < islands) scratch.of_island.resize(islands);
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -85,8 +85,8 @@ void classify_islands(StepContext& step) {
         for_each_joint(world.joints, cold, [&](std::uint32_t index) {
             const Joint& joint = world.joints.joints[index];
             known = known && is_known(world, joint);
-            scratch.wishes[cold.island] |= wish_of(joint.solver);
-            if (is_left_to_sweeps(joint)) scratch.left_to_sweeps[cold.island] = 1;
+            scratch.preferences[cold.island] |= preference_bit(joint.solver);
+            if (is_left_to_iterative(joint)) scratch.left_to_iterative[cold.island] = 1;
         });
         if (!known)
             scratch.refused[cold.island] = 1;

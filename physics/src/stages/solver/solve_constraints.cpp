@@ -49,7 +49,7 @@ void collect(const std::vector<std::uint8_t>& set_of, BodiesBySet& list, Takes&&
         if (set_of[i] != no_set && takes(i)) list.all[next[set_of[i]]++] = i + 1;
 }
 
-void sort_out_bodies(const BodyStore& bodies, const IslandStore& islands, SolverScratch& scratch) {
+void classify_bodies(const BodyStore& bodies, const IslandStore& islands, SolverScratch& scratch) {
     scratch.kinematic.clear();
     scratch.free.clear();
     scratch.set_of.assign(bodies.awake.size(), no_set);
@@ -465,7 +465,7 @@ Skipped solve_constraints(StepContext& step) {
     if (bodies.awake.empty()) return nobody_awake;
     SolverScratch& scratch = step.scratch.solver;
     find_joint_groups(step);
-    sort_out_bodies(bodies, step.world.islands, scratch);
+    classify_bodies(bodies, step.world.islands, scratch);
     count_bodies(bodies, scratch, step.world.profile);
     count_substeps(step, step.world.profile);
     ASSERT(!scratch.bodies.all.empty() ||

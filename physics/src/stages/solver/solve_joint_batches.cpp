@@ -26,19 +26,19 @@ void find_joint_batches(StepContext& step, const JointTask& task) {
     JointLevels& levels = task.levels;
     std::vector<std::uint8_t>& is_point = task.batches.is_point;
     is_point.resize(levels.joints.size());
-    std::vector<JointSolverPreferences>& wishes = task.batches.wishes;
-    wishes.resize(levels.joints.size());
+    std::vector<JointSolverPreferences>& preferences = task.batches.preferences;
+    preferences.resize(levels.joints.size());
     for (std::size_t k = 0; k < is_point.size(); k++) {
         const Joint& joint = world.joints.joints[levels.joints[k].joint];
         is_point[k] = holds_point(joint.kind) ? 1 : 0;
-        wishes[k] = wish_of(joint.solver);
+        preferences[k] = preference_bit(joint.solver);
     }
     const JointSolver of_world = world.def.joint_solver;
     find_batches(task.batches, levels, is_point, step.scratch.solver.hot.size(),
-                 {wishes, of_world, direct_budget(world.joints.ids.alive_count())});
+                 {preferences, of_world, direct_budget(world.joints.ids.alive_count())});
     task.batches.refused = 0;
-    for (std::size_t k = 0; k < wishes.size(); k++)
-        if (solver_of(wishes[k], of_world) == JointSolver::direct && task.batches.found[k] == 0)
+    for (std::size_t k = 0; k < preferences.size(); k++)
+        if (solver_of(preferences[k], of_world) == JointSolver::direct && task.batches.found[k] == 0)
             task.batches.refused++;
 }
 

@@ -92,9 +92,9 @@ TEST(JointBatches, are_what_the_joints_ask_for) {
                                                 {7, 8}, {8, 9}, {9, 10}};
     const auto found = [&](std::optional<JointSolver> middle, JointSolver of_world) {
         JointLevels levels = levels_of(ends, 11);
-        std::vector<JointSolverPreferences> wishes(ends.size());
-        wishes[5] = wish_of(middle);
-        return batches_of(levels, 11, {wishes, of_world, 1000}).found;
+        std::vector<JointSolverPreferences> preferences(ends.size());
+        preferences[5] = preference_bit(middle);
+        return batches_of(levels, 11, {preferences, of_world, 1000}).found;
     };
     using Found = std::vector<std::uint8_t>;
     EXPECT_EQ(found({}, JointSolver::automatic), (Found{0, 1, 1, 1, 1, 1, 1}));

@@ -21,7 +21,7 @@ namespace {
 // One sub-step. Fields act where the body is in its middle, which is of second order and keeps the
 // energy of a field that has one (position Verlet: Hairer, Lubich, Wanner, "Geometric numerical
 // integration by the Stormer-Verlet method", 2003).
-void advance(const WorldState& world, const SubstepMoment& moment, BodyWarm& now) {
+void advance(const WorldState& world, const SubstepInfo& moment, BodyWarm& now) {
     const BodyCold& cold = world.bodies.cold[now.body];
     const Vec3 force = now.force, torque = now.torque;
     if (!world.fields.empty()) {
@@ -44,7 +44,7 @@ void advance(const WorldState& world, const SubstepMoment& moment, BodyWarm& now
 
 // Before a sub-step listeners, too, push where bodies are in its middle: free_motion() then starts
 // where it passes there with the new velocity.
-void listen_to(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+void listen_to(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
                std::span<BodyWarm> moving, std::size_t first, ListenedGroup& group) {
     const auto call = [&] {
         call_listeners(step, moment, awake, moving, static_cast<std::uint32_t>(first), group);
@@ -56,7 +56,7 @@ void listen_to(StepContext& step, const SubstepMoment& moment, std::span<const s
 }
 
 // All of them, or chunks of them at once; which are together follows from the awake set alone.
-void listen(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+void listen(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
             std::span<BodyWarm> moving) {
     const std::size_t chunk =
         listens_at_once(step.world.listeners) ? std::size_t{tuning::listened_chunk} : moving.size();
@@ -95,7 +95,7 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     const int count = world.def.substeps;
     const bool listened = has_substep_listeners(world.listeners);
     for (int n = 0; n < count; n++) {
-        SubstepMoment moment{n, count, step.dt / count};
+        SubstepInfo moment{n, count, step.dt / count};
         if (listened) listen(step, moment, awake, moving);
         step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)

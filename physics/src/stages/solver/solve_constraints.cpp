@@ -316,7 +316,7 @@ BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indice
             static_cast<int>(indices.size())};
 }
 
-void listen(StepContext& step, const SubstepMoment& moment, const SolverTask& task) {
+void listen(StepContext& step, const SubstepInfo& moment, const SolverTask& task) {
     const BodiesBySet& bodies = step.scratch.solver.bodies;
     // By sets, however many of them this thread solves together.
     const std::size_t together = listens_at_once(step.world.listeners) ? 1 : task.last - task.first;
@@ -340,7 +340,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
         if (!first && is_stopped(step)) break;
-        SubstepMoment moment{n, set.substeps, h};
+        SubstepInfo moment{n, set.substeps, h};
         if (listened) listen(step, moment, task);
         if (!in_fields.empty()) push_by_fields(step, moment, in_fields);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {

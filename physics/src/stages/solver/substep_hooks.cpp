@@ -14,7 +14,7 @@ namespace {
 // What both kinds of groups have in common.
 class Substep : public SubstepContext {
 public:
-    Substep(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+    Substep(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
             std::vector<BodyId>& ids)
         : step_(step), moment_(moment), ids_(ids) {
         ids_.clear();
@@ -65,13 +65,13 @@ protected:
     StepContext& step_;
 
 private:
-    const SubstepMoment& moment_;
+    const SubstepInfo& moment_;
     std::vector<BodyId>& ids_;
 };
 
 class SolverSubstep final : public Substep {
 public:
-    SolverSubstep(StepContext& step, const SubstepMoment& moment, ListenedGroup& group,
+    SolverSubstep(StepContext& step, const SubstepInfo& moment, ListenedGroup& group,
                   std::size_t first, std::size_t last)
         : Substep(step, moment, group.awake, group.bodies), first_(first), last_(last) {}
 
@@ -97,7 +97,7 @@ private:
 
 class FreeSubstep final : public Substep {
 public:
-    FreeSubstep(StepContext& step, const SubstepMoment& moment,
+    FreeSubstep(StepContext& step, const SubstepInfo& moment,
                 std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                 std::uint32_t first_place, std::vector<BodyId>& ids)
         : Substep(step, moment, awake, ids), moving_(moving), first_place_(first_place) {}
@@ -125,7 +125,7 @@ private:
     std::uint32_t first_place_;
 };
 
-void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepContext& context) {
+void call(const ListenerStore& listeners, const SubstepInfo& moment, SubstepContext& context) {
     ASSERT(listeners.stepping != nullptr && has_substep_listeners(listeners));
     for (const auto& [listener, hooks] : listeners.order) {
         if (!hooks.substeps) continue;
@@ -138,7 +138,7 @@ void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepCo
 
 }  // namespace
 
-void call_listeners(StepContext& step, const SubstepMoment& moment,
+void call_listeners(StepContext& step, const SubstepInfo& moment,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last) {
     ListenedGroup& group = step.scratch.solver.listened[first];
     group.awake.clear();
@@ -147,7 +147,7 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
     call(step.world.listeners, moment, context);
 }
 
-void call_listeners(StepContext& step, const SubstepMoment& moment,
+void call_listeners(StepContext& step, const SubstepInfo& moment,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                     std::uint32_t first_place, ListenedGroup& group) {
     ASSERT(awake.size() == moving.size());
@@ -166,7 +166,7 @@ void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
     }
 }
 
-void push_by_fields(StepContext& step, const SubstepMoment& moment,
+void push_by_fields(StepContext& step, const SubstepInfo& moment,
                     std::span<const std::uint32_t> hot) {
     const WorldState& world = step.world;
     const BodyStore& bodies = world.bodies;

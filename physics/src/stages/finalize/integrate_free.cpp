@@ -21,13 +21,13 @@ namespace {
 // One sub-step. Fields act where the body is in its middle, which is of second order and keeps the
 // energy of a field that has one (position Verlet: Hairer, Lubich, Wanner, "Geometric numerical
 // integration by the Stormer-Verlet method", 2003).
-void advance(const WorldState& world, const SubstepInfo& moment, BodyWarm& now) {
+void advance(const WorldState& world, const SubstepInfo& substep_info, BodyWarm& now) {
     const BodyCold& cold = world.bodies.cold[now.body];
     const Vec3 force = now.force, torque = now.torque;
     if (!world.fields.empty()) {
         BodyWarm middle = now;
         middle.center += now.v * (0.5 * clock_pair.h);
-        const double time = world.time + moment.index * clock_pair.h;
+        const double time = world.time + substep_info.index * clock_pair.h;
         const FieldPush push = field_push(world, middle, cold, time, clock_pair.h);
         now.force += push.force;
         now.torque += push.torque;
@@ -44,19 +44,19 @@ void advance(const WorldState& world, const SubstepInfo& moment, BodyWarm& now) 
 
 // Before a sub-step listeners, too, push where bodies are in its middle: free_motion() then starts
 // where it passes there with the new velocity.
-void listen_to(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
+void listen_to(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
                std::span<BodyWarm> moving, std::size_t first, ListenedGroup& group) {
     const auto call = [&] {
-        call_listeners(step, moment, awake, moving, static_cast<std::uint32_t>(first), group);
+        call_listeners(step, substep_info, awake, moving, static_cast<std::uint32_t>(first), group);
     };
-    if (moment.after) return call();
+    if (substep_info.after) return call();
     for (BodyWarm& now : moving) now.center += now.v * (0.5 * clock_pair.h);
     call();
     for (BodyWarm& now : moving) now.center -= now.v * (0.5 * clock_pair.h);
 }
 
 // All of them, or chunks of them at once; which are together follows from the awake set alone.
-void listen(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
+void listen(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
             std::span<BodyWarm> moving) {
     const std::size_t chunk =
         listens_at_once(step.world.listeners) ? std::size_t{tuning::listened_chunk} : moving.size();
@@ -66,7 +66,7 @@ void listen(StepContext& step, const SubstepInfo& moment, std::span<const std::u
     step.team.run_tasks(static_cast<int>(chunks), [&](int number) {
         const auto k = static_cast<std::size_t>(number);
         const std::size_t first = k * chunk, count = std::min(chunk, moving.size() - first);
-        listen_to(step, moment, awake.subspan(first, count), moving.subspan(first, count), first,
+        listen_to(step, substep_info, awake.subspan(first, count), moving.subspan(first, count), first,
                   groups[k]);
     });
 }
@@ -95,14 +95,14 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     const int count = world.def.substeps;
     const bool listened = has_substep_listeners(world.listeners);
     for (int n = 0; n < count; n++) {
-        SubstepInfo moment{n, count, step.dt / count};
-        if (listened) listen(step, moment, awake, moving);
+        SubstepInfo substep_info{n, count, step.dt / count};
+        if (listened) listen(step, substep_info, awake, moving);
         step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
-                advance(world, moment, moving[static_cast<std::size_t>(k)]);
+                advance(world, substep_info, moving[static_cast<std::size_t>(k)]);
         });
-        moment.after = true;
-        if (listened) listen(step, moment, awake, moving);
+        substep_info.after = true;
+        if (listened) listen(step, substep_info, awake, moving);
     }
     step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {

@@ -316,13 +316,13 @@ BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indice
             static_cast<int>(indices.size())};
 }
 
-void listen(StepContext& step, const SubstepInfo& moment, const SolverTask& task) {
+void listen(StepContext& step, const SubstepInfo& substep_info, const SolverTask& task) {
     const BodiesBySet& bodies = step.scratch.solver.bodies;
     // By sets, however many of them this thread solves together.
     const std::size_t together = listens_at_once(step.world.listeners) ? 1 : task.last - task.first;
     for (std::size_t k = task.first; k < task.last; k += together)
         if (!bodies.of(k, k + together).empty())
-            call_listeners(step, moment, bodies.of(k, k + together), k, k + together);
+            call_listeners(step, substep_info, bodies.of(k, k + together), k, k + together);
 }
 
 // Of what was prepared.
@@ -340,9 +340,9 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
         if (!first && is_stopped(step)) break;
-        SubstepInfo moment{n, set.substeps, h};
-        if (listened) listen(step, moment, task);
-        if (!in_fields.empty()) push_by_fields(step, moment, in_fields);
+        SubstepInfo substep_info{n, set.substeps, h};
+        if (listened) listen(step, substep_info, task);
+        if (!in_fields.empty()) push_by_fields(step, substep_info, in_fields);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
             (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
@@ -363,8 +363,8 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         relax(contacts, last);
         relax_joint_batches(step, joints, h);
         if (bounces) record_peaks(contacts);
-        moment.after = true;
-        if (listened) listen(step, moment, task);
+        substep_info.after = true;
+        if (listened) listen(step, substep_info, task);
     }
     if (bounces) apply_restitution(contacts);
 }

@@ -14,18 +14,18 @@ namespace {
 // What both kinds of groups have in common.
 class Substep : public SubstepContext {
 public:
-    Substep(StepContext& step, const SubstepInfo& moment, std::span<const std::uint32_t> awake,
+    Substep(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
             std::vector<BodyId>& ids)
-        : step_(step), moment_(moment), ids_(ids) {
+        : step_(step), substep_info_(substep_info), ids_(ids) {
         ids_.clear();
         for (const std::uint32_t index : awake)
             ids_.push_back(body_id(step.world, step.world.bodies.awake[index].body));
     }
 
-    double h() const override { return moment_.h; }
-    int index() const override { return moment_.index; }
-    int count() const override { return moment_.count; }
-    double time() const override { return step_.world.time + moment_.index * moment_.h; }
+    double h() const override { return substep_info_.h; }
+    int index() const override { return substep_info_.index; }
+    int count() const override { return substep_info_.count; }
+    double time() const override { return step_.world.time + substep_info_.index * substep_info_.h; }
     const World& world() const override { return *step_.world.listeners.stepping; }
     std::span<const BodyId> bodies() const override { return ids_; }
 
@@ -65,15 +65,15 @@ protected:
     StepContext& step_;
 
 private:
-    const SubstepInfo& moment_;
+    const SubstepInfo& substep_info_;
     std::vector<BodyId>& ids_;
 };
 
 class SolverSubstep final : public Substep {
 public:
-    SolverSubstep(StepContext& step, const SubstepInfo& moment, ListenedGroup& group,
+    SolverSubstep(StepContext& step, const SubstepInfo& substep_info, ListenedGroup& group,
                   std::size_t first, std::size_t last)
-        : Substep(step, moment, group.awake, group.bodies), first_(first), last_(last) {}
+        : Substep(step, substep_info, group.awake, group.bodies), first_(first), last_(last) {}
 
     bool contains(BodyId id) const override {
         const std::uint32_t at = awake_index(id);
@@ -97,10 +97,10 @@ private:
 
 class FreeSubstep final : public Substep {
 public:
-    FreeSubstep(StepContext& step, const SubstepInfo& moment,
+    FreeSubstep(StepContext& step, const SubstepInfo& substep_info,
                 std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                 std::uint32_t first_place, std::vector<BodyId>& ids)
-        : Substep(step, moment, awake, ids), moving_(moving), first_place_(first_place) {}
+        : Substep(step, substep_info, awake, ids), moving_(moving), first_place_(first_place) {}
 
     bool contains(BodyId id) const override { return place(id) != none; }
 
@@ -125,11 +125,11 @@ private:
     std::uint32_t first_place_;
 };
 
-void call(const ListenerStore& listeners, const SubstepInfo& moment, SubstepContext& context) {
+void call(const ListenerStore& listeners, const SubstepInfo& substep_info, SubstepContext& context) {
     ASSERT(listeners.stepping != nullptr && has_substep_listeners(listeners));
     for (const auto& [listener, hooks] : listeners.order) {
         if (!hooks.substeps) continue;
-        if (moment.after)
+        if (substep_info.after)
             listener->after_substep(context);
         else
             listener->before_substep(context);
@@ -138,21 +138,21 @@ void call(const ListenerStore& listeners, const SubstepInfo& moment, SubstepCont
 
 }  // namespace
 
-void call_listeners(StepContext& step, const SubstepInfo& moment,
+void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last) {
     ListenedGroup& group = step.scratch.solver.listened[first];
     group.awake.clear();
     for (const std::uint32_t index : hot) group.awake.push_back(index - 1);
-    SolverSubstep context(step, moment, group, first, last);
-    call(step.world.listeners, moment, context);
+    SolverSubstep context(step, substep_info, group, first, last);
+    call(step.world.listeners, substep_info, context);
 }
 
-void call_listeners(StepContext& step, const SubstepInfo& moment,
+void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                     std::uint32_t first_place, ListenedGroup& group) {
     ASSERT(awake.size() == moving.size());
-    FreeSubstep context(step, moment, awake, moving, first_place, group.bodies);
-    call(step.world.listeners, moment, context);
+    FreeSubstep context(step, substep_info, awake, moving, first_place, group.bodies);
+    call(step.world.listeners, substep_info, context);
 }
 
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
@@ -166,12 +166,12 @@ void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
     }
 }
 
-void push_by_fields(StepContext& step, const SubstepInfo& moment,
+void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot) {
     const WorldState& world = step.world;
     const BodyStore& bodies = world.bodies;
     SolverScratch& scratch = step.scratch.solver;
-    const double time = world.time + moment.index * clock_pair.h;
+    const double time = world.time + substep_info.index * clock_pair.h;
     step.team.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const std::uint32_t awake = hot[k] - 1;

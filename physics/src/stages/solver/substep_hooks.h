@@ -33,11 +33,11 @@ struct SubstepInfo {
 
 // Calls every listener that wants sub-steps, on this thread. The bodies of a task of the solver, by
 // hot index; their colour sets are [first, last).
-void call_listeners(StepContext& step, const SubstepInfo& moment,
+void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last);
 // ... of free bodies: awake indices and how each moves now; the first one's place among all free
 // ones.
-void call_listeners(StepContext& step, const SubstepInfo& moment,
+void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                     std::uint32_t first_place, ListenedGroup& group);
 
@@ -45,7 +45,7 @@ void call_listeners(StepContext& step, const SubstepInfo& moment,
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
                     std::vector<std::uint32_t>& found);
 // What the force fields do in a sub-step to bodies of the solver.
-void push_by_fields(StepContext& step, const SubstepInfo& moment,
+void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot);
 
 }  // namespace jostle::physics

@@ -25,9 +25,9 @@
 namespace jostle::physics {
 
 // What pushes bodies from outside by where and when they are.
-class OutsideForces {
+class ExternalForces {
 public:
-    virtual ~OutsideForces() = default;
+    virtual ~ExternalForces() = default;
     // Writes each body's force and torque: means over h from `from` seconds after the step's begin,
     // at where the body is `ahead` seconds later than it says.
     virtual void push(std::vector<DirectBody>& bodies, double from, double h, double ahead) = 0;
@@ -37,7 +37,7 @@ class DirectGroup {
 public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
-    OutsideForces* outside = nullptr;  // else the bodies' forces are constant
+    ExternalForces* outside = nullptr;  // else the bodies' forces are constant
 
     // What happened since prepare(), for the profile and for tests.
     struct Count {

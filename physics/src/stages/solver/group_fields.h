@@ -11,7 +11,7 @@
 
 namespace jostle::physics {
 
-class GroupFields final : public OutsideForces {
+class GroupFields final : public ExternalForces {
 public:
     // Before the group's step: remembers the constant forces if there are fields.
     GroupFields(const WorldState& world, const JointGroup& group);

@@ -30,7 +30,7 @@ public:
     virtual ~ExternalForces() = default;
     // Writes each body's force and torque: means over h from `from` seconds after the step's begin,
     // at where the body is `ahead` seconds later than it says.
-    virtual void push(std::vector<DirectBody>& bodies, double from, double h, double ahead) = 0;
+    virtual void push(std::vector<DirectBody>& bodies, double from, double h, double lookahead) = 0;
 };
 
 class DirectGroup {

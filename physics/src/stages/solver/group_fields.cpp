@@ -24,7 +24,7 @@ bool GroupFields::reach(double dt) const {
     return false;
 }
 
-void GroupFields::push(std::vector<DirectBody>& bodies, double from, double h, double ahead) {
+void GroupFields::push(std::vector<DirectBody>& bodies, double from, double h, double lookahead) {
     for (std::size_t k = 0; k < bodies.size(); k++) {
         DirectBody& body = bodies[k];
         if (!body.pushed) continue;
@@ -33,7 +33,7 @@ void GroupFields::push(std::vector<DirectBody>& bodies, double from, double h, d
         BodyWarm now = warm_of(world_, index);
         now.v = velocity(body);
         now.w = spin(body);
-        now.center = body.x + now.v * ahead;
+        now.center = body.x + now.v * lookahead;
         now.rotation = normalized(body.q * conjugate(group_.axes[k].frame));
         now.axes = to_matrix(now.rotation);
         const FieldPush field = field_push(world_, now, cold, world_.time + from, h);

@@ -17,7 +17,7 @@ public:
     GroupFields(const WorldState& world, const JointGroup& group);
     // Whether one may reach a body of the group within dt.
     bool reach(double dt) const;
-    void push(std::vector<DirectBody>& bodies, double from, double h, double ahead) override;
+    void push(std::vector<DirectBody>& bodies, double from, double h, double lookahead) override;
 
 private:
     const WorldState& world_;

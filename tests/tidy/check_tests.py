@@ -54,12 +54,12 @@ COVERED_BY = {
         (["physics/constraints/direct/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
          "its tensor in any axes; its momenta, kept to rounding"),
     "constraints/direct/direct_bounds.cpp":
-        (["physics/constraints/direct/direct_way_test.cpp"], "limits, motors, friction and springs against closed forms"),
+        (["physics/constraints/direct/free_axis_test.cpp"], "limits, motors, friction and springs against closed forms"),
     "constraints/direct/direct_kinds.cpp":
-        (["physics/constraints/direct/direct_way_test.cpp", "physics/constraints/direct/direct_warm_start_test.cpp"],
+        (["physics/constraints/direct/free_axis_test.cpp", "physics/constraints/direct/direct_warm_start_test.cpp"],
          "sliders, a cardan joint, ropes and shoulders move as they should; the rows of each mix of axes"),
     "constraints/direct/direct_pattern.cpp":
-        (["physics/constraints/direct/direct_group_test.cpp", "physics/constraints/direct/direct_way_test.cpp"],
+        (["physics/constraints/direct/direct_group_test.cpp", "physics/constraints/direct/free_axis_test.cpp"],
          "loops, of balls and hinges; springs in the matrix"),
     "constraints/direct/direct_joint.cpp":
         (["physics/constraints/direct/direct_group_test.cpp", "behaviour/joints_test.cpp"],

@@ -8,7 +8,7 @@
 
 namespace jostle::physics {
 // Along a way, whether its row is on or not.
-void DirectGroup::give(DirectJoint& joint, const DirectWay& way, double impulse) {
+void DirectGroup::give(DirectJoint& joint, const FreeAxis& way, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = way.linear * impulse, about_b = way.angular_b * impulse;
     a.p -= linear;
@@ -26,12 +26,12 @@ void DirectGroup::give(DirectJoint& joint, const DirectWay& way, double impulse)
 // lose exactly what they should.
 void DirectGroup::set_springs() {
     for (DirectJoint& joint : joints)
-        for (DirectWay& way : joint.ways) {
+        for (FreeAxis& way : joint.ways) {
             if (way.rate == 0) continue;
             const double response =
                 response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             // Along what is locked it pushes nobody.
-            const double mass = response > DirectWay::least_response ? 1 / response : 0;
+            const double mass = response > FreeAxis::least_response ? 1 / response : 0;
             way.stiffness = way.rate * way.rate * mass;
             if (way.damping_ratio == 0) continue;
             const double left = decay(2 * way.damping_ratio * way.rate * step_);
@@ -44,15 +44,15 @@ void DirectGroup::damp_springs() {
     const auto each = [&](const auto& call) {
         for (DirectJoint& joint : joints)
             for (std::size_t k = 0; k < joint.ways.size(); k++) {
-                DirectWay& way = joint.ways[k];
+                FreeAxis& way = joint.ways[k];
                 if (!way.is_damped() || way.at_limit != 0 || way.is_held()) continue;
                 call(joint, way, joint.impulse[as_index(joint.first_way()) + k]);
             }
     };
-    each([&](DirectJoint& joint, DirectWay& way, double& speed) {
+    each([&](DirectJoint& joint, FreeAxis& way, double& speed) {
         speed = rate_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
     });
-    each([&](DirectJoint& joint, DirectWay& way, double& speed) {
+    each([&](DirectJoint& joint, FreeAxis& way, double& speed) {
         give(joint, way, -way.damper * speed);
         speed = 0;
     });
@@ -61,7 +61,7 @@ void DirectGroup::damp_springs() {
 // To what a kick of h follows.
 void DirectGroup::soften_springs(double h) {
     for (DirectJoint& joint : joints)
-        for (DirectWay& way : joint.ways) {
+        for (FreeAxis& way : joint.ways) {
             const double turn = way.rate * h;
             if (turn > 0.5) way.stiffness *= 0.25 / (turn * turn);
         }
@@ -71,7 +71,7 @@ void DirectGroup::soften_springs(double h) {
 
 // On or off, as the way says.
 void DirectGroup::set_row(DirectJoint& joint, int row) {
-    DirectWay& way = joint.ways[as_index(row - joint.first_way())];
+    FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
     const bool bound = way.at_limit != 0 || way.is_held();
     way.implicit = energy_ && way.rate > 0 && !bound;
     const bool off = !bound && !way.implicit && !way.is_damped();
@@ -91,7 +91,7 @@ void DirectGroup::set_bounds(double h) {
     if (smooth_ && !sprung_) return;
     for (DirectJoint& joint : joints) {
         for (int row = joint.first_way(); row < joint.rows(); row++) {
-            DirectWay& way = joint.ways[as_index(row - joint.first_way())];
+            FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
             if (way.at_limit == 0 && way.grip >= 0 && !way.is_held()) {
                 const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
                 const double speed = rate_of(way, a, b), push = way.push();
@@ -116,7 +116,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
                               bool at_velocities) {
     bool changed = false;
     for (int row = joint.first_way(); row < joint.rows(); row++) {
-        DirectWay& way = joint.ways[as_index(row - joint.first_way())];
+        FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
         if (way.at_limit != 0) {
             if (value[row] * way.at_limit >= 0) continue;
             if (at_velocities && way.overrun) {
@@ -125,7 +125,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
             }
             way.at_limit = 0;
             joint.target[row] = 0;
-            if (way.steps > 0 && way.grip == DirectWay::at_rest) load_grip(way, 0);
+            if (way.steps > 0 && way.grip == FreeAxis::at_rest) load_grip(way, 0);
         } else if (way.is_held()) {
             const int p = way.grip / 2;
             if (value[row] > scale * way.push_between(p))
@@ -151,7 +151,7 @@ bool DirectGroup::reach_limits(double h, double time) {
     const double most_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
         for (int row = joint.first_way(); row < joint.rows(); row++) {
-            DirectWay& way = joint.ways[as_index(row - joint.first_way())];
+            FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
             if (!way.has_limit() || way.at_limit != 0) continue;
             const double value =
                 trial_value(joint, way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
@@ -178,7 +178,7 @@ bool DirectGroup::reach_limits(double h, double time) {
 
 bool DirectGroup::is_on_limit() const {
     for (const DirectJoint& joint : joints)
-        for (const DirectWay& way : joint.ways)
+        for (const FreeAxis& way : joint.ways)
             if (way.at_limit != 0) return true;
     return false;
 }

@@ -42,7 +42,7 @@ void DirectGroup::save(int depth) {
     for (const DirectBody& body : bodies) to.bodies.push_back({body.x, body.p, body.l, body.q});
     for (const DirectJoint& joint : joints) {
         to.joints.push_back({joint.force_sum, joint.torque_sum, {}});
-        for (const DirectWay& way : joint.ways) to.ways.push_back({way.at_limit, way.grip});
+        for (const FreeAxis& way : joint.ways) to.ways.push_back({way.at_limit, way.grip});
     }
     for (std::size_t k = 0; k < joints.size(); k++)
         std::copy(std::begin(joints[k].force), std::end(joints[k].force), to.joints[k].force);
@@ -63,7 +63,7 @@ void DirectGroup::restore(int depth) {
         DirectJoint& joint = joints[k];
         joint.force_sum = from.joints[k].force_sum;
         joint.torque_sum = from.joints[k].torque_sum;
-        for (DirectWay& way : joint.ways) {
+        for (FreeAxis& way : joint.ways) {
             way.at_limit = from.ways[next].at_limit;
             way.grip = from.ways[next++].grip;
         }

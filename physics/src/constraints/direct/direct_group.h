@@ -108,7 +108,7 @@ private:
     void project_velocities(double h, double bias, bool save_forces = true);
 
     // ---- direct_bounds.cpp ----
-    void give(DirectJoint& joint, const DirectWay& way, double impulse);
+    void give(DirectJoint& joint, const FreeAxis& way, double impulse);
     void set_springs();
     void damp_springs();
     void soften_springs(double h);

@@ -30,7 +30,7 @@ void write_turn(DirectJoint& j, int k, Vec3 of_a, Vec3 of_b) {
 // Rows of ways, and none of what is switched off.
 void copy_ways(DirectJoint& j) {
     int row = j.first_way();
-    for (const DirectWay& way : j.ways) {
+    for (const FreeAxis& way : j.ways) {
         const bool off = j.off[static_cast<std::size_t>(row)];
         j.linear[row] = off ? Vec3{} : way.linear;
         j.angular_a[row] = off ? Vec3{} : way.angular_a;
@@ -63,12 +63,12 @@ constexpr double least_stiffness = 1e-30;  // N/m or N m / rad
 
 // The share of the end's stretch in the mean that pulls. Half keeps energy; what is damped and not
 // resolved by h goes to rest instead.
-double end_share(const DirectWay& way, double h) {
+double end_share(const FreeAxis& way, double h) {
     const double turn = way.rate * h;
     return 0.5 + 0.5 * minimum(1, way.damping_ratio * turn * turn);
 }
 
-double error_of_way(const DirectWay& way, double value, double impulse, double h) {
+double error_of_way(const FreeAxis& way, double value, double impulse, double h) {
     if (way.at_limit != 0) return value - (way.at_limit > 0 ? way.lower : way.upper);
     if (way.is_held()) {
         const double gone = value - way.start;
@@ -83,12 +83,12 @@ double error_of_way(const DirectWay& way, double value, double impulse, double h
 
 }  // namespace
 
-double bounded_excess(const DirectWay& way, double most) {
+double bounded_excess(const FreeAxis& way, double most) {
     return way.at_limit > 0 ? minimum(0, way.start - way.lower + most)
                             : maximum(0, way.start - way.upper - most);
 }
 
-double spring_pull(const DirectWay& way, double h) {
+double spring_pull(const FreeAxis& way, double h) {
     return maximum(way.stiffness, least_stiffness) * h * end_share(way, h);
 }
 
@@ -105,7 +105,7 @@ void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     for (int k = 0; k < j.turns; k++) write_turn(j, k, a.axes * j.turn_a[k], b.axes * j.turn_b[k]);
     if (j.ways.empty()) return;
     const WayEnds ends = ends_of(j, a, b);
-    for (DirectWay& way : j.ways) write_way(way, ends);
+    for (FreeAxis& way : j.ways) write_way(way, ends);
     copy_ways(j);
 }
 
@@ -130,7 +130,7 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
     for (int k = 0; k < j.turns; k++) write_turn(j, k, mean(a, j.turn_a[k]), mean(b, j.turn_b[k]));
     if (j.ways.empty()) return;
     const WayEnds before = ends_of(j, a, b), after = trial_ends(j, a, b);
-    for (DirectWay& way : j.ways) write_mean_way(way, before, after);
+    for (FreeAxis& way : j.ways) write_mean_way(way, before, after);
     copy_ways(j);
 }
 
@@ -138,7 +138,7 @@ void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     measure_at(j, a.x, a.axes, b.x, b.axes, j.start);
     if (j.ways.empty()) return;
     const WayEnds ends = ends_of(j, a, b);
-    for (DirectWay& way : j.ways) way.start = value_of(way, ends);
+    for (FreeAxis& way : j.ways) way.start = value_of(way, ends);
 }
 
 void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
@@ -146,14 +146,14 @@ void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h)
     if (j.ways.empty()) return;
     const WayEnds ends = trial_ends(j, a, b);
     int row = j.first_way();
-    for (const DirectWay& way : j.ways) {
+    for (const FreeAxis& way : j.ways) {
         const bool on = way.at_limit != 0 || way.is_held() || way.implicit;
         j.error[row] = on ? error_of_way(way, value_of(way, ends), j.impulse[row], h) : 0;
         row++;
     }
 }
 
-double trial_value(const DirectJoint& j, const DirectWay& way, const DirectBody& a,
+double trial_value(const DirectJoint& j, const FreeAxis& way, const DirectBody& a,
                    const DirectBody& b) {
     return value_of(way, trial_ends(j, a, b));
 }

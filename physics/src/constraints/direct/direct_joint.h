@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/src/constraints/direct/direct_way.h"
+#include "physics/src/constraints/direct/free_axis.h"
 
 namespace jostle::physics {
 
@@ -28,7 +28,7 @@ struct DirectJoint {
     int points = 0;  // rows of the points
     int turns = 0;   // directions of a that stay perpendicular to directions of b: 0..3
     int count = 0;   // of all rows
-    std::vector<DirectWay> ways;
+    std::vector<FreeAxis> ways;
     int rows() const { return count; }
     int first_way() const { return points + turns; }
     bool is_ball() const { return kind == Points::ball; }
@@ -75,7 +75,7 @@ void write_mean_vectors(DirectJoint& joint, const DirectBody& a, const DirectBod
 void measure_start(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
 void measure(DirectJoint& joint, const DirectBody& a, const DirectBody& b, double h);
 // Of a way there.
-double trial_value(const DirectJoint& joint, const DirectWay& way, const DirectBody& a,
+double trial_value(const DirectJoint& joint, const FreeAxis& way, const DirectBody& a,
                    const DirectBody& b);
 // The force on b of impulses along the rows.
 inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
@@ -85,14 +85,14 @@ inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
     return sum;
 }
 // By how much a limit is overrun beyond `most` as the step begins; negative at the lower one.
-inline bool is_overrun(const DirectWay& way) {
+inline bool is_overrun(const FreeAxis& way) {
     return way.at_limit > 0 ? way.start < way.lower : way.start > way.upper;
 }
-double bounded_excess(const DirectWay& way, double most);
+double bounded_excess(const FreeAxis& way, double most);
 // What a row of a spring takes in this step: impulse per error at its end (that of the step's mean
 // stretch, or of a later one where the spring is damped and too stiff for h to resolve),
 // 1/compliance.
-double spring_pull(const DirectWay& way, double h);
+double spring_pull(const FreeAxis& way, double h);
 
 // Which kinds have rows here.
 bool supported(const JointKind& kind);

@@ -8,21 +8,21 @@
 namespace jostle::physics {
 namespace {
 
-using Way = DirectWay::Kind;
+using Way = FreeAxis::Kind;
 
-void limit(DirectWay& way, const JointLimit& limit) {
+void limit(FreeAxis& way, const JointLimit& limit) {
     if (!limit.enabled) return;
     way.lower = limit.lower;
     way.upper = limit.upper;
 }
 
-void spring(DirectWay& way, const JointSpring& spring, double rest) {
+void spring(FreeAxis& way, const JointSpring& spring, double rest) {
     way.rate = 2 * pi * spring.hertz;
     way.damping_ratio = spring.damping_ratio;
     way.rest = rest;
 }
 
-void grip(DirectWay& way, bool driven, double speed, double most, double friction) {
+void grip(FreeAxis& way, bool driven, double speed, double most, double friction) {
     if (driven) add_step(way, speed, most);
     if (friction > 0) add_step(way, 0, friction);
     way.rubs = friction;
@@ -34,15 +34,15 @@ bool does_something(const JointAxis& axis) {
            (axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled || axis.friction > 0);
 }
 
-DirectWay way_of(Way kind, const JointAxis& axis, int slot) {
-    DirectWay way{.kind = kind, .slot = slot};
+FreeAxis way_of(Way kind, const JointAxis& axis, int slot) {
+    FreeAxis way{.kind = kind, .slot = slot};
     limit(way, axis.limit);
     spring(way, axis.spring, axis.spring_at);
     grip(way, axis.motor.enabled, axis.motor.speed, axis.motor.most, axis.friction);
     return way;
 }
 
-void as_hinge(DirectWay& way, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
+void as_hinge(FreeAxis& way, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
     way.kind = Way::hinge;
     way.axis_a = axis;
     way.x_a = x;
@@ -100,7 +100,7 @@ void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const
     constexpr Way kinds[] = {Way::first, Way::middle, Way::last};
     for (std::size_t k = 3; k < 6; k++) {
         if (!does_something(layout.axes[k])) continue;
-        DirectWay way = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
+        FreeAxis way = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
         way.frame_a = j.frame_a;
         way.frame_b = j.frame_b;
         if (j.turns == 2 && last)
@@ -125,7 +125,7 @@ void set_up_kind(DirectJoint& j, const HingeJoint& hinge, const DirectEnd& a, co
     hold_together(j);
     hold_axis(j, fa.z, fb.x, fb.y);
     if (!hinge.limit.enabled && !hinge.motor.enabled && hinge.spring.hertz == 0) return;
-    DirectWay way;
+    FreeAxis way;
     as_hinge(way, fa.z, fa.x, fa.y, fb.x);
     limit(way, hinge.limit);
     spring(way, hinge.spring, hinge.spring_angle);
@@ -142,7 +142,7 @@ void set_up_kind(DirectJoint& j, const FixedJoint&, const DirectEnd& a, const Di
 void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
                  const DirectEnd& b) {
     hold_together(j);
-    DirectWay way{.frame_a = a.frame, .frame_b = b.frame};
+    FreeAxis way{.frame_a = a.frame, .frame_b = b.frame};
     if (cone.twist.enabled) {
         way.kind = Way::twist;
         limit(way, cone.twist);
@@ -162,7 +162,7 @@ void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&
         j.distance = distance.max_length;
         return;
     }
-    DirectWay way{.kind = Way::distance, .upper = distance.max_length};
+    FreeAxis way{.kind = Way::distance, .upper = distance.max_length};
     if (distance.min_length > 0) way.lower = distance.min_length;
     spring(way, distance.spring, distance.rest_length);
     j.ways.push_back(way);

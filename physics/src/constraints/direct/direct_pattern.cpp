@@ -40,9 +40,9 @@ void DirectGroup::list_what_acts() {
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
         for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
-        for (DirectWay& way : joint.ways) {
+        for (FreeAxis& way : joint.ways) {
             // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
-            if (way.kind != DirectWay::Kind::swing &&
+            if (way.kind != FreeAxis::Kind::swing &&
                 response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
                     least_response(joint))
                 nothing_along(way);
@@ -188,7 +188,7 @@ void DirectGroup::soften(double h) {
     for (std::size_t k = 0; k < joints.size(); k++) {
         const DirectJoint& joint = joints[k];
         for (std::size_t i = 0; i < joint.ways.size(); i++) {
-            const DirectWay& way = joint.ways[i];
+            const FreeAxis& way = joint.ways[i];
             if (way.rate == 0 || way.at_limit != 0 || way.is_held()) continue;
             const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h)
                                                    : 1 / maximum(way.damper, least_damper);

@@ -43,7 +43,7 @@ void DirectGroup::kick(double h, bool second) {
     damp(0.5 * h);
     if (!sprung_ && !gripped_) return;
     for (DirectJoint& joint : joints)
-        for (const DirectWay& way : joint.ways) {
+        for (const FreeAxis& way : joint.ways) {
             const double push = way.push() - way.stiffness * stretch_of(way, way.value);
             if (push != 0) give(joint, way, 0.5 * h * push);
         }
@@ -131,7 +131,7 @@ bool DirectGroup::set_targets(double h) {
                 joint.target[k] = joint.start[k] * left;
         }
         for (std::size_t k = 0; k < joint.ways.size(); k++) {
-            DirectWay& way = joint.ways[k];
+            FreeAxis& way = joint.ways[k];
             if (way.at_limit == 0) continue;
             way.overrun = is_overrun(way);
             joint.target[joint.first_way() + static_cast<int>(k)] =

@@ -17,18 +17,18 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_free_axis(DirectWay& way, double& force, const WarmStartCache::Way& cache, double h) {
+void load_free_axis(FreeAxis& way, double& force, const WarmStartCache::Way& cache, double h) {
     if (way.has_limit()) way.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
     load_grip(way, (cache.motor + cache.friction) / h);
     if (way.at_limit != 0) {
-        if (way.is_held()) way.grip = DirectWay::at_rest;
+        if (way.is_held()) way.grip = FreeAxis::at_rest;
         force = (cache.lower - cache.upper) * (0.5 / h);
     } else if (way.is_held()) {
         force = (cache.motor + cache.friction) * (0.5 / h);
     }
 }
 
-WarmStartCache::Way save_free_axis(const DirectWay& way, double force, double h) {
+WarmStartCache::Way save_free_axis(const FreeAxis& way, double force, double h) {
     WarmStartCache::Way cache;
     if (way.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
     if (way.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
@@ -63,7 +63,7 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
         j.force[k] = size > 1e-6 ? dot(j.angular_b[k], angular) * half / size : 0;
     }
     int row = j.first_way();
-    for (DirectWay& way : j.ways) {
+    for (FreeAxis& way : j.ways) {
         load_free_axis(way, j.force[row], cache.ways[static_cast<std::size_t>(way.slot)], h);
         row++;
     }
@@ -87,7 +87,7 @@ WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const Dire
         cache.angular = {};
     }
     int row = j.first_way();
-    for (const DirectWay& way : j.ways)
+    for (const FreeAxis& way : j.ways)
         cache.ways[static_cast<std::size_t>(way.slot)] = save_free_axis(way, j.force[row++], h);
     return cache;
 }

@@ -76,7 +76,7 @@ double DirectGroup::stiffest() {
     for (const DirectJoint& joint : joints) {
         Vec3 pull = pull_of(joint, joint.force) * 2;
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-        for (const DirectWay& way : joint.ways)
+        for (const FreeAxis& way : joint.ways)
             if (way.is_linear())
                 pull += way.linear * (way.push() - way.stiffness * stretch_of(way, way.value));
         stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
@@ -106,7 +106,7 @@ void DirectGroup::begin_energy_step(double h) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
         for (std::size_t w = 0; w < joint.ways.size(); w++) {
-            const DirectWay& way = joint.ways[w];
+            const FreeAxis& way = joint.ways[w];
             if (way.implicit)
                 joint.impulse[as_index(joint.first_way()) + w] =
                     -h * way.stiffness * stretch_of(way, way.start);
@@ -129,7 +129,7 @@ void DirectGroup::begin_energy_step(double h) {
 // before.
 void DirectGroup::add_known_pushes(double h) {
     for (DirectJoint& joint : joints)
-        for (DirectWay& way : joint.ways) {
+        for (FreeAxis& way : joint.ways) {
             way.given = 0;
             double push = way.push();
             DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
@@ -287,7 +287,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         record(joint, joint.impulse);
         for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
-        for (const DirectWay& way : joint.ways) {
+        for (const FreeAxis& way : joint.ways) {
             if (way.given == 0) continue;
             joint.force_sum += way.linear * way.given;
             if (!way.is_linear()) joint.torque_sum += way.angular_b * way.given;

@@ -215,7 +215,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
-    std::vector<DirectWay> ways = std::move(joint.ways);  // for its memory
+    std::vector<FreeAxis> ways = std::move(joint.ways);  // for its memory
     ways.clear();
     joint = {};
     joint.ways = std::move(ways);

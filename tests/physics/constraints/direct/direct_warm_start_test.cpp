@@ -59,7 +59,7 @@ TEST(DirectMemory, keeps_what_bounds_a_way) {
     DirectGroup group =
         askew(SliderJoint{.limit = {true, 0, 2}, .motor = {true, 1, 10}, .friction_force = 4});
     DirectJoint& joint = group.joints[0];
-    DirectWay& way = joint.ways[0];
+    FreeAxis& way = joint.ways[0];
     const int row = joint.first_way();
     const auto again = [&] {
         const WarmStartCache kept = save_forces(joint, group.bodies[0], group.bodies[1], h);

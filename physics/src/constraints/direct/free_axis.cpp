@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraints/direct/direct_way.h"
+#include "physics/src/constraints/direct/free_axis.h"
 
 #include <utility>
 
@@ -9,10 +9,10 @@
 namespace jostle::physics {
 namespace {
 
-using Kind = DirectWay::Kind;
+using Kind = FreeAxis::Kind;
 
 // Of what only turns.
-Vec3 turn_row(const DirectWay& way, const WayEnds& ends) {
+Vec3 turn_row(const FreeAxis& way, const WayEnds& ends) {
     if (way.kind == Kind::hinge) return ends.axes_a * way.axis_a;
     const Quat a = ends.a * way.frame_a, b = ends.b * way.frame_b;
     if (way.kind == Kind::swing || way.kind == Kind::twist) {
@@ -33,14 +33,14 @@ Vec3 line_of(Vec3 apart) {
     return size > 1e-12 ? apart * (1 / size) : Vec3{0, 1, 0};
 }
 
-void write_turn(DirectWay& way, Vec3 row) {
+void write_turn(FreeAxis& way, Vec3 row) {
     way.linear = {};
     way.angular_a = -row;
     way.angular_b = row;
 }
 
 // Both bodies feel the force in one point, or along the line of two.
-void write_line(DirectWay& way, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
+void write_line(FreeAxis& way, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
     way.linear = line;
     way.angular_a = cross(line, lever_a);
     way.angular_b = cross(lever_b, line);
@@ -48,13 +48,13 @@ void write_line(DirectWay& way, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
 
 }  // namespace
 
-double DirectWay::push_between(int p) const {
+double FreeAxis::push_between(int p) const {
     double sum = 0;
     for (int k = 0; k < steps; k++) sum += k < p ? -most[k] : most[k];
     return sum;
 }
 
-double value_of(const DirectWay& way, const WayEnds& ends) {
+double value_of(const FreeAxis& way, const WayEnds& ends) {
     switch (way.kind) {
         case Kind::travel:
             return dot(ends.axes_a * way.axis_a, ends.apart);
@@ -76,7 +76,7 @@ double value_of(const DirectWay& way, const WayEnds& ends) {
                                    : (way.kind == Kind::middle ? turns.middle : turns.last);
 }
 
-void write_way(DirectWay& way, const WayEnds& ends) {
+void write_way(FreeAxis& way, const WayEnds& ends) {
     way.value = value_of(way, ends);
     if (way.kind == Kind::travel)
         write_line(way, ends.axes_a * way.axis_a, ends.arm_a + ends.apart, ends.arm_b);
@@ -86,7 +86,7 @@ void write_way(DirectWay& way, const WayEnds& ends) {
         write_turn(way, turn_row(way, ends));
 }
 
-void write_mean_way(DirectWay& way, const WayEnds& before, const WayEnds& after) {
+void write_mean_way(FreeAxis& way, const WayEnds& before, const WayEnds& after) {
     const Vec3 arm_a = (before.arm_a + after.arm_a) * 0.5,
                arm_b = (before.arm_b + after.arm_b) * 0.5;
     if (way.kind == Kind::travel) {
@@ -104,12 +104,12 @@ void write_mean_way(DirectWay& way, const WayEnds& before, const WayEnds& after)
     }
 }
 
-double rate_of(const DirectWay& way, const DirectBody& a, const DirectBody& b) {
+double rate_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b) {
     const double turning = dot(way.angular_a, spin(a)) + dot(way.angular_b, spin(b));
     return way.is_linear() ? turning + dot(way.linear, velocity(b) - velocity(a)) : turning;
 }
 
-double response_of(const DirectWay& way, const DirectBody& a, const DirectBody& b) {
+double response_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b) {
     const auto of = [&](const DirectBody& body, Vec3 angular) {
         return body.pushed ? dot(way.linear, scaled(way.linear, body.inverse_masses)) +
                                  dot(angular, body.inverse_inertia * angular)
@@ -118,14 +118,14 @@ double response_of(const DirectWay& way, const DirectBody& a, const DirectBody& 
     return of(a, way.angular_a) + of(b, way.angular_b);
 }
 
-double stretch_of(const DirectWay& way, double value) {
+double stretch_of(const FreeAxis& way, double value) {
     const double stretch = value - way.rest;
     return way.is_linear() ? stretch : wrapped(stretch);
 }
 
 // ---- grip ----
 
-void add_step(DirectWay& way, double speed, double most) {
+void add_step(FreeAxis& way, double speed, double most) {
     for (int k = 0; k < way.steps; k++)
         if (way.speeds[k] == speed) {
             way.most[k] += most;
@@ -140,15 +140,15 @@ void add_step(DirectWay& way, double speed, double most) {
     way.steps++;
 }
 
-void nothing_along(DirectWay& way) {
+void nothing_along(FreeAxis& way) {
     way.lower = -DirectWay::never;
-    way.upper = DirectWay::never;
+    way.upper = FreeAxis::never;
     way.steps = way.at_limit = 0;
-    way.grip = DirectWay::at_rest;
+    way.grip = FreeAxis::at_rest;
     way.rate = way.rubs = 0;
 }
 
-void grip_on_limit(DirectWay& way) {
+void grip_on_limit(FreeAxis& way) {
     if (way.steps == 0 || way.at_limit == 0) return;
     const int into = -way.at_limit;
     // Steps that are slower than what creeps that way.
@@ -163,12 +163,12 @@ void grip_on_limit(DirectWay& way) {
     } else if (way.push_between(slower(-into)) * into < 0) {
         if (way.is_held()) way.at_limit = 0;
     } else {
-        way.grip = DirectWay::at_rest;
+        way.grip = FreeAxis::at_rest;
     }
 }
 
-void load_grip(DirectWay& way, double force) {
-    way.grip = DirectWay::at_rest;
+void load_grip(FreeAxis& way, double force) {
+    way.grip = FreeAxis::at_rest;
     if (way.steps == 0) return;
     const double fuzz = 1e-7 * way.push_between(0);
     for (int p = 0; p <= way.steps; p++) {

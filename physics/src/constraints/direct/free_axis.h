@@ -17,7 +17,7 @@
 
 namespace jostle::physics {
 
-struct DirectWay {
+struct FreeAxis {
     enum class Kind : std::uint8_t { hinge, first, middle, last, travel, distance, twist, swing };
     static constexpr double never = 1e300;
     static constexpr double least_response = 1e-30;  // 1/kg or 1/(kg m^2): below it, none
@@ -69,27 +69,27 @@ struct WayEnds {
 };
 
 // Value and vectors there.
-void write_way(DirectWay& way, const WayEnds& ends);
-double value_of(const DirectWay& way, const WayEnds& ends);
+void write_way(FreeAxis& way, const WayEnds& ends);
+double value_of(const FreeAxis& way, const WayEnds& ends);
 // Vectors with which the value changes by h J (v, w) from one place to the other; the value stays
 // what it is.
-void write_mean_way(DirectWay& way, const WayEnds& before, const WayEnds& after);
+void write_mean_way(FreeAxis& way, const WayEnds& before, const WayEnds& after);
 // Rate of the value.
-double rate_of(const DirectWay& way, const DirectBody& a, const DirectBody& b);
+double rate_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b);
 // By how much a unit impulse speeds it up, 1/kg or 1/(kg m^2).
-double response_of(const DirectWay& way, const DirectBody& a, const DirectBody& b);
+double response_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b);
 // From where the spring is at rest.
-double stretch_of(const DirectWay& way, double value);
+double stretch_of(const FreeAxis& way, double value);
 
-void add_step(DirectWay& way, double speed, double most);
+void add_step(FreeAxis& way, double speed, double most);
 // Grip on a limit: a motor that drives into it presses on it, one that drives away leaves it, and
 // else it bears all.
-void grip_on_limit(DirectWay& way);
+void grip_on_limit(FreeAxis& way);
 // Of what gripped the way before: its force on b.
-void load_grip(DirectWay& way, double force);
+void load_grip(FreeAxis& way, double force);
 
 // A way along which nothing acts.
-void nothing_along(DirectWay& way);
+void nothing_along(FreeAxis& way);
 
 // Within a turn.
 inline double wrapped(double angle) {

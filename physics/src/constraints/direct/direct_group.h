@@ -61,13 +61,13 @@ private:
         Vec3 force_sum, torque_sum;
         double force[DirectJoint::most_rows];
     };
-    struct SavedWay {
+    struct SavedFreeAxis {
         int at_limit, grip;
     };
     struct Saved {
         std::vector<SavedBody> bodies;
         std::vector<SavedJoint> joints;
-        std::vector<SavedWay> ways;
+        std::vector<SavedFreeAxis> ways;
     };
 
     // ---- direct_pattern.cpp ----

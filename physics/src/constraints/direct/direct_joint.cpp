@@ -39,11 +39,11 @@ void copy_ways(DirectJoint& j) {
     }
 }
 
-WayEnds ends_of(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
+FreeAxisEnds ends_of(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     const Vec3 arm_a = a.axes * j.arm_a, arm_b = b.axes * j.arm_b;
     return {arm_a, arm_b, (b.x + arm_b) - (a.x + arm_a), a.q, b.q, a.axes, b.axes};
 }
-WayEnds trial_ends(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
+FreeAxisEnds trial_ends(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     const Vec3 arm_a = a.axes1 * j.arm_a, arm_b = b.axes1 * j.arm_b;
     return {arm_a, arm_b, (b.x1 + arm_b) - (a.x1 + arm_a), a.q1, b.q1, a.axes1, b.axes1};
 }
@@ -104,7 +104,7 @@ void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
             write_line(j, k, a.axes * j.across[k], arm_a + j.apart, arm_b);
     for (int k = 0; k < j.turns; k++) write_turn(j, k, a.axes * j.turn_a[k], b.axes * j.turn_b[k]);
     if (j.ways.empty()) return;
-    const WayEnds ends = ends_of(j, a, b);
+    const FreeAxisEnds ends = ends_of(j, a, b);
     for (FreeAxis& way : j.ways) write_way(way, ends);
     copy_ways(j);
 }
@@ -129,7 +129,7 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
     }
     for (int k = 0; k < j.turns; k++) write_turn(j, k, mean(a, j.turn_a[k]), mean(b, j.turn_b[k]));
     if (j.ways.empty()) return;
-    const WayEnds before = ends_of(j, a, b), after = trial_ends(j, a, b);
+    const FreeAxisEnds before = ends_of(j, a, b), after = trial_ends(j, a, b);
     for (FreeAxis& way : j.ways) write_mean_way(way, before, after);
     copy_ways(j);
 }
@@ -137,14 +137,14 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
 void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     measure_at(j, a.x, a.axes, b.x, b.axes, j.start);
     if (j.ways.empty()) return;
-    const WayEnds ends = ends_of(j, a, b);
+    const FreeAxisEnds ends = ends_of(j, a, b);
     for (FreeAxis& way : j.ways) way.start = value_of(way, ends);
 }
 
 void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
     measure_at(j, a.x1, a.axes1, b.x1, b.axes1, j.error);
     if (j.ways.empty()) return;
-    const WayEnds ends = trial_ends(j, a, b);
+    const FreeAxisEnds ends = trial_ends(j, a, b);
     int row = j.first_way();
     for (const FreeAxis& way : j.ways) {
         const bool on = way.at_limit != 0 || way.is_held() || way.implicit;

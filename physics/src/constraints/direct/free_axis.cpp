@@ -12,7 +12,7 @@ namespace {
 using Kind = FreeAxis::Kind;
 
 // Of what only turns.
-Vec3 turn_row(const FreeAxis& way, const WayEnds& ends) {
+Vec3 turn_row(const FreeAxis& way, const FreeAxisEnds& ends) {
     if (way.kind == Kind::hinge) return ends.axes_a * way.axis_a;
     const Quat a = ends.a * way.frame_a, b = ends.b * way.frame_b;
     if (way.kind == Kind::swing || way.kind == Kind::twist) {
@@ -54,7 +54,7 @@ double FreeAxis::push_between(int p) const {
     return sum;
 }
 
-double value_of(const FreeAxis& way, const WayEnds& ends) {
+double value_of(const FreeAxis& way, const FreeAxisEnds& ends) {
     switch (way.kind) {
         case Kind::travel:
             return dot(ends.axes_a * way.axis_a, ends.apart);
@@ -76,7 +76,7 @@ double value_of(const FreeAxis& way, const WayEnds& ends) {
                                    : (way.kind == Kind::middle ? turns.middle : turns.last);
 }
 
-void write_way(FreeAxis& way, const WayEnds& ends) {
+void write_way(FreeAxis& way, const FreeAxisEnds& ends) {
     way.value = value_of(way, ends);
     if (way.kind == Kind::travel)
         write_line(way, ends.axes_a * way.axis_a, ends.arm_a + ends.apart, ends.arm_b);
@@ -86,7 +86,7 @@ void write_way(FreeAxis& way, const WayEnds& ends) {
         write_turn(way, turn_row(way, ends));
 }
 
-void write_mean_way(FreeAxis& way, const WayEnds& before, const WayEnds& after) {
+void write_mean_way(FreeAxis& way, const FreeAxisEnds& before, const FreeAxisEnds& after) {
     const Vec3 arm_a = (before.arm_a + after.arm_a) * 0.5,
                arm_b = (before.arm_b + after.arm_b) * 0.5;
     if (way.kind == Kind::travel) {

@@ -62,18 +62,18 @@ struct FreeAxis {
 };
 
 // The ends of its joint: world.
-struct WayEnds {
+struct FreeAxisEnds {
     Vec3 arm_a, arm_b, apart;  // m
     Quat a, b;                 // of the principal axes
     Mat3 axes_a, axes_b;
 };
 
 // Value and vectors there.
-void write_way(FreeAxis& way, const WayEnds& ends);
-double value_of(const FreeAxis& way, const WayEnds& ends);
+void write_way(FreeAxis& way, const FreeAxisEnds& ends);
+double value_of(const FreeAxis& way, const FreeAxisEnds& ends);
 // Vectors with which the value changes by h J (v, w) from one place to the other; the value stays
 // what it is.
-void write_mean_way(FreeAxis& way, const WayEnds& before, const WayEnds& after);
+void write_mean_way(FreeAxis& way, const FreeAxisEnds& before, const FreeAxisEnds& after);
 // Rate of the value.
 double rate_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b);
 // By how much a unit impulse speeds it up, 1/kg or 1/(kg m^2).

@@ -107,10 +107,10 @@ void set_up(DirectJoint& joint, const JointKind& kind, const DirectEnd& a, const
 struct WarmStartCache {
     Vec3 point, angular;  // world
     Vec3 turns;           // of what keeps them by gimbal row: first, middle, last
-    struct Way {
+    struct FreeAxisImpulses {
         double lower = 0, upper = 0, spring = 0, motor = 0, friction = 0;
     };
-    std::array<Way, 6> ways{};  // by slot
+    std::array<FreeAxisImpulses, 6> ways{};  // by slot
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h);

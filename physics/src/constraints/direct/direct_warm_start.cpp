@@ -17,7 +17,7 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_free_axis(FreeAxis& way, double& force, const WarmStartCache::Way& cache, double h) {
+void load_free_axis(FreeAxis& way, double& force, const WarmStartCache::FreeAxisImpulses& cache, double h) {
     if (way.has_limit()) way.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
     load_grip(way, (cache.motor + cache.friction) / h);
     if (way.at_limit != 0) {
@@ -28,8 +28,8 @@ void load_free_axis(FreeAxis& way, double& force, const WarmStartCache::Way& cac
     }
 }
 
-WarmStartCache::Way save_free_axis(const FreeAxis& way, double force, double h) {
-    WarmStartCache::Way cache;
+WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& way, double force, double h) {
+    WarmStartCache::FreeAxisImpulses cache;
     if (way.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
     if (way.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
     const bool held = way.at_limit == 0 && way.is_held();

@@ -43,7 +43,7 @@ void write_warm_start(Joint& to, Quat carried, const WarmStartCache& cache) {
         to.angular = cache.turns;
         const std::size_t count = to.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
-            const WarmStartCache::Way& way = cache.ways[k];
+            const WarmStartCache::FreeAxisImpulses& way = cache.ways[k];
             double* const at = &to.memory[k * AxisImpulses::count];
             at[AxisImpulses::lower] = way.lower;
             at[AxisImpulses::upper] = way.upper;

@@ -73,7 +73,7 @@ TEST(DirectMemory, keeps_what_bounds_a_way) {
     way.at_limit = 1;
     way.grip = 2;
     joint.force[row] = 5;
-    WarmStartCache::Way kept = again();
+    WarmStartCache::FreeAxisImpulses kept = again();
     EXPECT_DOUBLE_EQ(kept.lower, 10 * h);
     EXPECT_DOUBLE_EQ(kept.motor + kept.friction, 6 * h);
     EXPECT_EQ(way.at_limit, 1);

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-using Way = FreeAxis::Kind;
+using AxisKind = FreeAxis::Kind;
 
 void limit(FreeAxis& way, const JointLimit& limit) {
     if (!limit.enabled) return;
@@ -34,7 +34,7 @@ bool does_something(const JointAxis& axis) {
            (axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled || axis.friction > 0);
 }
 
-FreeAxis way_of(Way kind, const JointAxis& axis, int slot) {
+FreeAxis way_of(AxisKind kind, const JointAxis& axis, int slot) {
     FreeAxis way{.kind = kind, .slot = slot};
     limit(way, axis.limit);
     spring(way, axis.spring, axis.spring_at);
@@ -43,7 +43,7 @@ FreeAxis way_of(Way kind, const JointAxis& axis, int slot) {
 }
 
 void as_hinge(FreeAxis& way, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
-    way.kind = Way::hinge;
+    way.kind = AxisKind::hinge;
     way.axis_a = axis;
     way.x_a = x;
     way.y_a = y;
@@ -79,7 +79,7 @@ void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
         if (!axis.free) {
             j.across[j.points++] = axes[k];
         } else if (does_something(axis)) {
-            j.ways.push_back(way_of(Way::travel, axis, layout.slots[k]));
+            j.ways.push_back(way_of(AxisKind::travel, axis, layout.slots[k]));
             j.ways.back().axis_a = axes[k];
         }
     }
@@ -97,7 +97,7 @@ void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const
         hold_axis(j, a.x, b.y, b.z);
     else if (!middle)
         j.turns = 1, j.turn_a[0] = a.x, j.turn_b[0] = b.z;
-    constexpr Way kinds[] = {Way::first, Way::middle, Way::last};
+    constexpr AxisKind kinds[] = {AxisKind::first, AxisKind::middle, AxisKind::last};
     for (std::size_t k = 3; k < 6; k++) {
         if (!does_something(layout.axes[k])) continue;
         FreeAxis way = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
@@ -144,12 +144,12 @@ void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
     hold_together(j);
     FreeAxis way{.frame_a = a.frame, .frame_b = b.frame};
     if (cone.twist.enabled) {
-        way.kind = Way::twist;
+        way.kind = AxisKind::twist;
         limit(way, cone.twist);
         j.ways.push_back(way);
         way.lower = -DirectWay::never;
     }
-    way.kind = Way::swing;
+    way.kind = AxisKind::swing;
     way.slot = 1;
     way.upper = cone.swing;
     j.ways.push_back(way);
@@ -162,7 +162,7 @@ void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&
         j.distance = distance.max_length;
         return;
     }
-    FreeAxis way{.kind = Way::distance, .upper = distance.max_length};
+    FreeAxis way{.kind = AxisKind::distance, .upper = distance.max_length};
     if (distance.min_length > 0) way.lower = distance.min_length;
     spring(way, distance.spring, distance.rest_length);
     j.ways.push_back(way);

@@ -8,15 +8,15 @@
 
 namespace jostle::physics {
 // Along a way, whether its row is on or not.
-void DirectGroup::give(DirectJoint& joint, const FreeAxis& way, double impulse) {
+void DirectGroup::give(DirectJoint& joint, const FreeAxis& free_axis, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-    const Vec3 linear = way.linear * impulse, about_b = way.angular_b * impulse;
+    const Vec3 linear = free_axis.linear * impulse, about_b = free_axis.angular_b * impulse;
     a.p -= linear;
-    a.l += way.angular_a * impulse;
+    a.l += free_axis.angular_a * impulse;
     b.p += linear;
     b.l += about_b;
     joint.force_sum += linear;
-    if (!way.is_linear()) joint.torque_sum += about_b;
+    if (!free_axis.is_linear()) joint.torque_sum += about_b;
 }
 
 // ---- springs ----
@@ -26,16 +26,16 @@ void DirectGroup::give(DirectJoint& joint, const FreeAxis& way, double impulse) 
 // lose exactly what they should.
 void DirectGroup::set_springs() {
     for (DirectJoint& joint : joints)
-        for (FreeAxis& way : joint.ways) {
-            if (way.rate == 0) continue;
+        for (FreeAxis& free_axis : joint.free_axes) {
+            if (free_axis.rate == 0) continue;
             const double response =
-                response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+                response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             // Along what is locked it pushes nobody.
             const double mass = response > FreeAxis::least_response ? 1 / response : 0;
-            way.stiffness = way.rate * way.rate * mass;
-            if (way.damping_ratio == 0) continue;
-            const double left = decay(2 * way.damping_ratio * way.rate * step_);
-            way.damper = (1 - left) / (1 + left) * mass;
+            free_axis.stiffness = free_axis.rate * free_axis.rate * mass;
+            if (free_axis.damping_ratio == 0) continue;
+            const double left = decay(2 * free_axis.damping_ratio * free_axis.rate * step_);
+            free_axis.damper = (1 - left) / (1 + left) * mass;
         }
 }
 
@@ -43,17 +43,17 @@ void DirectGroup::set_springs() {
 void DirectGroup::damp_springs() {
     const auto each = [&](const auto& call) {
         for (DirectJoint& joint : joints)
-            for (std::size_t k = 0; k < joint.ways.size(); k++) {
-                FreeAxis& way = joint.ways[k];
-                if (!way.is_damped() || way.at_limit != 0 || way.is_held()) continue;
-                call(joint, way, joint.impulse[as_index(joint.first_way()) + k]);
+            for (std::size_t k = 0; k < joint.free_axes.size(); k++) {
+                FreeAxis& free_axis = joint.free_axes[k];
+                if (!free_axis.is_damped() || free_axis.at_limit != 0 || free_axis.is_held()) continue;
+                call(joint, free_axis, joint.impulse[as_index(joint.first_free_axis()) + k]);
             }
     };
-    each([&](DirectJoint& joint, FreeAxis& way, double& speed) {
-        speed = rate_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+    each([&](DirectJoint& joint, FreeAxis& free_axis, double& speed) {
+        speed = rate_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
     });
-    each([&](DirectJoint& joint, FreeAxis& way, double& speed) {
-        give(joint, way, -way.damper * speed);
+    each([&](DirectJoint& joint, FreeAxis& free_axis, double& speed) {
+        give(joint, free_axis, -way.damper * speed);
         speed = 0;
     });
 }
@@ -61,9 +61,9 @@ void DirectGroup::damp_springs() {
 // To what a kick of h follows.
 void DirectGroup::soften_springs(double h) {
     for (DirectJoint& joint : joints)
-        for (FreeAxis& way : joint.ways) {
-            const double turn = way.rate * h;
-            if (turn > 0.5) way.stiffness *= 0.25 / (turn * turn);
+        for (FreeAxis& free_axis : joint.free_axes) {
+            const double turn = free_axis.rate * h;
+            if (turn > 0.5) free_axis.stiffness *= 0.25 / (turn * turn);
         }
 }
 
@@ -71,15 +71,15 @@ void DirectGroup::soften_springs(double h) {
 
 // On or off, as the way says.
 void DirectGroup::set_row(DirectJoint& joint, int row) {
-    FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
-    const bool bound = way.at_limit != 0 || way.is_held();
-    way.implicit = energy_ && way.rate > 0 && !bound;
-    const bool off = !bound && !way.implicit && !way.is_damped();
+    FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
+    const bool bound = free_axis.at_limit != 0 || free_axis.is_held();
+    free_axis.implicit = energy_ && free_axis.rate > 0 && !bound;
+    const bool off = !bound && !free_axis.implicit && !free_axis.is_damped();
     if (!bound) joint.force[row] = 0;
-    if (joint.off[as_index(row)] == off && way.bound == bound) return;
+    if (joint.off[as_index(row)] == off && free_axis.bound == bound) return;
     joint.off[as_index(row)] = off;
     joint.blocked[as_index(row)] = false;
-    way.bound = bound;
+    free_axis.bound = bound;
     factored_ = false;
 }
 
@@ -90,20 +90,20 @@ void DirectGroup::set_bounds(double h) {
     step_ = h;
     if (smooth_ && !sprung_) return;
     for (DirectJoint& joint : joints) {
-        for (int row = joint.first_way(); row < joint.rows(); row++) {
-            FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
-            if (way.at_limit == 0 && way.grip >= 0 && !way.is_held()) {
+        for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
+            FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
+            if (free_axis.at_limit == 0 && free_axis.actuation >= 0 && !free_axis.is_held()) {
                 const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-                const double speed = rate_of(way, a, b), push = way.push();
-                const double gained = response_of(way, a, b) * way.push_between(0) * h;
-                const int p = way.grip / 2;
-                if (p < way.steps && way.speeds[p] - speed <= gained)
-                    way.grip = 2 * p + 1;
-                else if (p > 0 && speed - way.speeds[p - 1] <= gained)
-                    way.grip = 2 * p - 1;
-                if (way.is_held()) joint.force[row] = 0.5 * push;
+                const double speed = rate_of(free_axis, a, b), push = free_axis.push();
+                const double gained = response_of(free_axis, a, b) * free_axis.push_between(0) * h;
+                const int p = free_axis.actuation / 2;
+                if (p < free_axis.steps && free_axis.speeds[p] - speed <= gained)
+                    free_axis.actuation = 2 * p + 1;
+                else if (p > 0 && speed - free_axis.speeds[p - 1] <= gained)
+                    free_axis.actuation = 2 * p - 1;
+                if (free_axis.is_held()) joint.force[row] = 0.5 * push;
             }
-            if (way.at_limit != 0 && way.is_held()) grip_on_limit(way);
+            if (free_axis.at_limit != 0 && free_axis.is_held()) actuation_on_limit(free_axis);
             set_row(joint, row);
         }
     }
@@ -115,26 +115,26 @@ void DirectGroup::set_bounds(double h) {
 bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
                               bool at_velocities) {
     bool changed = false;
-    for (int row = joint.first_way(); row < joint.rows(); row++) {
-        FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
-        if (way.at_limit != 0) {
-            if (value[row] * way.at_limit >= 0) continue;
-            if (at_velocities && way.overrun) {
+    for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
+        FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
+        if (free_axis.at_limit != 0) {
+            if (value[row] * free_axis.at_limit >= 0) continue;
+            if (at_velocities && free_axis.overrun) {
                 joint.force[row] = 0;
                 continue;
             }
-            way.at_limit = 0;
+            free_axis.at_limit = 0;
             joint.target[row] = 0;
-            if (way.steps > 0 && way.grip == FreeAxis::at_rest) load_grip(way, 0);
-        } else if (way.is_held()) {
-            const int p = way.grip / 2;
-            if (value[row] > scale * way.push_between(p))
-                way.grip = 2 * p;
-            else if (value[row] < scale * way.push_between(p + 1))
-                way.grip = 2 * p + 2;
+            if (free_axis.steps > 0 && free_axis.actuation == FreeAxis::at_rest) load_actuation(free_axis, 0);
+        } else if (free_axis.is_held()) {
+            const int p = free_axis.actuation / 2;
+            if (value[row] > scale * free_axis.push_between(p))
+                free_axis.actuation = 2 * p;
+            else if (value[row] < scale * free_axis.push_between(p + 1))
+                free_axis.actuation = 2 * p + 2;
             else
                 continue;
-            if (time != 0) give(joint, way, time * way.push());
+            if (time != 0) give(joint, free_axis, time * free_axis.push());
         } else {
             continue;
         }
@@ -150,25 +150,25 @@ bool DirectGroup::reach_limits(double h, double time) {
     const double most = tuning::joint_push_speed * absolute(h);
     const double most_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
-        for (int row = joint.first_way(); row < joint.rows(); row++) {
-            FreeAxis& way = joint.ways[as_index(row - joint.first_way())];
-            if (!way.has_limit() || way.at_limit != 0) continue;
+        for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
+            FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
+            if (!free_axis.has_limit() || free_axis.at_limit != 0) continue;
             const double value =
-                trial_value(joint, way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
-            way.at_limit = value < way.lower ? 1 : (value > way.upper ? -1 : 0);
-            if (way.at_limit == 0) continue;
-            const double excess = bounded_excess(way, way.is_linear() ? most : most_turn);
-            const double beyond = value - (way.at_limit > 0 ? way.lower : way.upper) - excess;
-            if (beyond * way.at_limit >= 0) {  // comes back faster by itself
-                way.at_limit = 0;
+                trial_value(joint, free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+            free_axis.at_limit = value < free_axis.lower ? 1 : (value > free_axis.upper ? -1 : 0);
+            if (free_axis.at_limit == 0) continue;
+            const double excess = bounded_excess(free_axis, free_axis.is_linear() ? most : most_turn);
+            const double beyond = value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper) - excess;
+            if (beyond * free_axis.at_limit >= 0) {  // comes back faster by itself
+                free_axis.at_limit = 0;
                 continue;
             }
-            const int before = way.grip;
-            grip_on_limit(way);
-            if (way.at_limit == 0) continue;
+            const int before = free_axis.actuation;
+            actuation_on_limit(free_axis);
+            if (free_axis.at_limit == 0) continue;
             joint.target[row] = excess;
-            way.overrun = is_overrun(way);
-            if (time != 0 && way.grip != before) give(joint, way, time * way.push());
+            free_axis.overrun = is_overrun(free_axis);
+            if (time != 0 && free_axis.actuation != before) give(joint, free_axis, time * free_axis.push());
             set_row(joint, row);
             changed = true;
         }
@@ -178,8 +178,8 @@ bool DirectGroup::reach_limits(double h, double time) {
 
 bool DirectGroup::is_on_limit() const {
     for (const DirectJoint& joint : joints)
-        for (const FreeAxis& way : joint.ways)
-            if (way.at_limit != 0) return true;
+        for (const FreeAxis& free_axis : joint.free_axes)
+            if (free_axis.at_limit != 0) return true;
     return false;
 }
 

@@ -38,11 +38,11 @@ void DirectGroup::save(int depth) {
     Saved& to = saved_[static_cast<std::size_t>(depth)];
     to.bodies.clear();
     to.joints.clear();
-    to.ways.clear();
+    to.free_axes.clear();
     for (const DirectBody& body : bodies) to.bodies.push_back({body.x, body.p, body.l, body.q});
     for (const DirectJoint& joint : joints) {
         to.joints.push_back({joint.force_sum, joint.torque_sum, {}});
-        for (const FreeAxis& way : joint.ways) to.ways.push_back({way.at_limit, way.grip});
+        for (const FreeAxis& free_axis : joint.free_axes) to.free_axes.push_back({free_axis.at_limit, free_axis.actuation});
     }
     for (std::size_t k = 0; k < joints.size(); k++)
         std::copy(std::begin(joints[k].force), std::end(joints[k].force), to.joints[k].force);
@@ -63,9 +63,9 @@ void DirectGroup::restore(int depth) {
         DirectJoint& joint = joints[k];
         joint.force_sum = from.joints[k].force_sum;
         joint.torque_sum = from.joints[k].torque_sum;
-        for (FreeAxis& way : joint.ways) {
-            way.at_limit = from.ways[next].at_limit;
-            way.grip = from.ways[next++].grip;
+        for (FreeAxis& free_axis : joint.free_axes) {
+            free_axis.at_limit = from.free_axes[next].at_limit;
+            free_axis.actuation = from.free_axes[next++].actuation;
         }
         std::copy(std::begin(from.joints[k].force), std::end(from.joints[k].force), joint.force);
     }
@@ -176,7 +176,7 @@ void DirectGroup::advance(double dt, int substeps) {
 // Of a composition there are five steps, forward and back: where nothing is damped, rubs or is on
 // its limit. Springs want some for each radian.
 int DirectGroup::parts_of(double dt, int substeps) {
-    if (damped_ || gripped_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
+    if (damped_ || actuated_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
         return 0;
     const double wanted = spring_rate_ * dt / followed_spring;
     // Of a large group that would cost more than its swings are worth.

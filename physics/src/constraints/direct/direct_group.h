@@ -62,12 +62,12 @@ private:
         double force[DirectJoint::most_rows];
     };
     struct SavedFreeAxis {
-        int at_limit, grip;
+        int at_limit, actuation;
     };
     struct Saved {
         std::vector<SavedBody> bodies;
         std::vector<SavedJoint> joints;
-        std::vector<SavedFreeAxis> ways;
+        std::vector<SavedFreeAxis> free_axes;
     };
 
     // ---- direct_pattern.cpp ----
@@ -108,7 +108,7 @@ private:
     void project_velocities(double h, double bias, bool save_forces = true);
 
     // ---- direct_bounds.cpp ----
-    void give(DirectJoint& joint, const FreeAxis& way, double impulse);
+    void give(DirectJoint& joint, const FreeAxis& free_axis, double impulse);
     void set_springs();
     void damp_springs();
     void soften_springs(double h);
@@ -121,13 +121,13 @@ private:
 
     // ---- one file each ----
     bool step_rattle(double h, double tolerance);
-    bool find_way(double h, double tolerance);
+    bool solve_positions(double h, double tolerance);
     bool step_energy(double h, double tolerance);
     void begin_energy_step(double h);
     void add_known_pushes(double h);
     double miss_of(double h, bool stiffness_too);
     void correct(double h, bool again);
-    bool find_energy_way(double h, double tolerance);
+    bool solve_energy_positions(double h, double tolerance);
     double stiffest();  // rad/s: no swing is faster
 
     // Part of a row's own response by which it gives way in a group of dependent rows, and rounds.
@@ -140,7 +140,7 @@ private:
     std::vector<JointCoupling> couplings_;
     std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
     std::vector<double> right_side_;  // by the matrix's rows
-    std::vector<Vec3> before_guess_;  // momenta
+    std::vector<Vec3> previous_guess_;  // momenta
     std::vector<Saved> saved_;        // by depth
     bool factored_ = false;
     // What there is, beside joints that hold.
@@ -148,7 +148,7 @@ private:
     bool damped_ = false;  // bodies or springs are
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
-    bool gripped_ = false;     // by motors or friction
+    bool actuated_ = false;     // by motors or friction
     bool limited_ = false;     // some ways are
     bool locked_ = false;      // axes of bodies are
     bool energy_ = false;      // the step under way is an energy-momentum one

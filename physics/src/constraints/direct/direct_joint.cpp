@@ -28,13 +28,13 @@ void write_turn(DirectJoint& j, int k, Vec3 of_a, Vec3 of_b) {
 }
 
 // Rows of ways, and none of what is switched off.
-void copy_ways(DirectJoint& j) {
-    int row = j.first_way();
-    for (const FreeAxis& way : j.ways) {
+void copy_free_axes(DirectJoint& j) {
+    int row = j.first_free_axis();
+    for (const FreeAxis& free_axis : j.free_axes) {
         const bool off = j.off[static_cast<std::size_t>(row)];
-        j.linear[row] = off ? Vec3{} : way.linear;
-        j.angular_a[row] = off ? Vec3{} : way.angular_a;
-        j.angular_b[row] = off ? Vec3{} : way.angular_b;
+        j.linear[row] = off ? Vec3{} : free_axis.linear;
+        j.angular_a[row] = off ? Vec3{} : free_axis.angular_a;
+        j.angular_b[row] = off ? Vec3{} : free_axis.angular_b;
         row++;
     }
 }
@@ -63,33 +63,33 @@ constexpr double least_stiffness = 1e-30;  // N/m or N m / rad
 
 // The share of the end's stretch in the mean that pulls. Half keeps energy; what is damped and not
 // resolved by h goes to rest instead.
-double end_share(const FreeAxis& way, double h) {
-    const double turn = way.rate * h;
-    return 0.5 + 0.5 * minimum(1, way.damping_ratio * turn * turn);
+double end_share(const FreeAxis& free_axis, double h) {
+    const double turn = free_axis.rate * h;
+    return 0.5 + 0.5 * minimum(1, free_axis.damping_ratio * turn * turn);
 }
 
-double error_of_way(const FreeAxis& way, double value, double impulse, double h) {
-    if (way.at_limit != 0) return value - (way.at_limit > 0 ? way.lower : way.upper);
-    if (way.is_held()) {
-        const double gone = value - way.start;
-        return way.is_linear() ? gone - way.hold_speed() * h
-                               : wrapped(wrapped(gone) - way.hold_speed() * h);
+double free_axis_error(const FreeAxis& free_axis, double value, double impulse, double h) {
+    if (free_axis.at_limit != 0) return value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper);
+    if (free_axis.is_held()) {
+        const double gone = value - free_axis.start;
+        return free_axis.is_linear() ? gone - free_axis.hold_speed() * h
+                               : wrapped(wrapped(gone) - free_axis.hold_speed() * h);
     }
-    if (!way.implicit) return 0;
-    const double share = end_share(way, h);
-    return stretch_of(way, value) + stretch_of(way, way.start) * ((1 - share) / share) +
-           impulse / spring_pull(way, h);
+    if (!free_axis.implicit) return 0;
+    const double share = end_share(free_axis, h);
+    return stretch_of(free_axis, value) + stretch_of(free_axis, free_axis.start) * ((1 - share) / share) +
+           impulse / spring_pull(free_axis, h);
 }
 
 }  // namespace
 
-double bounded_excess(const FreeAxis& way, double most) {
-    return way.at_limit > 0 ? minimum(0, way.start - way.lower + most)
-                            : maximum(0, way.start - way.upper - most);
+double bounded_excess(const FreeAxis& free_axis, double most) {
+    return free_axis.at_limit > 0 ? minimum(0, free_axis.start - free_axis.lower + most)
+                            : maximum(0, free_axis.start - free_axis.upper - most);
 }
 
-double spring_pull(const FreeAxis& way, double h) {
-    return maximum(way.stiffness, least_stiffness) * h * end_share(way, h);
+double spring_pull(const FreeAxis& free_axis, double h) {
+    return maximum(free_axis.stiffness, least_stiffness) * h * end_share(free_axis, h);
 }
 
 void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
@@ -103,10 +103,10 @@ void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
         for (int k = 0; k < j.points; k++)
             write_line(j, k, a.axes * j.across[k], arm_a + j.apart, arm_b);
     for (int k = 0; k < j.turns; k++) write_turn(j, k, a.axes * j.turn_a[k], b.axes * j.turn_b[k]);
-    if (j.ways.empty()) return;
+    if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = ends_of(j, a, b);
-    for (FreeAxis& way : j.ways) write_way(way, ends);
-    copy_ways(j);
+    for (FreeAxis& free_axis : j.free_axes) write_free_axis(free_axis, ends);
+    copy_free_axes(j);
 }
 
 void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
@@ -128,34 +128,34 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
             write_line(j, k, mean(a, j.across[k]), arm_a + apart, arm_b);
     }
     for (int k = 0; k < j.turns; k++) write_turn(j, k, mean(a, j.turn_a[k]), mean(b, j.turn_b[k]));
-    if (j.ways.empty()) return;
+    if (j.free_axes.empty()) return;
     const FreeAxisEnds before = ends_of(j, a, b), after = trial_ends(j, a, b);
-    for (FreeAxis& way : j.ways) write_mean_way(way, before, after);
-    copy_ways(j);
+    for (FreeAxis& free_axis : j.free_axes) write_mean_free_axis(free_axis, before, after);
+    copy_free_axes(j);
 }
 
 void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     measure_at(j, a.x, a.axes, b.x, b.axes, j.start);
-    if (j.ways.empty()) return;
+    if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = ends_of(j, a, b);
-    for (FreeAxis& way : j.ways) way.start = value_of(way, ends);
+    for (FreeAxis& free_axis : j.free_axes) free_axis.start = value_of(free_axis, ends);
 }
 
 void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
     measure_at(j, a.x1, a.axes1, b.x1, b.axes1, j.error);
-    if (j.ways.empty()) return;
+    if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = trial_ends(j, a, b);
-    int row = j.first_way();
-    for (const FreeAxis& way : j.ways) {
-        const bool on = way.at_limit != 0 || way.is_held() || way.implicit;
-        j.error[row] = on ? error_of_way(way, value_of(way, ends), j.impulse[row], h) : 0;
+    int row = j.first_free_axis();
+    for (const FreeAxis& free_axis : j.free_axes) {
+        const bool on = free_axis.at_limit != 0 || free_axis.is_held() || free_axis.implicit;
+        j.error[row] = on ? free_axis_error(free_axis, value_of(free_axis, ends), j.impulse[row], h) : 0;
         row++;
     }
 }
 
-double trial_value(const DirectJoint& j, const FreeAxis& way, const DirectBody& a,
+double trial_value(const DirectJoint& j, const FreeAxis& free_axis, const DirectBody& a,
                    const DirectBody& b) {
-    return value_of(way, trial_ends(j, a, b));
+    return value_of(free_axis, trial_ends(j, a, b));
 }
 
 }  // namespace jostle::physics

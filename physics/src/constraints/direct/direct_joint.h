@@ -28,14 +28,14 @@ struct DirectJoint {
     int points = 0;  // rows of the points
     int turns = 0;   // directions of a that stay perpendicular to directions of b: 0..3
     int count = 0;   // of all rows
-    std::vector<FreeAxis> ways;
+    std::vector<FreeAxis> free_axes;
     int rows() const { return count; }
-    int first_way() const { return points + turns; }
+    int first_free_axis() const { return points + turns; }
     bool is_ball() const { return kind == Points::ball; }
     // Whether a row's error is in m; else in rad.
     bool is_linear(int row) const {
-        return row < points || (row >= first_way() &&
-                                ways[static_cast<std::size_t>(row - first_way())].is_linear());
+        return row < points || (row >= first_free_axis() &&
+                                free_axes[static_cast<std::size_t>(row - first_free_axis())].is_linear());
     }
 
     // Constant: in the principal axes of the bodies.
@@ -75,7 +75,7 @@ void write_mean_vectors(DirectJoint& joint, const DirectBody& a, const DirectBod
 void measure_start(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
 void measure(DirectJoint& joint, const DirectBody& a, const DirectBody& b, double h);
 // Of a way there.
-double trial_value(const DirectJoint& joint, const FreeAxis& way, const DirectBody& a,
+double trial_value(const DirectJoint& joint, const FreeAxis& free_axis, const DirectBody& a,
                    const DirectBody& b);
 // The force on b of impulses along the rows.
 inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
@@ -85,14 +85,14 @@ inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
     return sum;
 }
 // By how much a limit is overrun beyond `most` as the step begins; negative at the lower one.
-inline bool is_overrun(const FreeAxis& way) {
-    return way.at_limit > 0 ? way.start < way.lower : way.start > way.upper;
+inline bool is_overrun(const FreeAxis& free_axis) {
+    return free_axis.at_limit > 0 ? free_axis.start < free_axis.lower : free_axis.start > free_axis.upper;
 }
-double bounded_excess(const FreeAxis& way, double most);
+double bounded_excess(const FreeAxis& free_axis, double most);
 // What a row of a spring takes in this step: impulse per error at its end (that of the step's mean
 // stretch, or of a later one where the spring is damped and too stiff for h to resolve),
 // 1/compliance.
-double spring_pull(const FreeAxis& way, double h);
+double spring_pull(const FreeAxis& free_axis, double h);
 
 // Which kinds have rows here.
 bool supported(const JointKind& kind);
@@ -110,7 +110,7 @@ struct WarmStartCache {
     struct FreeAxisImpulses {
         double lower = 0, upper = 0, spring = 0, motor = 0, friction = 0;
     };
-    std::array<FreeAxisImpulses, 6> ways{};  // by slot
+    std::array<FreeAxisImpulses, 6> free_axes{};  // by slot
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h);

@@ -10,23 +10,23 @@ namespace {
 
 using AxisKind = FreeAxis::Kind;
 
-void limit(FreeAxis& way, const JointLimit& limit) {
+void limit(FreeAxis& free_axis, const JointLimit& limit) {
     if (!limit.enabled) return;
-    way.lower = limit.lower;
-    way.upper = limit.upper;
+    free_axis.lower = limit.lower;
+    free_axis.upper = limit.upper;
 }
 
-void spring(FreeAxis& way, const JointSpring& spring, double rest) {
-    way.rate = 2 * pi * spring.hertz;
-    way.damping_ratio = spring.damping_ratio;
-    way.rest = rest;
+void spring(FreeAxis& free_axis, const JointSpring& spring, double rest) {
+    free_axis.rate = 2 * pi * spring.hertz;
+    free_axis.damping_ratio = spring.damping_ratio;
+    free_axis.rest = rest;
 }
 
-void grip(FreeAxis& way, bool driven, double speed, double most, double friction) {
-    if (driven) add_step(way, speed, most);
-    if (friction > 0) add_step(way, 0, friction);
-    way.rubs = friction;
-    load_grip(way, 0);
+void actuation(FreeAxis& free_axis, bool driven, double speed, double most, double friction) {
+    if (driven) add_step(free_axis, speed, most);
+    if (friction > 0) add_step(free_axis, 0, friction);
+    free_axis.friction_limit = friction;
+    load_actuation(free_axis, 0);
 }
 
 bool does_something(const JointAxis& axis) {
@@ -35,19 +35,19 @@ bool does_something(const JointAxis& axis) {
 }
 
 FreeAxis way_of(AxisKind kind, const JointAxis& axis, int slot) {
-    FreeAxis way{.kind = kind, .slot = slot};
-    limit(way, axis.limit);
-    spring(way, axis.spring, axis.spring_at);
-    grip(way, axis.motor.enabled, axis.motor.speed, axis.motor.most, axis.friction);
-    return way;
+    FreeAxis free_axis{.kind = kind, .slot = slot};
+    limit(free_axis, axis.limit);
+    spring(free_axis, axis.spring, axis.spring_at);
+    actuation(free_axis, axis.motor.enabled, axis.motor.speed, axis.motor.most, axis.friction);
+    return free_axis;
 }
 
-void as_hinge(FreeAxis& way, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
-    way.kind = AxisKind::hinge;
-    way.axis_a = axis;
-    way.x_a = x;
-    way.y_a = y;
-    way.x_b = x_b;
+void as_hinge(FreeAxis& free_axis, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
+    free_axis.kind = AxisKind::hinge;
+    free_axis.axis_a = axis;
+    free_axis.x_a = x;
+    free_axis.y_a = y;
+    free_axis.x_b = x_b;
 }
 
 void hold_axis(DirectJoint& j, Vec3 axis_a, Vec3 x_b, Vec3 y_b) {
@@ -79,8 +79,8 @@ void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
         if (!axis.free) {
             j.across[j.points++] = axes[k];
         } else if (does_something(axis)) {
-            j.ways.push_back(way_of(AxisKind::travel, axis, layout.slots[k]));
-            j.ways.back().axis_a = axes[k];
+            j.free_axes.push_back(way_of(AxisKind::travel, axis, layout.slots[k]));
+            j.free_axes.back().axis_a = axes[k];
         }
     }
 }
@@ -100,14 +100,14 @@ void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const
     constexpr AxisKind kinds[] = {AxisKind::first, AxisKind::middle, AxisKind::last};
     for (std::size_t k = 3; k < 6; k++) {
         if (!does_something(layout.axes[k])) continue;
-        FreeAxis way = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
-        way.frame_a = j.frame_a;
-        way.frame_b = j.frame_b;
+        FreeAxis free_axis = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
+        free_axis.frame_a = j.frame_a;
+        free_axis.frame_b = j.frame_b;
         if (j.turns == 2 && last)
-            as_hinge(way, a.z, a.x, a.y, b.x);
+            as_hinge(free_axis, a.z, a.x, a.y, b.x);
         else if (j.turns == 2)
-            as_hinge(way, a.x, a.y, a.z, b.y);
-        j.ways.push_back(way);
+            as_hinge(free_axis, a.x, a.y, a.z, b.y);
+        j.free_axes.push_back(free_axis);
     }
 }
 
@@ -125,12 +125,12 @@ void set_up_kind(DirectJoint& j, const HingeJoint& hinge, const DirectEnd& a, co
     hold_together(j);
     hold_axis(j, fa.z, fb.x, fb.y);
     if (!hinge.limit.enabled && !hinge.motor.enabled && hinge.spring.hertz == 0) return;
-    FreeAxis way;
-    as_hinge(way, fa.z, fa.x, fa.y, fb.x);
-    limit(way, hinge.limit);
-    spring(way, hinge.spring, hinge.spring_angle);
-    grip(way, hinge.motor.enabled, hinge.motor.speed, hinge.motor.max_torque, 0);
-    j.ways.push_back(way);
+    FreeAxis free_axis;
+    as_hinge(free_axis, fa.z, fa.x, fa.y, fb.x);
+    limit(free_axis, hinge.limit);
+    spring(free_axis, hinge.spring, hinge.spring_angle);
+    actuation(free_axis, hinge.motor.enabled, hinge.motor.speed, hinge.motor.max_torque, 0);
+    j.free_axes.push_back(free_axis);
 }
 void set_up_kind(DirectJoint& j, const BallJoint&, const DirectEnd&, const DirectEnd&) {
     hold_together(j);
@@ -142,17 +142,17 @@ void set_up_kind(DirectJoint& j, const FixedJoint&, const DirectEnd& a, const Di
 void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
                  const DirectEnd& b) {
     hold_together(j);
-    FreeAxis way{.frame_a = a.frame, .frame_b = b.frame};
+    FreeAxis free_axis{.frame_a = a.frame, .frame_b = b.frame};
     if (cone.twist.enabled) {
-        way.kind = AxisKind::twist;
-        limit(way, cone.twist);
-        j.ways.push_back(way);
-        way.lower = -DirectWay::never;
+        free_axis.kind = AxisKind::twist;
+        limit(free_axis, cone.twist);
+        j.free_axes.push_back(free_axis);
+        free_axis.lower = -DirectWay::never;
     }
-    way.kind = AxisKind::swing;
-    way.slot = 1;
-    way.upper = cone.swing;
-    j.ways.push_back(way);
+    free_axis.kind = AxisKind::swing;
+    free_axis.slot = 1;
+    free_axis.upper = cone.swing;
+    j.free_axes.push_back(free_axis);
 }
 void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&,
                  const DirectEnd&) {
@@ -162,10 +162,10 @@ void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&
         j.distance = distance.max_length;
         return;
     }
-    FreeAxis way{.kind = AxisKind::distance, .upper = distance.max_length};
-    if (distance.min_length > 0) way.lower = distance.min_length;
-    spring(way, distance.spring, distance.rest_length);
-    j.ways.push_back(way);
+    FreeAxis free_axis{.kind = AxisKind::distance, .upper = distance.max_length};
+    if (distance.min_length > 0) free_axis.lower = distance.min_length;
+    spring(free_axis, distance.spring, distance.rest_length);
+    j.free_axes.push_back(free_axis);
 }
 void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const DirectEnd& b) {
     if constexpr (requires { layout_of(kind); })
@@ -205,7 +205,7 @@ void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const Dir
     j.arm_a = a.arm;
     j.arm_b = b.arm;
     std::visit([&](const auto& of_kind) { set_up_kind(j, of_kind, a, b); }, kind);
-    j.count = j.points + j.turns + static_cast<int>(j.ways.size());
+    j.count = j.points + j.turns + static_cast<int>(j.free_axes.size());
 }
 
 }  // namespace jostle::physics

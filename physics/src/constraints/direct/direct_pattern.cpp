@@ -26,7 +26,7 @@ double gyration_of(const DirectBody& body) {
 
 // What there is beside joints that hold.
 void DirectGroup::list_what_acts() {
-    damped_ = sprung_ = damped_springs_ = gripped_ = limited_ = locked_ = false;
+    damped_ = sprung_ = damped_springs_ = actuated_ = limited_ = locked_ = false;
     for (DirectBody& body : bodies) {
         damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
         locked_ |= body.pushed && (!body.turns_freely || body.inverse_masses.x == 0 ||
@@ -40,22 +40,22 @@ void DirectGroup::list_what_acts() {
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
         for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
-        for (FreeAxis& way : joint.ways) {
+        for (FreeAxis& free_axis : joint.free_axes) {
             // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
-            if (way.kind != FreeAxis::Kind::swing &&
-                response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
+            if (free_axis.kind != FreeAxis::Kind::swing &&
+                response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
                     least_response(joint))
-                nothing_along(way);
-            limited_ |= way.has_limit();
-            gripped_ |= way.steps > 0;
-            sprung_ |= way.rate > 0;
-            damped_springs_ |= way.is_damped();
+                nothing_along(free_axis);
+            limited_ |= free_axis.has_limit();
+            actuated_ |= free_axis.steps > 0;
+            sprung_ |= free_axis.rate > 0;
+            damped_springs_ |= free_axis.is_damped();
             for (const int body : {joint.a, joint.b})
-                bodies[as_index(body)].spring_square += way.rate * way.rate;
+                bodies[as_index(body)].spring_square += free_axis.rate * free_axis.rate;
         }
     }
     damped_ |= damped_springs_;
-    smooth_ = !damped_ && !limited_ && !gripped_;
+    smooth_ = !damped_ && !limited_ && !actuated_;
     // A spring's rate is its own against both bodies: of two, each feels no more than all of them
     // together.
     double most = 0;
@@ -187,13 +187,13 @@ void DirectGroup::soften(double h) {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {
         const DirectJoint& joint = joints[k];
-        for (std::size_t i = 0; i < joint.ways.size(); i++) {
-            const FreeAxis& way = joint.ways[i];
-            if (way.rate == 0 || way.at_limit != 0 || way.is_held()) continue;
-            const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h)
-                                                   : 1 / maximum(way.damper, least_damper);
-            if (!way.implicit && !way.is_damped()) continue;
-            const int row = joint.first_way() + static_cast<int>(i), node = static_cast<int>(k);
+        for (std::size_t i = 0; i < joint.free_axes.size(); i++) {
+            const FreeAxis& free_axis = joint.free_axes[i];
+            if (free_axis.rate == 0 || free_axis.at_limit != 0 || free_axis.is_held()) continue;
+            const double compliance = free_axis.implicit ? 1 / (spring_pull(free_axis, h) * h)
+                                                   : 1 / maximum(free_axis.damper, least_damper);
+            if (!free_axis.implicit && !free_axis.is_damped()) continue;
+            const int row = joint.first_free_axis() + static_cast<int>(i), node = static_cast<int>(k);
             values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;
         }
     }

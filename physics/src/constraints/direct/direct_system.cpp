@@ -41,11 +41,11 @@ void DirectGroup::kick(double h, bool second) {
     }
     if (smooth_ && !sprung_) return;
     damp(0.5 * h);
-    if (!sprung_ && !gripped_) return;
+    if (!sprung_ && !actuated_) return;
     for (DirectJoint& joint : joints)
-        for (const FreeAxis& way : joint.ways) {
-            const double push = way.push() - way.stiffness * stretch_of(way, way.value);
-            if (push != 0) give(joint, way, 0.5 * h * push);
+        for (const FreeAxis& free_axis : joint.free_axes) {
+            const double push = free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value);
+            if (push != 0) give(joint, free_axis, 0.5 * h * push);
         }
 }
 
@@ -72,9 +72,9 @@ void DirectGroup::act(DirectJoint& joint, const double* impulse) {
 
 void DirectGroup::record(DirectJoint& joint, const double* impulse) {
     joint.force_sum += pull_of(joint, impulse);
-    for (int k = joint.points; k < joint.first_way(); k++)
+    for (int k = joint.points; k < joint.first_free_axis(); k++)
         joint.torque_sum += joint.angular_b[k] * impulse[k];
-    for (int k = joint.first_way(); k < joint.rows(); k++)
+    for (int k = joint.first_free_axis(); k < joint.rows(); k++)
         if (!joint.is_linear(k)) joint.torque_sum += joint.angular_b[k] * impulse[k];
 }
 
@@ -101,7 +101,7 @@ double DirectGroup::measure_all(double h) {
 double DirectGroup::error_of_holding() const {
     double largest = 0;
     for (const DirectJoint& joint : joints)
-        for (int k = 0; k < joint.first_way(); k++) {
+        for (int k = 0; k < joint.first_free_axis(); k++) {
             const double size = absolute(joint.error[k]) * (k < joint.points ? 1 : reach_);
             largest = size <= largest ? largest : size;
         }
@@ -118,7 +118,7 @@ bool DirectGroup::set_targets(double h) {
         std::fill(std::begin(joint.target), std::end(joint.target), 0.0);
         double apart = 0, turned = 0;
         for (int k = 0; k < joint.points; k++) apart += joint.start[k] * joint.start[k];
-        for (int k = joint.points; k < joint.first_way(); k++)
+        for (int k = joint.points; k < joint.first_free_axis(); k++)
             turned += joint.start[k] * joint.start[k];
         left_over |= apart > most * most || turned > most_turn * most_turn;
         if (apart > most * most) {
@@ -127,15 +127,15 @@ bool DirectGroup::set_targets(double h) {
         }
         if (turned > most_turn * most_turn) {
             const double left = 1 - most_turn / square_root(turned);
-            for (int k = joint.points; k < joint.first_way(); k++)
+            for (int k = joint.points; k < joint.first_free_axis(); k++)
                 joint.target[k] = joint.start[k] * left;
         }
-        for (std::size_t k = 0; k < joint.ways.size(); k++) {
-            FreeAxis& way = joint.ways[k];
-            if (way.at_limit == 0) continue;
-            way.overrun = is_overrun(way);
-            joint.target[joint.first_way() + static_cast<int>(k)] =
-                bounded_excess(way, way.is_linear() ? most : most_turn);
+        for (std::size_t k = 0; k < joint.free_axes.size(); k++) {
+            FreeAxis& free_axis = joint.free_axes[k];
+            if (free_axis.at_limit == 0) continue;
+            free_axis.overrun = is_overrun(free_axis);
+            joint.target[joint.first_free_axis() + static_cast<int>(k)] =
+                bounded_excess(free_axis, free_axis.is_linear() ? most : most_turn);
         }
     }
     return left_over;
@@ -179,9 +179,9 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
             const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             rate(joint, a.v0, a.w0, b.v0, b.w0, to);
-            for (std::size_t w = 0; w < joint.ways.size(); w++)
-                if (joint.ways[w].at_limit == 0 && joint.ways[w].is_held())
-                    to[as_index(joint.first_way()) + w] -= joint.ways[w].hold_speed();
+            for (std::size_t w = 0; w < joint.free_axes.size(); w++)
+                if (joint.free_axes[w].at_limit == 0 && joint.free_axes[w].is_held())
+                    to[as_index(joint.first_free_axis()) + w] -= joint.free_axes[w].hold_speed();
             for (int r = 0; r < joint.rows(); r++)
                 to[r] = -to[r] - (bias != 0 ? bias * joint.error[r] : 0);
         }
@@ -194,9 +194,9 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
             if (!save_forces) continue;
             for (int r = 0; r < joint.rows(); r++)
                 if (!joint.off[as_index(r)]) joint.force[r] = impulse[r] / h;
-            for (std::size_t w = 0; w < joint.ways.size(); w++)
-                if (joint.ways[w].at_limit == 0 && !joint.ways[w].is_held())
-                    joint.force[as_index(joint.first_way()) + w] = 0;
+            for (std::size_t w = 0; w < joint.free_axes.size(); w++)
+                if (joint.free_axes[w].at_limit == 0 && !joint.free_axes[w].is_held())
+                    joint.force[as_index(joint.first_free_axis()) + w] = 0;
             if (smooth_ || round >= bound_rounds) continue;
             if (enforce_bounds(joint, joint.force, 0.5, 0.5 * h, true)) changed = true;
         }

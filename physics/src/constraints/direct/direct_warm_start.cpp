@@ -17,26 +17,26 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_free_axis(FreeAxis& way, double& force, const WarmStartCache::FreeAxisImpulses& cache, double h) {
-    if (way.has_limit()) way.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
-    load_grip(way, (cache.motor + cache.friction) / h);
-    if (way.at_limit != 0) {
-        if (way.is_held()) way.grip = FreeAxis::at_rest;
+void load_free_axis(FreeAxis& free_axis, double& force, const WarmStartCache::FreeAxisImpulses& cache, double h) {
+    if (free_axis.has_limit()) free_axis.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
+    load_actuation(free_axis, (cache.motor + cache.friction) / h);
+    if (free_axis.at_limit != 0) {
+        if (free_axis.is_held()) free_axis.actuation = FreeAxis::at_rest;
         force = (cache.lower - cache.upper) * (0.5 / h);
-    } else if (way.is_held()) {
+    } else if (free_axis.is_held()) {
         force = (cache.motor + cache.friction) * (0.5 / h);
     }
 }
 
-WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& way, double force, double h) {
+WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, double force, double h) {
     WarmStartCache::FreeAxisImpulses cache;
-    if (way.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
-    if (way.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
-    const bool held = way.at_limit == 0 && way.is_held();
-    const double gripped = h * (held ? 2 * force : way.push());
-    cache.friction = maximum(-way.rubs * h, minimum(gripped, way.rubs * h));
+    if (free_axis.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
+    if (free_axis.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
+    const bool held = free_axis.at_limit == 0 && free_axis.is_held();
+    const double gripped = h * (held ? 2 * force : free_axis.push());
+    cache.friction = maximum(-way.friction_limit * h, minimum(gripped, free_axis.friction_limit * h));
     cache.motor = gripped - cache.friction;
-    if (way.rate > 0) cache.spring = -h * way.stiffness * stretch_of(way, way.value);
+    if (free_axis.rate > 0) cache.spring = -h * free_axis.stiffness * stretch_of(free_axis, free_axis.value);
     return cache;
 }
 
@@ -49,7 +49,7 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     if (j.is_ball())
         for (int k = 0; k < 3; k++) j.force[k] = cache.point[k] * half;
     else if (j.kind == DirectJoint::Points::rod)
-        j.force[0] = cache.ways[0].spring * half;
+        j.force[0] = cache.free_axes[0].spring * half;
     else
         for (int k = 0; k < j.points; k++) j.force[k] = dot(j.linear[k], cache.point) * half;
     Vec3 angular = cache.angular;
@@ -58,13 +58,13 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
         angular = rows.first * cache.turns.x + rows.middle * cache.turns.y + rows.last * cache.turns.z;
     }
     // The rows of the turns are perpendicular where joints hold.
-    for (int k = j.points; k < j.first_way(); k++) {
+    for (int k = j.points; k < j.first_free_axis(); k++) {
         const double size = length_squared(j.angular_b[k]);
         j.force[k] = size > 1e-6 ? dot(j.angular_b[k], angular) * half / size : 0;
     }
-    int row = j.first_way();
-    for (FreeAxis& way : j.ways) {
-        load_free_axis(way, j.force[row], cache.ways[static_cast<std::size_t>(way.slot)], h);
+    int row = j.first_free_axis();
+    for (FreeAxis& free_axis : j.free_axes) {
+        load_free_axis(free_axis, j.force[row], cache.free_axes[static_cast<std::size_t>(free_axis.slot)], h);
         row++;
     }
 }
@@ -75,10 +75,10 @@ WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const Dire
     if (j.is_ball())
         cache.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;
     else if (j.kind == DirectJoint::Points::rod)
-        cache.ways[0].spring = j.force[0] * both;
+        cache.free_axes[0].spring = j.force[0] * both;
     else
         for (int k = 0; k < j.points; k++) cache.point += j.linear[k] * (j.force[k] * both);
-    for (int k = j.points; k < j.first_way(); k++)
+    for (int k = j.points; k < j.first_free_axis(); k++)
         cache.angular += j.angular_b[k] * (j.force[k] * both);
     if (j.gimbal && j.turns > 0) {
         const LockedRows rows = locked_rows(j, a, b);
@@ -86,9 +86,9 @@ WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const Dire
                       dot(rows.last, cache.angular)};
         cache.angular = {};
     }
-    int row = j.first_way();
-    for (const FreeAxis& way : j.ways)
-        cache.ways[static_cast<std::size_t>(way.slot)] = save_free_axis(way, j.force[row++], h);
+    int row = j.first_free_axis();
+    for (const FreeAxis& free_axis : j.free_axes)
+        cache.free_axes[static_cast<std::size_t>(free_axis.slot)] = save_free_axis(free_axis, j.force[row++], h);
     return cache;
 }
 

@@ -76,9 +76,9 @@ double DirectGroup::stiffest() {
     for (const DirectJoint& joint : joints) {
         Vec3 pull = pull_of(joint, joint.force) * 2;
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-        for (const FreeAxis& way : joint.ways)
-            if (way.is_linear())
-                pull += way.linear * (way.push() - way.stiffness * stretch_of(way, way.value));
+        for (const FreeAxis& free_axis : joint.free_axes)
+            if (free_axis.is_linear())
+                pull += free_axis.linear * (free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value));
         stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes * joint.arm_b);
     }
@@ -105,11 +105,11 @@ void DirectGroup::begin_energy_step(double h) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
-        for (std::size_t w = 0; w < joint.ways.size(); w++) {
-            const FreeAxis& way = joint.ways[w];
-            if (way.implicit)
-                joint.impulse[as_index(joint.first_way()) + w] =
-                    -h * way.stiffness * stretch_of(way, way.start);
+        for (std::size_t w = 0; w < joint.free_axes.size(); w++) {
+            const FreeAxis& free_axis = joint.free_axes[w];
+            if (free_axis.implicit)
+                joint.impulse[as_index(joint.first_free_axis()) + w] =
+                    -h * free_axis.stiffness * stretch_of(free_axis, free_axis.start);
         }
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (int k = 0; k < joint.rows(); k++) {
@@ -129,20 +129,20 @@ void DirectGroup::begin_energy_step(double h) {
 // before.
 void DirectGroup::add_known_pushes(double h) {
     for (DirectJoint& joint : joints)
-        for (FreeAxis& way : joint.ways) {
-            way.given = 0;
-            double push = way.push();
+        for (FreeAxis& free_axis : joint.free_axes) {
+            free_axis.given = 0;
+            double push = free_axis.push();
             DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-            if (way.bound && way.rate > 0) {
-                const double gone = way.at_limit == 0 ? way.hold_speed() * h : 0;
-                push -= way.stiffness * stretch_of(way, way.start + 0.5 * gone);
+            if (free_axis.bound && free_axis.rate > 0) {
+                const double gone = free_axis.at_limit == 0 ? free_axis.hold_speed() * h : 0;
+                push -= free_axis.stiffness * stretch_of(free_axis, free_axis.start + 0.5 * gone);
             }
             if (push == 0) continue;
-            way.given = h * push;
-            a.sum -= way.linear * way.given;
-            a.twist += way.angular_a * way.given;
-            b.sum += way.linear * way.given;
-            b.twist += way.angular_b * way.given;
+            free_axis.given = h * push;
+            a.sum -= free_axis.linear * free_axis.given;
+            a.twist += free_axis.angular_a * free_axis.given;
+            b.sum += free_axis.linear * free_axis.given;
+            b.twist += free_axis.angular_b * free_axis.given;
         }
 }
 
@@ -162,7 +162,7 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
         bodies[as_index(joint.a)].sum -= pull;
         bodies[as_index(joint.b)].sum += pull;
     }
-    if (sprung_ || gripped_) add_known_pushes(h);
+    if (sprung_ || actuated_) add_known_pushes(h);
     for (DirectBody& body : bodies)
         body.x1 = body.x + (body.v0 + scaled(body.sum, body.inverse_masses * 0.5)) * h;
     for (DirectJoint& joint : joints) {
@@ -240,7 +240,7 @@ void DirectGroup::correct(double h, bool again) {
     for (DirectBody& body : bodies) body.mean_w += body.response * body.miss;
 }
 
-bool DirectGroup::find_energy_way(double h, double tolerance) {
+bool DirectGroup::solve_energy_positions(double h, double tolerance) {
     begin_energy_step(h);
     double before = 1e300, first = 0, enough = tolerance;
     bool again = true;
@@ -248,7 +248,7 @@ bool DirectGroup::find_energy_way(double h, double tolerance) {
         const double error = miss_of(h, true);
         if (round == 0) {
             first = error;
-            enough = gripped_ || limited_ ? tolerance : enough_of(first, tolerance);
+            enough = actuated_ || limited_ ? tolerance : enough_of(first, tolerance);
         }
         if (error < enough) return true;
         if (round == most_energy_corrections || !(error < 1e6))
@@ -271,7 +271,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     if (outside != nullptr) outside->push(bodies, time_, h, 0.5 * h);
     set_targets(h);
     for (int round = 0;; round++) {
-        if (!find_energy_way(h, tolerance)) return false;
+        if (!solve_energy_positions(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
         bool changed = reach_limits(h, 0);
         for (DirectJoint& joint : joints)
@@ -287,17 +287,17 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         record(joint, joint.impulse);
         for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
-        for (const FreeAxis& way : joint.ways) {
-            if (way.given == 0) continue;
-            joint.force_sum += way.linear * way.given;
-            if (!way.is_linear()) joint.torque_sum += way.angular_b * way.given;
+        for (const FreeAxis& free_axis : joint.free_axes) {
+            if (free_axis.given == 0) continue;
+            joint.force_sum += free_axis.linear * free_axis.given;
+            if (!free_axis.is_linear()) joint.torque_sum += free_axis.angular_b * free_axis.given;
         }
     }
     commit();
     energy_ = false;
     if (sprung_)
         for (DirectJoint& joint : joints)
-            for (int row = joint.first_way(); row < joint.rows(); row++) set_row(joint, row);
+            for (int row = joint.first_free_axis(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
     time_ += h;

@@ -12,20 +12,20 @@ namespace {
 using Kind = FreeAxis::Kind;
 
 // Of what only turns.
-Vec3 turn_row(const FreeAxis& way, const FreeAxisEnds& ends) {
-    if (way.kind == Kind::hinge) return ends.axes_a * way.axis_a;
-    const Quat a = ends.a * way.frame_a, b = ends.b * way.frame_b;
-    if (way.kind == Kind::swing || way.kind == Kind::twist) {
+Vec3 turn_row(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
+    if (free_axis.kind == Kind::hinge) return ends.axes_a * free_axis.axis_a;
+    const Quat a = ends.a * free_axis.frame_a, b = ends.b * free_axis.frame_b;
+    if (free_axis.kind == Kind::swing || free_axis.kind == Kind::twist) {
         const Vec3 x = rotate(a, {1, 0, 0}), to = rotate(b, {1, 0, 0});
         // At a swing of a half turn there is no twist to speak of.
-        if (way.kind == Kind::twist) return (x + to) * (1 / maximum(1 + dot(x, to), 0.05));
+        if (free_axis.kind == Kind::twist) return (x + to) * (1 / maximum(1 + dot(x, to), 0.05));
         const Vec3 away = cross(x, to);
         const double sine = length(away);
         return sine > 1e-12 ? away * (1 / sine) : rotate(a, {0, 1, 0});
     }
     const GimbalRows rows = gimbal_rows(a, b);
-    return way.kind == Kind::first ? rows.first
-                                   : (way.kind == Kind::middle ? rows.middle : rows.last);
+    return free_axis.kind == Kind::first ? rows.first
+                                   : (free_axis.kind == Kind::middle ? rows.middle : rows.last);
 }
 
 Vec3 line_of(Vec3 apart) {
@@ -33,17 +33,17 @@ Vec3 line_of(Vec3 apart) {
     return size > 1e-12 ? apart * (1 / size) : Vec3{0, 1, 0};
 }
 
-void write_turn(FreeAxis& way, Vec3 row) {
-    way.linear = {};
-    way.angular_a = -row;
-    way.angular_b = row;
+void write_turn(FreeAxis& free_axis, Vec3 row) {
+    free_axis.linear = {};
+    free_axis.angular_a = -row;
+    free_axis.angular_b = row;
 }
 
 // Both bodies feel the force in one point, or along the line of two.
-void write_line(FreeAxis& way, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
-    way.linear = line;
-    way.angular_a = cross(line, lever_a);
-    way.angular_b = cross(lever_b, line);
+void write_line(FreeAxis& free_axis, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
+    free_axis.linear = line;
+    free_axis.angular_a = cross(line, lever_a);
+    free_axis.angular_b = cross(lever_b, line);
 }
 
 }  // namespace
@@ -54,133 +54,133 @@ double FreeAxis::push_between(int p) const {
     return sum;
 }
 
-double value_of(const FreeAxis& way, const FreeAxisEnds& ends) {
-    switch (way.kind) {
+double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
+    switch (free_axis.kind) {
         case Kind::travel:
-            return dot(ends.axes_a * way.axis_a, ends.apart);
+            return dot(ends.axes_a * free_axis.axis_a, ends.apart);
         case Kind::distance:
             return length(ends.apart);
         case Kind::hinge: {
-            const Vec3 x = ends.axes_b * way.x_b;
-            return arc_tangent(dot(x, ends.axes_a * way.y_a), dot(x, ends.axes_a * way.x_a));
+            const Vec3 x = ends.axes_b * free_axis.x_b;
+            return arc_tangent(dot(x, ends.axes_a * free_axis.y_a), dot(x, ends.axes_a * free_axis.x_a));
         }
         case Kind::twist:
-            return twist_angle(ends.a * way.frame_a, ends.b * way.frame_b);
+            return twist_angle(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
         case Kind::swing:
-            return swing_angle(ends.a * way.frame_a, ends.b * way.frame_b);
+            return swing_angle(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
         default:
             break;
     }
-    const GimbalAngles turns = gimbal_angles(ends.a * way.frame_a, ends.b * way.frame_b);
-    return way.kind == Kind::first ? turns.first
-                                   : (way.kind == Kind::middle ? turns.middle : turns.last);
+    const GimbalAngles turns = gimbal_angles(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
+    return free_axis.kind == Kind::first ? turns.first
+                                   : (free_axis.kind == Kind::middle ? turns.middle : turns.last);
 }
 
-void write_way(FreeAxis& way, const FreeAxisEnds& ends) {
-    way.value = value_of(way, ends);
-    if (way.kind == Kind::travel)
-        write_line(way, ends.axes_a * way.axis_a, ends.arm_a + ends.apart, ends.arm_b);
-    else if (way.kind == Kind::distance)
-        write_line(way, line_of(ends.apart), ends.arm_a, ends.arm_b);
+void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {
+    free_axis.value = value_of(free_axis, ends);
+    if (free_axis.kind == Kind::travel)
+        write_line(free_axis, ends.axes_a * free_axis.axis_a, ends.arm_a + ends.apart, ends.arm_b);
+    else if (free_axis.kind == Kind::distance)
+        write_line(free_axis, line_of(ends.apart), ends.arm_a, ends.arm_b);
     else
-        write_turn(way, turn_row(way, ends));
+        write_turn(free_axis, turn_row(free_axis, ends));
 }
 
-void write_mean_way(FreeAxis& way, const FreeAxisEnds& before, const FreeAxisEnds& after) {
+void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before, const FreeAxisEnds& after) {
     const Vec3 arm_a = (before.arm_a + after.arm_a) * 0.5,
                arm_b = (before.arm_b + after.arm_b) * 0.5;
-    if (way.kind == Kind::travel) {
-        const Vec3 axis = (before.axes_a * way.axis_a + after.axes_a * way.axis_a) * 0.5;
-        write_line(way, axis, arm_a + (before.apart + after.apart) * 0.5, arm_b);
-    } else if (way.kind == Kind::distance) {
+    if (free_axis.kind == Kind::travel) {
+        const Vec3 axis = (before.axes_a * free_axis.axis_a + after.axes_a * free_axis.axis_a) * 0.5;
+        write_line(free_axis, axis, arm_a + (before.apart + after.apart) * 0.5, arm_b);
+    } else if (free_axis.kind == Kind::distance) {
         // The lengths' difference is the mean way along it, exactly.
         const double sum = length(before.apart) + length(after.apart);
-        write_line(way,
+        write_line(free_axis,
                    sum > 1e-12 ? (before.apart + after.apart) * (1 / sum) : line_of(before.apart),
                    arm_a, arm_b);
     } else {
-        const Vec3 row = (turn_row(way, before) + turn_row(way, after)) * 0.5;
-        write_turn(way, way.kind == Kind::hinge ? normalized(row) : row);
+        const Vec3 row = (turn_row(free_axis, before) + turn_row(free_axis, after)) * 0.5;
+        write_turn(free_axis, free_axis.kind == Kind::hinge ? normalized(row) : row);
     }
 }
 
-double rate_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b) {
-    const double turning = dot(way.angular_a, spin(a)) + dot(way.angular_b, spin(b));
-    return way.is_linear() ? turning + dot(way.linear, velocity(b) - velocity(a)) : turning;
+double rate_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b) {
+    const double turning = dot(free_axis.angular_a, spin(a)) + dot(free_axis.angular_b, spin(b));
+    return free_axis.is_linear() ? turning + dot(free_axis.linear, velocity(b) - velocity(a)) : turning;
 }
 
-double response_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b) {
+double response_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b) {
     const auto of = [&](const DirectBody& body, Vec3 angular) {
-        return body.pushed ? dot(way.linear, scaled(way.linear, body.inverse_masses)) +
+        return body.pushed ? dot(free_axis.linear, scaled(free_axis.linear, body.inverse_masses)) +
                                  dot(angular, body.inverse_inertia * angular)
                            : 0;
     };
-    return of(a, way.angular_a) + of(b, way.angular_b);
+    return of(a, free_axis.angular_a) + of(b, free_axis.angular_b);
 }
 
-double stretch_of(const FreeAxis& way, double value) {
-    const double stretch = value - way.rest;
-    return way.is_linear() ? stretch : wrapped(stretch);
+double stretch_of(const FreeAxis& free_axis, double value) {
+    const double stretch = value - free_axis.rest;
+    return free_axis.is_linear() ? stretch : wrapped(stretch);
 }
 
 // ---- grip ----
 
-void add_step(FreeAxis& way, double speed, double most) {
-    for (int k = 0; k < way.steps; k++)
-        if (way.speeds[k] == speed) {
-            way.most[k] += most;
+void add_step(FreeAxis& free_axis, double speed, double most) {
+    for (int k = 0; k < free_axis.steps; k++)
+        if (free_axis.speeds[k] == speed) {
+            free_axis.most[k] += most;
             return;
         }
-    way.speeds[way.steps] = speed;
-    way.most[way.steps] = most;
-    if (way.steps == 1 && way.speeds[0] > speed) {
-        std::swap(way.speeds[0], way.speeds[1]);
-        std::swap(way.most[0], way.most[1]);
+    free_axis.speeds[free_axis.steps] = speed;
+    free_axis.most[free_axis.steps] = most;
+    if (free_axis.steps == 1 && free_axis.speeds[0] > speed) {
+        std::swap(free_axis.speeds[0], free_axis.speeds[1]);
+        std::swap(free_axis.most[0], free_axis.most[1]);
     }
-    way.steps++;
+    free_axis.steps++;
 }
 
-void nothing_along(FreeAxis& way) {
-    way.lower = -DirectWay::never;
-    way.upper = FreeAxis::never;
-    way.steps = way.at_limit = 0;
-    way.grip = FreeAxis::at_rest;
-    way.rate = way.rubs = 0;
+void nothing_along(FreeAxis& free_axis) {
+    free_axis.lower = -DirectWay::never;
+    free_axis.upper = FreeAxis::never;
+    free_axis.steps = free_axis.at_limit = 0;
+    free_axis.actuation = FreeAxis::at_rest;
+    free_axis.rate = free_axis.friction_limit = 0;
 }
 
-void grip_on_limit(FreeAxis& way) {
-    if (way.steps == 0 || way.at_limit == 0) return;
+void actuation_on_limit(FreeAxis& free_axis) {
+    if (free_axis.steps == 0 || free_axis.at_limit == 0) return;
     const int into = -way.at_limit;
     // Steps that are slower than what creeps that way.
     const auto slower = [&](int direction) {
         int count = 0;
-        for (int k = 0; k < way.steps; k++)
-            if (direction > 0 ? way.speeds[k] <= 0 : way.speeds[k] < 0) count++;
+        for (int k = 0; k < free_axis.steps; k++)
+            if (direction > 0 ? free_axis.speeds[k] <= 0 : free_axis.speeds[k] < 0) count++;
         return count;
     };
-    if (way.push_between(slower(into)) * into > 0) {
-        way.grip = 2 * slower(into);
-    } else if (way.push_between(slower(-into)) * into < 0) {
-        if (way.is_held()) way.at_limit = 0;
+    if (free_axis.push_between(slower(into)) * into > 0) {
+        free_axis.actuation = 2 * slower(into);
+    } else if (free_axis.push_between(slower(-into)) * into < 0) {
+        if (free_axis.is_held()) free_axis.at_limit = 0;
     } else {
-        way.grip = FreeAxis::at_rest;
+        free_axis.actuation = FreeAxis::at_rest;
     }
 }
 
-void load_grip(FreeAxis& way, double force) {
-    way.grip = FreeAxis::at_rest;
-    if (way.steps == 0) return;
-    const double fuzz = 1e-7 * way.push_between(0);
-    for (int p = 0; p <= way.steps; p++) {
-        const double push = way.push_between(p);
+void load_actuation(FreeAxis& free_axis, double force) {
+    free_axis.actuation = FreeAxis::at_rest;
+    if (free_axis.steps == 0) return;
+    const double fuzz = 1e-7 * free_axis.push_between(0);
+    for (int p = 0; p <= free_axis.steps; p++) {
+        const double push = free_axis.push_between(p);
         if (p == 0 ? force >= push - fuzz : absolute(force - push) <= fuzz) {
-            way.grip = 2 * p;
+            free_axis.actuation = 2 * p;
             return;
         }
-        if (p == way.steps) {
-            way.grip = 2 * p;
-        } else if (force > way.push_between(p + 1) + fuzz) {
-            way.grip = 2 * p + 1;
+        if (p == free_axis.steps) {
+            free_axis.actuation = 2 * p;
+        } else if (force > free_axis.push_between(p + 1) + fuzz) {
+            free_axis.actuation = 2 * p + 1;
             return;
         }
     }

@@ -28,7 +28,7 @@ struct FreeAxis {
     // The steps of what grips it, by speed.
     int steps = 0;
     double speeds[2] = {}, most[2] = {};  // rad/s or m/s; N m or N
-    double rubs = 0;                      // what of that is friction, N m or N
+    double friction_limit = 0;                      // what of that is friction, N m or N
     double rate = 0, damping_ratio = 0;   // of the spring, rad/s
     double rest = 0;
     // Constant: in the principal axes of the bodies.
@@ -47,17 +47,17 @@ struct FreeAxis {
     // 2 p: between steps, p of them at less speed; 2 p + 1: at the speed of step p; or at_rest: a
     // limit bears it all.
     static constexpr int at_rest = -1;
-    int grip = at_rest;
+    int actuation = at_rest;
     bool implicit = false;  // the spring is a row of the step under way
     bool bound = false;     // the row holds: on a limit or at a speed
 
     bool is_linear() const { return kind == Kind::travel || kind == Kind::distance; }
     bool has_limit() const { return lower > -never || upper < never; }
-    bool is_held() const { return grip >= 0 && grip % 2 == 1; }
+    bool is_held() const { return actuation >= 0 && actuation % 2 == 1; }
     // The force between steps, of which p are at less speed.
     double push_between(int p) const;
-    double push() const { return grip >= 0 && grip % 2 == 0 ? push_between(grip / 2) : 0; }
-    double hold_speed() const { return speeds[grip / 2]; }
+    double push() const { return actuation >= 0 && actuation % 2 == 0 ? push_between(actuation / 2) : 0; }
+    double hold_speed() const { return speeds[actuation / 2]; }
     bool is_damped() const { return rate > 0 && damping_ratio > 0; }
 };
 
@@ -69,27 +69,27 @@ struct FreeAxisEnds {
 };
 
 // Value and vectors there.
-void write_way(FreeAxis& way, const FreeAxisEnds& ends);
-double value_of(const FreeAxis& way, const FreeAxisEnds& ends);
+void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends);
+double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends);
 // Vectors with which the value changes by h J (v, w) from one place to the other; the value stays
 // what it is.
-void write_mean_way(FreeAxis& way, const FreeAxisEnds& before, const FreeAxisEnds& after);
+void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before, const FreeAxisEnds& after);
 // Rate of the value.
-double rate_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b);
+double rate_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b);
 // By how much a unit impulse speeds it up, 1/kg or 1/(kg m^2).
-double response_of(const FreeAxis& way, const DirectBody& a, const DirectBody& b);
+double response_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b);
 // From where the spring is at rest.
-double stretch_of(const FreeAxis& way, double value);
+double stretch_of(const FreeAxis& free_axis, double value);
 
-void add_step(FreeAxis& way, double speed, double most);
+void add_step(FreeAxis& free_axis, double speed, double most);
 // Grip on a limit: a motor that drives into it presses on it, one that drives away leaves it, and
 // else it bears all.
-void grip_on_limit(FreeAxis& way);
+void actuation_on_limit(FreeAxis& free_axis);
 // Of what gripped the way before: its force on b.
-void load_grip(FreeAxis& way, double force);
+void load_actuation(FreeAxis& free_axis, double force);
 
 // A way along which nothing acts.
-void nothing_along(FreeAxis& way);
+void nothing_along(FreeAxis& free_axis);
 
 // Within a turn.
 inline double wrapped(double angle) {

@@ -9,7 +9,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most_way_corrections = 8;
+constexpr int max_position_corrections = 8;
 
 void drift(DirectBody& body, double h) {
     if (body.pushed) {
@@ -25,7 +25,7 @@ void drift(DirectBody& body, double h) {
 }  // namespace
 
 // From the momenta there are, to where joints hold. False if that is not found.
-bool DirectGroup::find_way(double h, double tolerance) {
+bool DirectGroup::solve_positions(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];
@@ -37,7 +37,7 @@ bool DirectGroup::find_way(double h, double tolerance) {
         const double error = measure_all(h);
         if (error < tolerance) return true;
         if (round == 0) first = error;
-        if (round == most_way_corrections || !(error < 4 * before))
+        if (round == max_position_corrections || !(error < 4 * before))
             return error < 30 * tolerance ||
                    (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         before = error;
@@ -52,8 +52,8 @@ bool DirectGroup::find_way(double h, double tolerance) {
             double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             // What damps does so at velocities.
             if (damped_springs_)
-                for (int r = joint.first_way(); r < joint.rows(); r++)
-                    if (!joint.ways[as_index(r - joint.first_way())].bound) more[r] = 0;
+                for (int r = joint.first_free_axis(); r < joint.rows(); r++)
+                    if (!joint.free_axes[as_index(r - joint.first_free_axis())].bound) more[r] = 0;
             push(joint, more);
             for (int r = 0; r < joint.rows(); r++) joint.impulse[r] += more[r];
         }
@@ -68,20 +68,20 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     kick(h, false);
     set_targets(h);
     if (!smooth_) {
-        before_guess_.clear();
+        previous_guess_.clear();
         for (const DirectBody& body : bodies)
-            before_guess_.push_back(body.p), before_guess_.push_back(body.l);
+            previous_guess_.push_back(body.p), previous_guess_.push_back(body.l);
     }
     for (int round = 0;; round++) {
-        if (!find_way(h, tolerance)) return false;
+        if (!solve_positions(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
         for (std::size_t k = 0; k < bodies.size(); k++)
-            bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
+            bodies[k].p = previous_guess_[2 * k], bodies[k].l = previous_guess_[2 * k + 1];
         bool changed = reach_limits(h, 0.5 * h);
         for (DirectJoint& joint : joints)
             if (enforce_bounds(joint, joint.impulse, 0.5 * h, 0.5 * h)) changed = true;
         for (std::size_t k = 0; k < bodies.size(); k++)
-            before_guess_[2 * k] = bodies[k].p, before_guess_[2 * k + 1] = bodies[k].l;
+            previous_guess_[2 * k] = bodies[k].p, previous_guess_[2 * k + 1] = bodies[k].l;
         if (!changed) {
             for (DirectJoint& joint : joints) push(joint, joint.impulse);
             break;
@@ -90,7 +90,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     }
     for (DirectJoint& joint : joints) record(joint, joint.impulse);
     commit();
-    if (sprung_ || gripped_) factor_here();  // along the ways as they are now
+    if (sprung_ || actuated_) factor_here();  // along the ways as they are now
     kick(h, true);
     project_velocities(h, 0);
     time_ += h;

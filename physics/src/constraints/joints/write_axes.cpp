@@ -27,7 +27,7 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     std::uint32_t uses = 0;
     const bool limited = axis.free && axis.limit.enabled,
                sprung = axis.free && axis.spring.hertz > 0,
-               driven = axis.free && axis.motor.enabled, rubs = axis.free && axis.friction > 0;
+               driven = axis.free && axis.motor.enabled, friction_limit = axis.free && axis.friction > 0;
     lane.put(to.lower_at, limited ? axis.limit.lower : double{-never});
     lane.put(to.upper_at, limited ? axis.limit.upper : double{never});
     lane.put(to.lower, kept(limited, impulses[AxisImpulses::lower]));
@@ -39,12 +39,12 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     lane.put(to.motor_speed, axis.motor.speed);
     lane.put(to.motor_most, driven ? axis.motor.most * h : 0);
     lane.put(to.motor, kept(driven, impulses[AxisImpulses::motor]));
-    lane.put(to.friction_most, rubs ? axis.friction * h : 0);
-    lane.put(to.friction, kept(rubs, impulses[AxisImpulses::friction]));
+    lane.put(to.friction_most, friction_limit ? axis.friction * h : 0);
+    lane.put(to.friction, kept(friction_limit, impulses[AxisImpulses::friction]));
     if (limited) uses |= uses_limit;
     if (sprung) uses |= uses_spring;
     if (driven) uses |= uses_motor;
-    if (rubs) uses |= uses_friction;
+    if (friction_limit) uses |= uses_friction;
     return uses;
 }
 

@@ -215,10 +215,10 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
-    std::vector<FreeAxis> ways = std::move(joint.ways);  // for its memory
-    ways.clear();
+    std::vector<FreeAxis> free_axes = std::move(joint.free_axes);  // for its memory
+    free_axes.clear();
     joint = {};
-    joint.ways = std::move(ways);
+    joint.free_axes = std::move(free_axes);
     joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);

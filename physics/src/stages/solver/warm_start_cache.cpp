@@ -25,15 +25,15 @@ WarmStartCache read_warm_start(const Joint& from, Quat carried) {
         const std::size_t count = from.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
             const double* const at = &from.memory[k * AxisImpulses::count];
-            cache.ways[k] = {at[AxisImpulses::lower], at[AxisImpulses::upper],
+            cache.free_axes[k] = {at[AxisImpulses::lower], at[AxisImpulses::upper],
                             at[AxisImpulses::spring_impulse], at[AxisImpulses::motor],
                             at[AxisImpulses::friction]};
         }
         return cache;
     }
     cache.angular = rotate(carried, from.angular);
-    cache.ways[0] = {from.lower, from.upper, from.spring, from.motor, 0};
-    cache.ways[1].upper = from.swing;
+    cache.free_axes[0] = {from.lower, from.upper, from.spring, from.motor, 0};
+    cache.free_axes[1].upper = from.swing;
     return cache;
 }
 
@@ -43,22 +43,22 @@ void write_warm_start(Joint& to, Quat carried, const WarmStartCache& cache) {
         to.angular = cache.turns;
         const std::size_t count = to.memory.size() / AxisImpulses::count;
         for (std::size_t k = 0; k < count; k++) {
-            const WarmStartCache::FreeAxisImpulses& way = cache.ways[k];
+            const WarmStartCache::FreeAxisImpulses& free_axis = cache.free_axes[k];
             double* const at = &to.memory[k * AxisImpulses::count];
-            at[AxisImpulses::lower] = way.lower;
-            at[AxisImpulses::upper] = way.upper;
-            at[AxisImpulses::spring_impulse] = way.spring;
-            at[AxisImpulses::motor] = way.motor;
-            at[AxisImpulses::friction] = way.friction;
+            at[AxisImpulses::lower] = free_axis.lower;
+            at[AxisImpulses::upper] = free_axis.upper;
+            at[AxisImpulses::spring_impulse] = free_axis.spring;
+            at[AxisImpulses::motor] = free_axis.motor;
+            at[AxisImpulses::friction] = free_axis.friction;
         }
         return;
     }
     to.angular = inverse_rotate(carried, cache.angular);
-    to.lower = cache.ways[0].lower;
-    to.upper = cache.ways[0].upper;
-    to.spring = cache.ways[0].spring;
-    to.motor = cache.ways[0].motor;
-    to.swing = cache.ways[1].upper;
+    to.lower = cache.free_axes[0].lower;
+    to.upper = cache.free_axes[0].upper;
+    to.spring = cache.free_axes[0].spring;
+    to.motor = cache.free_axes[0].motor;
+    to.swing = cache.free_axes[1].upper;
     to.friction = {};
 }
 

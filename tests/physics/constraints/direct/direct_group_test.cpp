@@ -128,7 +128,7 @@ TEST(DirectGroup, motors_and_limits_keep_their_bounds) {
     }
     for (int k = 0; k < 60; k++) group.advance(1.0 / 60, 8);
     const DirectJoint& joint = group.joints[static_cast<std::size_t>(motor)];
-    EXPECT_EQ(joint.ways[0].at_limit, -1);
+    EXPECT_EQ(joint.free_axes[0].at_limit, -1);
     EXPECT_LT(length(spin(group.bodies[1])), 1e-9);
     const Vec3 x = group.bodies[1].axes * Vec3{1, 0, 0};
     EXPECT_NEAR(arc_tangent(-x.z, x.x), 1.6, 1e-5);

@@ -46,11 +46,11 @@ TEST(DirectMemory, keeps_what_rows_carry) {
     for (const JointKind& kind : kinds) {
         DirectGroup group = askew(kind);
         DirectJoint& joint = group.joints[0];
-        for (int k = 0; k < joint.first_way(); k++) joint.force[k] = 3 + k;
+        for (int k = 0; k < joint.first_free_axis(); k++) joint.force[k] = 3 + k;
         const WarmStartCache kept = save_forces(joint, group.bodies[0], group.bodies[1], h);
         for (double& force : joint.force) force = 0;
         load_forces(joint, group.bodies[0], group.bodies[1], kept, h);
-        for (int k = 0; k < joint.first_way(); k++)
+        for (int k = 0; k < joint.first_free_axis(); k++)
             EXPECT_NEAR(joint.force[k], 3 + k, 1e-9) << kind_name(kind) << " row " << k;
     }
 }
@@ -59,39 +59,39 @@ TEST(DirectMemory, keeps_what_bounds_a_way) {
     DirectGroup group =
         askew(SliderJoint{.limit = {true, 0, 2}, .motor = {true, 1, 10}, .friction_force = 4});
     DirectJoint& joint = group.joints[0];
-    FreeAxis& way = joint.ways[0];
-    const int row = joint.first_way();
+    FreeAxis& free_axis = joint.free_axes[0];
+    const int row = joint.first_free_axis();
     const auto again = [&] {
         const WarmStartCache kept = save_forces(joint, group.bodies[0], group.bodies[1], h);
-        way.at_limit = 7;
-        way.grip = 7;
+        free_axis.at_limit = 7;
+        free_axis.actuation = 7;
         joint.force[row] = 0;
         load_forces(joint, group.bodies[0], group.bodies[1], kept, h);
-        return kept.ways[0];
+        return kept.free_axes[0];
     };
     // On the lower limit, pressed on by the motor less friction.
-    way.at_limit = 1;
-    way.grip = 2;
+    free_axis.at_limit = 1;
+    free_axis.actuation = 2;
     joint.force[row] = 5;
     WarmStartCache::FreeAxisImpulses kept = again();
     EXPECT_DOUBLE_EQ(kept.lower, 10 * h);
     EXPECT_DOUBLE_EQ(kept.motor + kept.friction, 6 * h);
-    EXPECT_EQ(way.at_limit, 1);
-    EXPECT_EQ(way.grip, 2);
+    EXPECT_EQ(free_axis.at_limit, 1);
+    EXPECT_EQ(free_axis.actuation, 2);
     EXPECT_DOUBLE_EQ(joint.force[row], 5);
     // Held at the motor's speed with 12 N, of which friction is at most 4.
-    way.at_limit = 0;
-    way.grip = 3;
+    free_axis.at_limit = 0;
+    free_axis.actuation = 3;
     joint.force[row] = -1;
     kept = again();
     EXPECT_DOUBLE_EQ(kept.motor + kept.friction, -2 * h);
-    EXPECT_EQ(way.grip, 3);
+    EXPECT_EQ(free_axis.actuation, 3);
     EXPECT_DOUBLE_EQ(joint.force[row], -1);
-    for (const int grip : {0, 2, 4}) {
-        way.grip = grip;
+    for (const int actuation : {0, 2, 4}) {
+        free_axis.actuation = actuation;
         again();
-        EXPECT_EQ(way.grip, grip);
-        EXPECT_EQ(way.at_limit, 0);
+        EXPECT_EQ(free_axis.actuation, actuation);
+        EXPECT_EQ(free_axis.at_limit, 0);
     }
 }
 

@@ -69,7 +69,7 @@ TEST(FreeAxis, a_slider_keeps_momenta_and_energy) {
                                    group.bodies[1].x + group.bodies[1].axes * joint.arm_b -
                                        group.bodies[0].x - group.bodies[0].axes * joint.arm_a) -
                                0.1;
-        return energy(group) + 0.5 * joint.ways[0].stiffness * stretch * stretch;
+        return energy(group) + 0.5 * joint.free_axes[0].stiffness * stretch * stretch;
     };
     group.advance(dt, 8);
     const Vec3 before = momentum();
@@ -300,8 +300,8 @@ TEST(FreeAxis, a_shoulder_stays_in_its_cone) {
         group.advance(dt, 8);
         const DirectJoint& joint = group.joints[0];
         write_vectors(group.joints[0], group.bodies[0], group.bodies[1]);
-        twist = maximum(twist, joint.ways[0].value);
-        swing = maximum(swing, joint.ways[1].value);
+        twist = maximum(twist, joint.free_axes[0].value);
+        swing = maximum(swing, joint.free_axes[1].value);
         EXPECT_LT(energy(group), before + 1e-4);
     }
     EXPECT_NEAR(swing, 0.7, 1e-4);
@@ -314,7 +314,7 @@ TEST(FreeAxis, limits_that_are_overrun_come_back_at_a_bounded_speed) {
     DirectGroup hinge = floating(HingeJoint{.limit = {true, 1, 2}}, about_y);
     hinge.advance(0.05, 8);
     write_vectors(hinge.joints[0], hinge.bodies[0], hinge.bodies[1]);
-    EXPECT_NEAR(hinge.joints[0].ways[0].value, 8 * 0.05, 1e-5);
+    EXPECT_NEAR(hinge.joints[0].free_axes[0].value, 8 * 0.05, 1e-5);
     EXPECT_LT(length(spin(hinge.bodies[1])), 1e-9);
     DirectGroup slider = floating(SliderJoint{.limit = {true, -3, -2}}, z_along_x);
     slider.advance(0.05, 8);

@@ -20,7 +20,7 @@
 #include "physics/src/constraints/direct/block_ldl.h"
 #include "physics/src/constraints/direct/direct_body.h"
 #include "physics/src/constraints/direct/direct_joint.h"
-#include "physics/src/constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/joint_system_blocks.h"
 
 namespace jostle::physics {
 

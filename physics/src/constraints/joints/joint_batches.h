@@ -19,7 +19,7 @@
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraint_graph/joint_levels.h"
 #include "physics/src/constraint_graph/joint_solver_preferences.h"
-#include "physics/src/constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/joint_system_blocks.h"
 
 namespace jostle::physics {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "physics/src/constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/joint_system_blocks.h"
 #include "physics/src/constraints/joints/joint_batches.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraints/direct/joint_couplings.h"
+#include "physics/src/constraints/direct/joint_system_blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -137,7 +137,7 @@ private:
     static constexpr int bound_rounds = 4;
 
     BlockLdl matrix_;
-    std::vector<JointCoupling> couplings_;
+    std::vector<JointSystemBlock> couplings_;
     std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
     std::vector<double> right_side_;  // by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta

@@ -96,7 +96,7 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
     right_side_.assign(as_index(matrix_.rows()), 0);
     // Blocks are then summed up one after the other.
     std::sort(couplings_.begin(), couplings_.end(),
-              [](const JointCoupling& x, const JointCoupling& y) {
+              [](const JointSystemBlock& x, const JointSystemBlock& y) {
                   return std::pair(x.at, x.body) < std::pair(y.at, y.body);
               });
     return true;
@@ -109,7 +109,7 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
 void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
-    for (const JointCoupling& c : couplings_) {
+    for (const JointSystemBlock& c : couplings_) {
         const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
         const DirectBody& body = bodies[as_index(c.body)];
         const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;

@@ -9,7 +9,7 @@ namespace jostle::physics {
 
 bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
                    std::span<const std::uint8_t> pushed, std::int64_t most_work, BlockLdl& matrix,
-                   std::vector<JointCoupling>& couplings) {
+                   std::vector<JointSystemBlock>& couplings) {
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
     for (std::size_t k = 0; k < joints.size(); k++)

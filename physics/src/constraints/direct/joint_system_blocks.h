@@ -12,7 +12,7 @@
 
 namespace jostle::physics {
 
-struct JointCoupling {
+struct JointSystemBlock {
     int at;  // of the block among the matrix's values
     int later, sooner, body;
     bool later_b, sooner_b;  // whether it is their b
@@ -25,6 +25,6 @@ struct JointEnds {
 // would take more multiplications than `most_work`. `pushed`: by body.
 bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
                    std::span<const std::uint8_t> pushed, std::int64_t most_work, BlockLdl& matrix,
-                   std::vector<JointCoupling>& couplings);
+                   std::vector<JointSystemBlock>& couplings);
 
 }  // namespace jostle::physics

@@ -233,7 +233,7 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
     for (int k = 0; k < batch.body_count; k++)
         if (batch.pushed[k] != 0) stiffen_inertia(batch.bodies[k], step);
     for (int k = 0; k < batch.coupling_count; k++) {
-        const JointCoupling& c = batch.couplings[k];
+        const JointSystemBlock& c = batch.couplings[k];
         const BatchJoint &later = batch.joints[c.later], &sooner = batch.joints[c.sooner];
         add_response(batch.bodies[c.body], load3(c.later_b ? later.lever_b : later.lever_a),
                      load3(c.sooner_b ? sooner.lever_b : sooner.lever_a),

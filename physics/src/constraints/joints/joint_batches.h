@@ -28,7 +28,7 @@ namespace jostle::physics {
 struct JointPattern {
     std::vector<JointEnds> joints;
     std::vector<std::uint8_t> pushed;  // by body
-    std::vector<JointCoupling> couplings;
+    std::vector<JointSystemBlock> couplings;
     // The matrix, three rows a joint; by elimination order.
     std::vector<int> node, diagonal, first_below, first_update;
     std::vector<BlockLdl::Below> below;
@@ -82,7 +82,7 @@ struct BatchView {
     WideValue *values, *inverse, *column;
     const JointEnds* ends;
     const std::uint8_t* pushed;
-    const JointCoupling* couplings;
+    const JointSystemBlock* couplings;
     const int *node, *diagonal, *first_below, *first_update;
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;

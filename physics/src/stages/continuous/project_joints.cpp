@@ -210,7 +210,7 @@ private:
     // J M^-1 J^T.
     void assemble() {
         matrix_.clear();
-        for (const JointCoupling& c : couplings_) {
+        for (const JointSystemBlock& c : couplings_) {
             const ProjectedBody& body = bodies_[as_index(c.body)];
             const ProjectedJoint &later = joints_[as_index(c.later)],
                             &sooner = joints_[as_index(c.sooner)];
@@ -233,7 +233,7 @@ private:
     std::vector<std::uint8_t>& seen_;
     std::vector<ProjectedBody> bodies_;
     std::vector<ProjectedJoint> joints_;
-    std::vector<JointCoupling> couplings_;
+    std::vector<JointSystemBlock> couplings_;
     BlockLdl matrix_;
 };
 

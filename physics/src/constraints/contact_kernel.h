@@ -375,7 +375,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     // each other (contact_settings.cpp: mass_scale + impulse_scale = 1). From one point to the next
     // only a fused multiply-add, a maximum and a difference have to be waited for.
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], unclamped[kPoints], rate[kPoints],
-        coupling[kPoints][kPoints];
+        off_diagonal[kPoints][kPoints];
     PointResponse r[kPoints];
     Wide slop = splat(set.slop), push_speed = splat(set.push_speed);
     if (!kRelax && any_unusual(meta)) {
@@ -437,8 +437,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         JOSTLE_UNROLL
         for (int j = 0; j < i; j++) {
             const Wide response = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
-            coupling[i][j] = rate[i] * response;
-            coupling[j][i] = rate[j] * response;
+            off_diagonal[i][j] = rate[i] * response;
+            off_diagonal[j][i] = rate[j] * response;
         }
     }
     for (int sweep = 0; sweep < sweeps; sweep++) {
@@ -449,7 +449,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             lambda[i] = now;
             JOSTLE_UNROLL
             for (int j = 0; j < kPoints; j++)
-                if (j != i) unclamped[j] = fnma(coupling[j][i], change, unclamped[j]);
+                if (j != i) unclamped[j] = fnma(off_diagonal[j][i], change, unclamped[j]);
         }
     }
     WideImpulse sum;

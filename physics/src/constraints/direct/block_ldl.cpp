@@ -17,12 +17,12 @@ constexpr double dependent_pivot = 1e-10;
 int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
     double lower[most_block_rows][most_block_rows] = {}, pivot[most_block_rows],
            reciprocal[most_block_rows], x[most_block_rows][most_block_rows] = {};
-    int left_out = 0;
+    int skipped_rows = 0;
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
         for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
         const bool bad = !(d > dependent_pivot * kept[j]);
-        left_out += bad && kept[j] > 0 ? 1 : 0;
+        skipped_rows += bad && kept[j] > 0 ? 1 : 0;
         pivot[j] = bad ? 0 : d;
         reciprocal[j] = bad ? 0 : 1 / d;
         for (int i = j + 1; i < n; i++) {
@@ -45,7 +45,7 @@ int invert_pivot(const double* block, int n, const double* kept, double* inverse
             for (int k = i; k < n; k++) s += x[k][i] * x[k][j] * reciprocal[k];
             inverse[i * n + j] = inverse[j * n + i] = s;
         }
-    return left_out;
+    return skipped_rows;
 }
 
 // ... of three rows by cofactors, where they are far from dependent.
@@ -73,7 +73,7 @@ void BlockLdl::clear() {
 // Column by column, to the right. kRows: of all nodes, 0 if they differ.
 template <int kRows>
 int BlockLdl::factor_columns() {
-    int left_out = 0;
+    int skipped_rows = 0;
     const int n = nodes();
     for (int k = 0; k < n; k++) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
@@ -81,7 +81,7 @@ int BlockLdl::factor_columns() {
         double* const inverse = inverse_.data() + as_index(k) * most_values;
         const double* const kept = kept_.data() + begin_[as_index(k)];
         if (kRows != 3 || !invert_three(pivot, kept, inverse))
-            left_out += invert_pivot(pivot, nk, kept, inverse);
+            skipped_rows += invert_pivot(pivot, nk, kept, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
         // The column is kept beside; L = column D^-1 takes its place.
@@ -122,7 +122,7 @@ int BlockLdl::factor_columns() {
                 }
         }
     }
-    return left_out;
+    return skipped_rows;
 }
 
 int BlockLdl::factor() {

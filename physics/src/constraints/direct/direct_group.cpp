@@ -124,7 +124,7 @@ void DirectGroup::step(double h, int depth) {
     }
     if (step_energy(h, tolerance(h)) && !has_burst(h, saved_[as_index(depth)])) return;
     restore(depth);
-    if (depth == most_halvings || (depth > 1 && (count_.left_out > 0 || degenerate_))) {
+    if (depth == most_halvings || (depth > 1 && (count_.skipped_rows > 0 || degenerate_))) {
         resorting_ = true;
         return resort_to_velocities(h);
     }

@@ -42,7 +42,7 @@ public:
     // What happened since prepare(), for the profile and for tests.
     struct Count {
         int compositions = 0, rattle_steps = 0, energy_steps = 0, halvings = 0, last_resorts = 0;
-        int factors = 0, solves = 0, left_out = 0;
+        int factors = 0, solves = 0, skipped_rows = 0;
     };
 
     // Once bodies and joints are there: their pattern, unless it is that of before. False, and of
@@ -125,7 +125,7 @@ private:
     bool step_energy(double h, double tolerance);
     void begin_energy_step(double h);
     void add_known_pushes(double h);
-    double miss_of(double h, bool stiffness_too);
+    double residual_of(double h, bool stiffness_too);
     void correct(double h, bool again);
     bool solve_energy_positions(double h, double tolerance);
     double stiffest();  // rad/s: no swing is faster
@@ -137,7 +137,7 @@ private:
     static constexpr int bound_rounds = 4;
 
     BlockLdl matrix_;
-    std::vector<JointSystemBlock> couplings_;
+    std::vector<JointSystemBlock> system_blocks_;
     std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
     std::vector<double> right_side_;  // by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta

@@ -92,10 +92,10 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
         rows.push_back(joint.rows());
     }
     for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
-    if (!couple_joints(ends, rows, pushed, most_work, matrix_, couplings_)) return false;
+    if (!find_joint_system_blocks(ends, rows, pushed, most_work, matrix_, system_blocks_)) return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
     // Blocks are then summed up one after the other.
-    std::sort(couplings_.begin(), couplings_.end(),
+    std::sort(system_blocks_.begin(), system_blocks_.end(),
               [](const JointSystemBlock& x, const JointSystemBlock& y) {
                   return std::pair(x.at, x.body) < std::pair(y.at, y.body);
               });
@@ -109,7 +109,7 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
 void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
-    for (const JointSystemBlock& c : couplings_) {
+    for (const JointSystemBlock& c : system_blocks_) {
         const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
         const DirectBody& body = bodies[as_index(c.body)];
         const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;
@@ -140,7 +140,7 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
     if (resorting_ && looped_) regularize();
-    count_.left_out = matrix_.factor();
+    count_.skipped_rows = matrix_.factor();
     count_.factors++;
 }
 

@@ -63,8 +63,8 @@ Mat3 response_about_one(const DirectBody& body, double h) {
             axis = k == 0 ? body.axes.x : (k == 1 ? body.axes.y : body.axes.z);
     const double inertia = dot(axis, body.inertia * axis);
     const double stiff = 2 * inertia + 0.5 * h * dot(axis, body.stiffness * axis);
-    const double answer = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
-    return {axis * (axis.x * answer), axis * (axis.y * answer), axis * (axis.z * answer)};
+    const double spin_correction = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
+    return {axis * (axis.x * spin_correction), axis * (axis.y * spin_correction), axis * (axis.z * spin_correction)};
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ void DirectGroup::add_known_pushes(double h) {
 }
 
 // Where the unknowns lead, and by how much that misses, m.
-double DirectGroup::miss_of(double h, bool stiffness_too) {
+double DirectGroup::residual_of(double h, bool stiffness_too) {
     for (DirectBody& body : bodies) {
         const Vec3 t = body.mean_w * (0.5 * h);
         const double s = 1 / square_root(1 + dot(t, t));
@@ -180,13 +180,13 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
     double largest = 0;
     for (DirectBody& body : bodies) {
         if (!body.pushed) {
-            body.miss = {};
+            body.residual = {};
             continue;
         }
         const Vec3 momentum = body.inertia * body.mean_w;
-        body.miss = (momentum - body.inertia * body.w0) * 2 + cross(body.mean_w, momentum) * h -
+        body.residual = (momentum - body.inertia * body.w0) * 2 + cross(body.mean_w, momentum) * h -
                     body.twist + cross(body.mean_w, body.twist) * (0.5 * h);
-        const double size = square_root(absolute(dot(body.miss, body.inverse_inertia * body.miss) *
+        const double size = square_root(absolute(dot(body.residual, body.inverse_inertia * body.residual) *
                                                  body.inverse_mass)) *
                             h;
         largest = size <= largest ? largest : size;
@@ -214,15 +214,15 @@ void DirectGroup::correct(double h, bool again) {
         factored_ = false;
     }
     for (DirectBody& body : bodies) {
-        body.answer = -(body.response * body.miss);
-        body.miss = -body.miss;
+        body.spin_correction = -(body.response * body.residual);
+        body.residual = -body.residual;
     }
     for (std::size_t k = 0; k < joints.size(); k++) {
         const DirectJoint& joint = joints[k];
         const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
         for (int r = 0; r < joint.rows(); r++)
-            to[r] = -dot(joint.angular_a[r], a.answer) - dot(joint.angular_b[r], b.answer) -
+            to[r] = -dot(joint.angular_a[r], a.spin_correction) - dot(joint.angular_b[r], b.spin_correction) -
                     joint.error[r] / h;
     }
     matrix_.solve(right_side_);
@@ -233,11 +233,11 @@ void DirectGroup::correct(double h, bool again) {
         const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
         for (int r = 0; r < joint.rows(); r++) {
             joint.impulse[r] += more[r];
-            a.miss += joint.angular_a[r] * more[r];
-            b.miss += joint.angular_b[r] * more[r];
+            a.residual += joint.angular_a[r] * more[r];
+            b.residual += joint.angular_b[r] * more[r];
         }
     }
-    for (DirectBody& body : bodies) body.mean_w += body.response * body.miss;
+    for (DirectBody& body : bodies) body.mean_w += body.response * body.residual;
 }
 
 bool DirectGroup::solve_energy_positions(double h, double tolerance) {
@@ -245,7 +245,7 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
     double before = 1e300, first = 0, enough = tolerance;
     bool again = true;
     for (int round = 0;; round++) {
-        const double error = miss_of(h, true);
+        const double error = residual_of(h, true);
         if (round == 0) {
             first = error;
             enough = actuated_ || limited_ ? tolerance : enough_of(first, tolerance);

@@ -7,15 +7,15 @@
 
 namespace jostle::physics {
 
-bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
+bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                    std::span<const std::uint8_t> pushed, std::int64_t most_work, BlockLdl& matrix,
-                   std::vector<JointSystemBlock>& couplings) {
+                   std::vector<JointSystemBlock>& system_blocks) {
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
     for (std::size_t k = 0; k < joints.size(); k++)
         for (const int body : {joints[k].a, joints[k].b})
             if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
-    couplings.clear();
+    system_blocks.clear();
     for (const std::vector<int>& list : of_body) {
         int least = BlockLdl::most_rows;
         for (const int joint : list) least = std::min(least, rows[as_index(joint)]);
@@ -34,7 +34,7 @@ bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
                 const bool first_later = matrix.is_later(list[i], list[k]);
                 const int later = first_later ? list[i] : list[k];
                 const int sooner = first_later ? list[k] : list[i];
-                couplings.push_back({matrix.block_at(later, sooner), later, sooner, body,
+                system_blocks.push_back({matrix.block_at(later, sooner), later, sooner, body,
                                      joints[as_index(later)].b == body,
                                      joints[as_index(sooner)].b == body});
             }

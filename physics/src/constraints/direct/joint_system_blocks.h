@@ -23,8 +23,8 @@ struct JointEnds {
 
 // Analyses the matrix, a node a joint, and lists the blocks. False, and of no use, if a factor
 // would take more multiplications than `most_work`. `pushed`: by body.
-bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
+bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                    std::span<const std::uint8_t> pushed, std::int64_t most_work, BlockLdl& matrix,
-                   std::vector<JointSystemBlock>& couplings);
+                   std::vector<JointSystemBlock>& system_blocks);
 
 }  // namespace jostle::physics

@@ -232,8 +232,8 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
     }
     for (int k = 0; k < batch.body_count; k++)
         if (batch.pushed[k] != 0) stiffen_inertia(batch.bodies[k], step);
-    for (int k = 0; k < batch.coupling_count; k++) {
-        const JointSystemBlock& c = batch.couplings[k];
+    for (int k = 0; k < batch.system_block_count; k++) {
+        const JointSystemBlock& c = batch.system_blocks[k];
         const BatchJoint &later = batch.joints[c.later], &sooner = batch.joints[c.sooner];
         add_response(batch.bodies[c.body], load3(c.later_b ? later.lever_b : later.lever_a),
                      load3(c.sooner_b ? sooner.lever_b : sooner.lever_a),
@@ -242,9 +242,9 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
     for (int k = 0; k < batch.joint_count; k++) {
         // As it is before the elimination: kept where its inverse will be.
         WideValue* const diagonal = batch.values + batch.diagonal[k];
-        if (batch.give > 0)
+        if (batch.compliance > 0)
             for (int n = 0; n < 9; n += 4)
-                store(diagonal[n].lane, load(diagonal[n].lane) * splat(1 + batch.give));
+                store(diagonal[n].lane, load(diagonal[n].lane) * splat(1 + batch.compliance));
         WideValue* const kept = batch.inverse + 6 * k;
         kept[0] = diagonal[0], kept[1] = diagonal[4], kept[2] = diagonal[8];
     }

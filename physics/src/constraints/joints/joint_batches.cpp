@@ -17,7 +17,7 @@ constexpr int rows = 3;
 // In float rows of a net that depend on others are not told from those that hardly do. All give
 // way a little, and each solve takes away what the one before it left (J. Carpentier et al.,
 // "Proximal and sparse resolution of constrained dynamic equations", 2021).
-constexpr float net_give = 1e-2f;
+constexpr float net_compliance = 1e-2f;
 
 std::size_t place(std::int32_t i) {
     return static_cast<std::size_t>(i);
@@ -93,9 +93,9 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
     BlockLdl matrix;
     pattern.most_work = most;
     const auto pushed = std::count(pattern.pushed.begin(), pattern.pushed.end(), 1);
-    pattern.give = is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_give : 0;
-    pattern.too_dense = !couple_joints(pattern.joints, std::vector<int>(joints, rows),
-                                       pattern.pushed, most, matrix, pattern.couplings);
+    pattern.compliance = is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_compliance : 0;
+    pattern.too_dense = !find_joint_system_blocks(pattern.joints, std::vector<int>(joints, rows),
+                                       pattern.pushed, most, matrix, pattern.system_blocks);
     if (pattern.too_dense) return;
     pattern.work = matrix.work();
     pattern.values = matrix.value_count();
@@ -233,7 +233,7 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
     return {.groups = batch.groups,
             .joint_count = static_cast<int>(batch.joints.size()),
             .body_count = static_cast<int>(batch.bodies.size()),
-            .coupling_count = static_cast<int>(pattern.couplings.size()),
+            .system_block_count = static_cast<int>(pattern.system_blocks.size()),
             .value_count = static_cast<int>(batch.values.size()),
             .joints = batch.joints.data(),
             .bodies = batch.bodies.data(),
@@ -242,7 +242,7 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
             .column = batch.column.data(),
             .ends = pattern.joints.data(),
             .pushed = pattern.pushed.data(),
-            .couplings = pattern.couplings.data(),
+            .system_blocks = pattern.system_blocks.data(),
             .node = pattern.node.data(),
             .diagonal = pattern.diagonal.data(),
             .first_below = pattern.first_below.data(),
@@ -250,7 +250,7 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
             .below = pattern.below.data(),
             .updates = pattern.updates.data(),
             .blocks = levels.blocks.data(),
-            .give = pattern.give};
+            .compliance = pattern.compliance};
 }
 
 void load_batch(JointBatch& batch, const JointLevels& levels) {

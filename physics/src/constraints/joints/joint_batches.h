@@ -28,7 +28,7 @@ namespace jostle::physics {
 struct JointPattern {
     std::vector<JointEnds> joints;
     std::vector<std::uint8_t> pushed;  // by body
-    std::vector<JointSystemBlock> couplings;
+    std::vector<JointSystemBlock> system_blocks;
     // The matrix, three rows a joint; by elimination order.
     std::vector<int> node, diagonal, first_below, first_update;
     std::vector<BlockLdl::Below> below;
@@ -37,7 +37,7 @@ struct JointPattern {
     bool too_dense = false;      // then there is no more than that
     std::int64_t most_work = 0;  // for which
     std::int64_t work = 0;
-    float give = 0;  // part of a row's own response by which it gives way: nets have rows to spare
+    float compliance = 0;  // part of a row's own response by which it gives way: nets have rows to spare
     std::uint64_t used = 0;  // when, by JointBatches::count
 };
 
@@ -76,18 +76,18 @@ struct JointBatch {
 
 // The same as the kernels see it: code built for one instruction set calls nothing of others.
 struct BatchView {
-    int groups, joint_count, body_count, coupling_count, value_count;
+    int groups, joint_count, body_count, system_block_count, value_count;
     BatchJoint* joints;
     BatchBody* bodies;
     WideValue *values, *inverse, *column;
     const JointEnds* ends;
     const std::uint8_t* pushed;
-    const JointSystemBlock* couplings;
+    const JointSystemBlock* system_blocks;
     const int *node, *diagonal, *first_below, *first_update;
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;
     JointConstraintWide* blocks;
-    float give;
+    float compliance;
 };
 BatchView view_of(JointBatch& batch, JointLevels& levels);
 

@@ -91,10 +91,10 @@ public:
         std::vector<std::uint8_t> pushed;
         for (const ProjectedJoint& joint : joints_) ends.push_back(joint.ends);
         for (const ProjectedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
-        return couple_joints(
+        return find_joint_system_blocks(
             ends, std::vector<int>(as_index(joints), joint_rows), pushed,
             std::int64_t{tuning::direct_work} * joints * joint_rows * joint_rows * joint_rows,
-            matrix_, couplings_);
+            matrix_, system_blocks_);
     }
 
     void take_back() {
@@ -210,7 +210,7 @@ private:
     // J M^-1 J^T.
     void assemble() {
         matrix_.clear();
-        for (const JointSystemBlock& c : couplings_) {
+        for (const JointSystemBlock& c : system_blocks_) {
             const ProjectedBody& body = bodies_[as_index(c.body)];
             const ProjectedJoint &later = joints_[as_index(c.later)],
                             &sooner = joints_[as_index(c.sooner)];
@@ -233,7 +233,7 @@ private:
     std::vector<std::uint8_t>& seen_;
     std::vector<ProjectedBody> bodies_;
     std::vector<ProjectedJoint> joints_;
-    std::vector<JointSystemBlock> couplings_;
+    std::vector<JointSystemBlock> system_blocks_;
     BlockLdl matrix_;
 };
 

@@ -98,7 +98,7 @@ TEST(DirectGroup, leaves_out_what_a_loop_says_twice) {
     const double fit = energy(group);
     EXPECT_LT(fit, before);
     for (int k = 0; k < 600; k++) group.advance(1.0 / 60, 8);
-    EXPECT_EQ(group.count().left_out, 3);
+    EXPECT_EQ(group.count().skipped_rows, 3);
     EXPECT_NEAR(energy(group), fit, 1e-5);
     EXPECT_LT(widest_gap(group), 1e-6);
 }

@@ -16,10 +16,10 @@ TEST(JointCouplings, beads_on_a_line_have_the_matrix_of_a_chain) {
     const std::vector<std::uint8_t> pushed{0, 1, 1, 1, 1, 0};
     const std::vector<int> rows(joints.size(), 1);
     BlockLdl matrix;
-    std::vector<JointSystemBlock> couplings;
-    ASSERT_TRUE(couple_joints(joints, rows, pushed, 1000, matrix, couplings));
+    std::vector<JointSystemBlock> system_blocks;
+    ASSERT_TRUE(find_joint_system_blocks(joints, rows, pushed, 1000, matrix, system_blocks));
     matrix.clear();
-    for (const JointSystemBlock& c : couplings)
+    for (const JointSystemBlock& c : system_blocks)
         matrix.values()[static_cast<std::size_t>(c.at)] += c.later_b == c.sooner_b ? 1 : -1;
 
     const auto moves = [&](std::size_t joint, int body) {
@@ -46,10 +46,10 @@ TEST(JointCouplings, what_would_cost_too_much_is_said_before_it_is_done) {
     for (int b = 1; b < 40; b++)
         for (int a = 0; a < b; a++) joints.push_back({a, b});
     BlockLdl matrix;
-    std::vector<JointSystemBlock> couplings;
-    EXPECT_FALSE(couple_joints(joints, std::vector<int>(joints.size(), 3),
-                               std::vector<std::uint8_t>(40, 1), 1'000'000, matrix, couplings));
-    EXPECT_TRUE(couplings.empty());
+    std::vector<JointSystemBlock> system_blocks;
+    EXPECT_FALSE(find_joint_system_blocks(joints, std::vector<int>(joints.size(), 3),
+                               std::vector<std::uint8_t>(40, 1), 1'000'000, matrix, system_blocks));
+    EXPECT_TRUE(system_blocks.empty());
 }
 
 }  // namespace

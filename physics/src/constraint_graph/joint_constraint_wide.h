@@ -76,7 +76,7 @@ struct alignas(32) JointAxesWide {
 
 // What gears, racks and pulleys have instead: one row that couples the ways of two ends, of up to
 // four bodies. Slots 0 and 1 are a and b, the others their carriers, where those are neither.
-struct alignas(32) JointCoupleWide {
+struct alignas(32) JointGearWide {
     std::int32_t body[4][8];    // hot indices; 0: none, or does not move
     float arm[2][4][3][8];      // of each end, from each slot's centre as the step starts
     float part[2][4][8];        // what of an end's motion the slot's is: 1, -1 or 0
@@ -113,7 +113,7 @@ struct JointConstraintWideMeta {
     int angular = -1;        // its JointAngularWide, if the kind has one
     int row = -1;            // its VelocityRowWide, if the kind has one
     int axes = -1;           // its JointAxesWide, if the kind has one
-    int couple = -1;         // its JointCoupleWide, if the kind has one
+    int couple = -1;         // its JointGearWide, if the kind has one
     std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
     std::uint8_t in_batch = 0;    // how many of them are in batches (joint_batches.h)

@@ -121,7 +121,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
     levels.rows.assign(static_cast<std::size_t>(rows), VelocityRowWide{});
     levels.axes.assign(static_cast<std::size_t>(axes), JointAxesWide{});
-    levels.couples.assign(static_cast<std::size_t>(couples), JointCoupleWide{});
+    levels.couples.assign(static_cast<std::size_t>(couples), JointGearWide{});
 }
 
 }  // namespace jostle::physics

@@ -24,7 +24,7 @@ struct JointRun {
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
     int axes = -1;           // JointAxesWide likewise
-    int couple = -1;         // JointCoupleWide likewise
+    int couple = -1;         // JointGearWide likewise
 };
 
 struct LeveledJoint {
@@ -43,7 +43,7 @@ struct JointLevels {
     std::vector<JointAngularWide> angular;
     std::vector<VelocityRowWide> rows;
     std::vector<JointAxesWide> axes;
-    std::vector<JointCoupleWide> couples;
+    std::vector<JointGearWide> couples;
     std::vector<JointConstraintWideMeta> metas;  // by block
 
     // Scratch.
@@ -72,7 +72,7 @@ inline JointAxesWide* axes_of(JointLevels& levels, int first) {
     return first < 0 ? nullptr : &levels.axes[static_cast<std::size_t>(first)];
 }
 
-inline JointCoupleWide* couple_of(JointLevels& levels, int first) {
+inline JointGearWide* couple_of(JointLevels& levels, int first) {
     ASSERT(first < static_cast<int>(levels.couples.size()));
     return first < 0 ? nullptr : &levels.couples[static_cast<std::size_t>(first)];
 }

@@ -114,7 +114,7 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
 }
 
 void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
-                  JointCoupleWide& to, const JointLane& lane) {
+                  JointGearWide& to, const JointLane& lane) {
     const CoupleTerms terms = couple_terms(joint, a, b, carriers);
     const bool rope = std::holds_alternative<PulleyJoint>(joint.kind);
     const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
@@ -139,7 +139,7 @@ void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, cons
     lane.put(to.error, terms.sum - terms.target);
 }
 
-void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane) {
+void read_couple(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane) {
     joint.motor = lane.get(from.impulse);
     joint.torque = lane.get3(from.torque) * (1 / dt);
     if (joint.memory.empty()) return;

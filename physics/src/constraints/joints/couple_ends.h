@@ -46,7 +46,7 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
                          const Carrier* carriers);
 
 void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
-                  JointCoupleWide& to, const JointLane& lane);
-void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane);
+                  JointGearWide& to, const JointLane& lane);
+void read_couple(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane);
 
 }  // namespace jostle::physics

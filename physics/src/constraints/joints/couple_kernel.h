@@ -15,7 +15,7 @@ struct CoupleKernel {
     Wide3 axis[2];
     Wide way[2];  // since the step began; of a rope: its length
 
-    JOSTLE_INLINE CoupleKernel(const JointCoupleWide& t, const SolverBody* bodies) {
+    JOSTLE_INLINE CoupleKernel(const JointGearWide& t, const SolverBody* bodies) {
         for (int end = 0; end < 2; end++) {
             Wide3 moved{splat(0), splat(0), splat(0)}, turned = moved;
             for (int k = 0; k < 4; k++) {
@@ -42,7 +42,7 @@ struct CoupleKernel {
     struct Slot {
         Wide3 linear, angular;
     };
-    JOSTLE_INLINE Slot jacobian(const JointCoupleWide& t, int k) const {
+    JOSTLE_INLINE Slot jacobian(const JointGearWide& t, int k) const {
         const Wide3 zero{splat(0), splat(0), splat(0)};
         Slot row{zero, zero};
         for (int end = 0; end < 2; end++) {
@@ -61,7 +61,7 @@ struct CoupleKernel {
         }
     }
 
-    static void warm_start(const JointCoupleWide& t, SolverBody* bodies) {
+    static void warm_start(const JointGearWide& t, SolverBody* bodies) {
         CoupleKernel couple(t, bodies);
         Slot rows[4];
         for (int k = 0; k < 4; k++) rows[k] = couple.jacobian(t, k);
@@ -70,7 +70,7 @@ struct CoupleKernel {
     }
 
     template <bool kRelax>
-    static JointLoad solve(const JointStep& step, JointCoupleWide& t, SolverBody* bodies) {
+    static JointLoad solve(const JointStep& step, JointGearWide& t, SolverBody* bodies) {
         CoupleKernel couple(t, bodies);
         Slot rows[4];
         Wide rate = splat(0), effect = splat(0);
@@ -118,7 +118,7 @@ struct CoupleKernel {
 
 // Kinds of which that is the kernel: it loads its bodies by itself.
 struct CoupleTag {
-    using Own = JointCoupleWide;
+    using Own = JointGearWide;
 };
 
 }  // namespace jostle::physics::JOSTLE_ISA

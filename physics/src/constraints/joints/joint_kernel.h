@@ -39,7 +39,7 @@ JOSTLE_INLINE JointAxesWide& own_of(const JointRange& range, int block, JointAxe
 inline void warm_start_joint_range(const JointRange& range, SolverBody* bodies, const JointStep&) {
     with_kind(range.kind, [&](auto kernel) {
         using Own = typename decltype(kernel)::Own;
-        if constexpr (std::is_same_v<Own, JointCoupleWide>) {
+        if constexpr (std::is_same_v<Own, JointGearWide>) {
             for (int k = range.begin; k < range.end; k++)
                 CoupleKernel::warm_start(range.couples[k - range.first], bodies);
         } else {
@@ -58,9 +58,9 @@ template <bool kRelax>
 void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointStep& step) {
     with_kind(range.kind, [&](auto kernel) {
         using Own = typename decltype(kernel)::Own;
-        if constexpr (std::is_same_v<Own, JointCoupleWide>) {
+        if constexpr (std::is_same_v<Own, JointGearWide>) {
             for (int k = range.begin; k < range.end; k++) {
-                JointCoupleWide& own = range.couples[k - range.first];
+                JointGearWide& own = range.couples[k - range.first];
                 const JointLoad load = CoupleKernel::solve<kRelax>(step, own, bodies);
                 if constexpr (kRelax) {
                     JointConstraintWide& block = range.blocks[k];

@@ -21,7 +21,7 @@ struct JointBlock {
     JointAngularWide* angular;
     VelocityRowWide* row;
     JointAxesWide* axes;
-    JointCoupleWide* couple;
+    JointGearWide* couple;
     JointConstraintWideMeta& meta;
 };
 

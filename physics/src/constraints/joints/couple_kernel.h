@@ -9,13 +9,13 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-struct CoupleKernel {
+struct GearKernel {
     // By end and slot: the arm is that of the end. What moves is in sides[0].
     JointSide sides[2][4];
     Wide3 axis[2];
     Wide way[2];  // since the step began; of a rope: its length
 
-    JOSTLE_INLINE CoupleKernel(const JointGearWide& t, const SolverBody* bodies) {
+    JOSTLE_INLINE GearKernel(const JointGearWide& t, const SolverBody* bodies) {
         for (int end = 0; end < 2; end++) {
             Wide3 moved{splat(0), splat(0), splat(0)}, turned = moved;
             for (int k = 0; k < 4; k++) {
@@ -62,7 +62,7 @@ struct CoupleKernel {
     }
 
     static void warm_start(const JointGearWide& t, SolverBody* bodies) {
-        CoupleKernel couple(t, bodies);
+        GearKernel couple(t, bodies);
         Slot rows[4];
         for (int k = 0; k < 4; k++) rows[k] = couple.jacobian(t, k);
         couple.apply(rows, load(t.impulse));
@@ -71,7 +71,7 @@ struct CoupleKernel {
 
     template <bool kRelax>
     static JointLoad solve(const JointStep& step, JointGearWide& t, SolverBody* bodies) {
-        CoupleKernel couple(t, bodies);
+        GearKernel couple(t, bodies);
         Slot rows[4];
         Wide rate = splat(0), effect = splat(0);
         for (int k = 0; k < 4; k++) {

@@ -117,7 +117,7 @@ struct GearKernel {
 };
 
 // Kinds of which that is the kernel: it loads its bodies by itself.
-struct CoupleTag {
+struct GearTag {
     using Own = JointGearWide;
 };
 

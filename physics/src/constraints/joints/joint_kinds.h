@@ -372,11 +372,11 @@ struct JointKernel<GrabJoint> {
 };
 
 template <>
-struct JointKernel<GearJoint> : CoupleTag {};
+struct JointKernel<GearJoint> : GearTag {};
 template <>
-struct JointKernel<RackJoint> : CoupleTag {};
+struct JointKernel<RackJoint> : GearTag {};
 template <>
-struct JointKernel<PulleyJoint> : CoupleTag {};
+struct JointKernel<PulleyJoint> : GearTag {};
 
 template <>
 struct JointKernel<SliderJoint> : AxesKernel {};

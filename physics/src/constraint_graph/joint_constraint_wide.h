@@ -89,7 +89,7 @@ struct alignas(32) JointGearWide {
     float impulse[8];           // of a sub-step
     float moved[2][8];          // way of each end since the step began
     float torque[3][8];         // N m s on b over the step so far, world axes
-    double ways[2][8], sum[8];  // of CoupleMemory, as the step starts
+    double ways[2][8], sum[8];  // of GearMemory, as the step starts
     double carriers[2][8];      // likewise
 };
 

@@ -31,7 +31,7 @@ constexpr std::size_t axes_of(const WheelJoint&) {
 
 // What gears and racks keep: what their ends were measured against, and how far they have turned or
 // travelled in all.
-struct CoupleMemory {
+struct GearMemory {
     enum At : std::size_t { measured, carrier_a, carrier_b, way_a, way_b, sum, count };
 };
 
@@ -73,7 +73,7 @@ inline std::size_t memory_of(const JointKind& kind) {
             else if constexpr (requires { axes_of(joint); })
                 return axes_of(joint) * AxisImpulses::count;
             else if constexpr (has_couple_memory<Kind>)
-                return CoupleMemory::count;
+                return GearMemory::count;
             else
                 return 0;
         },

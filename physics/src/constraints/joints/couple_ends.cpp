@@ -95,19 +95,19 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
         }
         if (pulley == nullptr) {
             const std::vector<double>& memory = joint.memory;
-            const double before = memory[static_cast<std::size_t>(CoupleMemory::way_a + end)];
-            if (memory[CoupleMemory::measured] != 0 && row.turns)
+            const double before = memory[static_cast<std::size_t>(GearMemory::way_a + end)];
+            if (memory[GearMemory::measured] != 0 && row.turns)
                 row.way = unwrapped(row.way, before);
         }
         terms.sum += row.scale * row.way;
     }
     if (pulley == nullptr) {
         const std::vector<double>& memory = joint.memory;
-        terms.target = memory[CoupleMemory::sum];
+        terms.target = memory[GearMemory::sum];
         // Made just now, or carried by another body since.
-        if (memory[CoupleMemory::measured] == 0 ||
-            memory[CoupleMemory::carrier_a] != static_cast<double>(carriers[0].body) ||
-            memory[CoupleMemory::carrier_b] != static_cast<double>(carriers[1].body))
+        if (memory[GearMemory::measured] == 0 ||
+            memory[GearMemory::carrier_a] != static_cast<double>(carriers[0].body) ||
+            memory[GearMemory::carrier_b] != static_cast<double>(carriers[1].body))
             terms.target = terms.sum;
     }
     return terms;
@@ -143,12 +143,12 @@ void read_couple(Joint& joint, const JointGearWide& from, double dt, const Joint
     joint.motor = lane.get(from.impulse);
     joint.torque = lane.get3(from.torque) * (1 / dt);
     if (joint.memory.empty()) return;
-    joint.memory[CoupleMemory::measured] = 1;
-    joint.memory[CoupleMemory::carrier_a] = from.carriers[0][lane.at];
-    joint.memory[CoupleMemory::carrier_b] = from.carriers[1][lane.at];
-    joint.memory[CoupleMemory::way_a] = from.ways[0][lane.at] + lane.get(from.moved[0]);
-    joint.memory[CoupleMemory::way_b] = from.ways[1][lane.at] + lane.get(from.moved[1]);
-    joint.memory[CoupleMemory::sum] = from.sum[lane.at];
+    joint.memory[GearMemory::measured] = 1;
+    joint.memory[GearMemory::carrier_a] = from.carriers[0][lane.at];
+    joint.memory[GearMemory::carrier_b] = from.carriers[1][lane.at];
+    joint.memory[GearMemory::way_a] = from.ways[0][lane.at] + lane.get(from.moved[0]);
+    joint.memory[GearMemory::way_b] = from.ways[1][lane.at] + lane.get(from.moved[1]);
+    joint.memory[GearMemory::sum] = from.sum[lane.at];
 }
 
 }  // namespace jostle::physics

@@ -20,7 +20,7 @@ double unwrapped(double angle, double expected) {
     return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
 }
 
-using End = CoupleTerms::End;
+using End = GearTerms::End;
 
 Vec3 place_of(const JointEnd& end) {
     return end.center + end.arm;
@@ -55,9 +55,9 @@ double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier) {
     return dot(axis, point - carrier.origin);
 }
 
-CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+GearTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                          const Carrier* carriers) {
-    CoupleTerms terms;
+    GearTerms terms;
     End* rows = terms.ends;
     const JointEnd* ends[] = {&a, &b};
     const auto* pulley = std::get_if<PulleyJoint>(&joint.kind);
@@ -115,7 +115,7 @@ CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& 
 
 void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
                   JointGearWide& to, const JointLane& lane) {
-    const CoupleTerms terms = couple_terms(joint, a, b, carriers);
+    const GearTerms terms = couple_terms(joint, a, b, carriers);
     const bool rope = std::holds_alternative<PulleyJoint>(joint.kind);
     const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
     for (int end = 0; end < 2; end++) {

@@ -27,7 +27,7 @@ double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);
 
 // A couple as one row. Its bodies: those of the ends a and b, then their carriers; one that is
 // there already takes part once.
-struct CoupleTerms {
+struct GearTerms {
     struct End {
         bool turns = false;   // the way is an angle; else a length
         double scale = 1;     // of its way in the sum
@@ -42,7 +42,7 @@ struct CoupleTerms {
     std::uint32_t body[4] = {};
     double sum = 0, target = 0;  // of both ways, by their scales
 };
-CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+GearTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                          const Carrier* carriers);
 
 void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,

@@ -268,14 +268,14 @@ struct JointRowWriter {
 
     // Gears, racks and pulleys.
     void couple() {
-        const CoupleTerms terms = couple_terms(joint, a, b, carriers);
+        const GearTerms terms = couple_terms(joint, a, b, carriers);
         JointRow row{.role = RowRole::couple, .error = terms.sum - terms.target};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;
             JointRowJacobian& part = row.jacobians[row.jacobian_count++];
             part.body = terms.body[k];
             for (int end = 0; end < 2; end++) {
-                const CoupleTerms::End& e = terms.ends[end];
+                const GearTerms::End& e = terms.ends[end];
                 const Vec3 v = e.axis * (e.part[k] * e.scale);
                 if (!e.turns) part.linear += v;
                 part.angular += e.turns ? v : cross(e.arm[k], v);

@@ -74,7 +74,7 @@ COVERED_BY = {
         (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
     "constraints/joints/couple_ends.cpp":
         (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
-    "constraints/joints/couple_kernel.h":
+    "constraints/joints/gear_kernel.h":
         (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/joint_lane.h":
         (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),

@@ -2,7 +2,7 @@
 //
 // Gears, racks and pulleys as what they have in common: two ends with a way each, a turn or a
 // length, against a carrier, and one number that says how far both ways are from where they should
-// be together. In double; the kernel for eight at a time is couple_kernel.h.
+// be together. In double; the kernel for eight at a time is gear_kernel.h.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_end.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a joint keeps, drives and limits, as rows in double: every kind, in the terms of the kernels
-// (joint_kinds.h, axes_kernel.h, couple_kernel.h), for whoever wants to see them. The solver does
+// (joint_kinds.h, axes_kernel.h, gear_kernel.h), for whoever wants to see them. The solver does
 // not run by these.
 //
 // A row's rate is the sum of linear . v + angular . w over its parts, v that of the centre of mass.

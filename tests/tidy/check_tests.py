@@ -72,7 +72,7 @@ COVERED_BY = {
         (["physics/constraints/direct/direct_group_test.cpp"], "a pendulum comes back in the period of the elliptic integral"),
     "constraints/joints/axes_kernel.h":
         (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
-    "constraints/joints/couple_ends.cpp":
+    "constraints/joints/gear_ends.cpp":
         (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/gear_kernel.h":
         (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),

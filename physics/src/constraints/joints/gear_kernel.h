@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Gears, racks and pulleys: one row that couples the ways of two ends, each against its carrier
-// (couple_ends.h). Up to four bodies take part, each once, whatever it is to the ends.
+// (gear_ends.h). Up to four bodies take part, each once, whatever it is to the ends.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_load.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "jostle/physics/constraint_system.h"
-#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/gear_ends.h"
 
 namespace jostle::physics {
 

@@ -6,7 +6,7 @@
 
 #include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraints/joints/axes_layout.h"
-#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/gear_ends.h"
 #include "physics/src/constraints/joints/joint_lane.h"
 #include "physics/src/constraints/joints/write_axes.h"
 #include "physics/src/foundation/tuning.h"

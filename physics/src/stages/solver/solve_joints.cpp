@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/gear_ends.h"
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/constraints/kernels.h"
 #include "physics/src/foundation/check.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraints/joints/couple_ends.h"
+#include "physics/src/constraints/joints/gear_ends.h"
 
 #include <cmath>
 

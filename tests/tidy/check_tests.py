@@ -73,9 +73,9 @@ COVERED_BY = {
     "constraints/joints/axes_kernel.h":
         (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
     "constraints/joints/gear_ends.cpp":
-        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+        (["behaviour/gear_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/gear_kernel.h":
-        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+        (["behaviour/gear_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/joint_lane.h":
         (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),
     "constraints/joints/path_curve.cpp":

@@ -30,17 +30,17 @@ bool has_axes(std::uint32_t kind) {
     return kind != driven_ball && axes[kind];
 }
 template <class... Kinds>
-constexpr std::array<bool, sizeof...(Kinds)> find_couples(
+constexpr std::array<bool, sizeof...(Kinds)> find_geared_kinds(
     std::type_identity<std::variant<Kinds...>>) {
-    return {is_couple<Kinds>...};
+    return {is_geared<Kinds>...};
 }
-bool has_couple(std::uint32_t kind) {
-    static constexpr auto couples = find_couples(std::type_identity<JointKind>{});
+bool has_gear(std::uint32_t kind) {
+    static constexpr auto couples = find_geared_kinds(std::type_identity<JointKind>{});
     return kind != driven_ball && couples[kind];
 }
 bool has_angular(std::uint32_t kind) {
     return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind) &&
-           !has_couple(kind);
+           !has_gear(kind);
 }
 
 // Returns how many there are.
@@ -90,12 +90,12 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
                                .angular = has_angular(kind) ? angular : -1,
                                .row = has_row(kind) ? rows : -1,
                                .axes = has_axes(kind) ? axes : -1,
-                               .couple = has_couple(kind) ? couples : -1});
+                               .couple = has_gear(kind) ? couples : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
         if (has_row(kind)) rows += size;
         if (has_axes(kind)) axes += size;
-        if (has_couple(kind)) couples += size;
+        if (has_gear(kind)) couples += size;
     }
     levels.metas.assign(static_cast<std::size_t>(blocks), {});
     for (const JointRun& run : levels.runs)

@@ -72,7 +72,7 @@ inline JointAxesWide* axes_of(JointLevels& levels, int first) {
     return first < 0 ? nullptr : &levels.axes[static_cast<std::size_t>(first)];
 }
 
-inline JointGearWide* couple_of(JointLevels& levels, int first) {
+inline JointGearWide* gear_of(JointLevels& levels, int first) {
     ASSERT(first < static_cast<int>(levels.couples.size()));
     return first < 0 ? nullptr : &levels.couples[static_cast<std::size_t>(first)];
 }

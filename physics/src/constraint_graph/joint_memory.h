@@ -37,11 +37,11 @@ struct GearMemory {
 
 // Whether a joint is one row that couples the ways of two ends, each against a carrier.
 template <class Kind>
-inline constexpr bool is_couple =
+inline constexpr bool is_geared =
     std::is_same_v<Kind, GearJoint> || std::is_same_v<Kind, RackJoint> ||
     std::is_same_v<Kind, PulleyJoint>;
 template <class Kind>
-inline constexpr bool has_couple_memory = is_couple<Kind> && !std::is_same_v<Kind, PulleyJoint>;
+inline constexpr bool has_gear_memory = is_geared<Kind> && !std::is_same_v<Kind, PulleyJoint>;
 
 // Balls that are driven or rub have a kernel of their own, so that others have nothing to look at.
 inline constexpr std::uint32_t driven_ball = joint_kinds, kernel_kinds = joint_kinds + 1;
@@ -52,8 +52,8 @@ inline std::uint32_t kernel_of(const JointKind& kind) {
     return driven ? driven_ball : static_cast<std::uint32_t>(kind.index());
 }
 
-inline bool joint_is_couple(const JointKind& kind) {
-    return std::visit([]<class Kind>(const Kind&) { return is_couple<Kind>; }, kind);
+inline bool joint_is_geared(const JointKind& kind) {
+    return std::visit([]<class Kind>(const Kind&) { return is_geared<Kind>; }, kind);
 }
 
 // What a path keeps after its axis' impulses: where b was on the curve, once it was found, and how
@@ -72,7 +72,7 @@ inline std::size_t memory_of(const JointKind& kind) {
                 return PathMemory::count;
             else if constexpr (requires { axes_of(joint); })
                 return axes_of(joint) * AxisImpulses::count;
-            else if constexpr (has_couple_memory<Kind>)
+            else if constexpr (has_gear_memory<Kind>)
                 return GearMemory::count;
             else
                 return 0;

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
             const Joint& joint = world.joints.joints[index];
             visit(joint.body_a);
             visit(joint.body_b);
-            if (!joint_is_couple(joint.kind)) return;
+            if (!joint_is_geared(joint.kind)) return;
             visit(find_carrier(world, joint, 0));
             visit(find_carrier(world, joint, 1));
         });
@@ -145,7 +145,7 @@ struct ConstraintSystemBuilder {
         const Joint& joint = world.joints.joints[index];
         int last = first_block;
         Carrier carriers[2];
-        if (joint_is_couple(joint.kind))
+        if (joint_is_geared(joint.kind))
             for (int end = 0; end < 2; end++)
                 carriers[end] = carrier_now(world, find_carrier(world, joint, end));
         for (const JointRow& from :

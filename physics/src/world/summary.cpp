@@ -36,7 +36,7 @@ double error_of(const JointState& j) {
         return maximum(d->min_length - j.separation, j.separation - d->max_length);
     if (const auto* pulley = std::get_if<PulleyJoint>(&j.def.kind))
         return j.travel - pulley->length;
-    if (std::holds_alternative<GrabJoint>(j.def.kind) || joint_is_couple(j.def.kind)) return 0;
+    if (std::holds_alternative<GrabJoint>(j.def.kind) || joint_is_geared(j.def.kind)) return 0;
     return std::visit(
         [&](const auto& kind) {
             if constexpr (requires { layout_of(kind); }) {

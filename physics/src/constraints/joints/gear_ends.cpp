@@ -55,7 +55,7 @@ double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier) {
     return dot(axis, point - carrier.origin);
 }
 
-GearTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                          const Carrier* carriers) {
     GearTerms terms;
     End* rows = terms.ends;
@@ -113,9 +113,9 @@ GearTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
     return terms;
 }
 
-void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
+void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
                   JointGearWide& to, const JointLane& lane) {
-    const GearTerms terms = couple_terms(joint, a, b, carriers);
+    const GearTerms terms = gear_terms(joint, a, b, carriers);
     const bool rope = std::holds_alternative<PulleyJoint>(joint.kind);
     const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
     for (int end = 0; end < 2; end++) {
@@ -139,7 +139,7 @@ void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, cons
     lane.put(to.error, terms.sum - terms.target);
 }
 
-void read_couple(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane) {
+void read_gear(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane) {
     joint.motor = lane.get(from.impulse);
     joint.torque = lane.get3(from.torque) * (1 / dt);
     if (joint.memory.empty()) return;

@@ -42,11 +42,11 @@ struct GearTerms {
     std::uint32_t body[4] = {};
     double sum = 0, target = 0;  // of both ways, by their scales
 };
-GearTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                          const Carrier* carriers);
 
-void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
+void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
                   JointGearWide& to, const JointLane& lane);
-void read_couple(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane);
+void read_gear(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane);
 
 }  // namespace jostle::physics

@@ -268,7 +268,7 @@ struct JointRowWriter {
 
     // Gears, racks and pulleys.
     void couple() {
-        const GearTerms terms = couple_terms(joint, a, b, carriers);
+        const GearTerms terms = gear_terms(joint, a, b, carriers);
         JointRow row{.role = RowRole::couple, .error = terms.sum - terms.target};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;

@@ -25,7 +25,7 @@ struct JointBlock {
     JointConstraintWideMeta& meta;
 };
 
-// h: sub-step, s. Of gears, racks and pulleys write_couple() (gear_ends.h) writes the rest.
+// h: sub-step, s. Of gears, racks and pulleys write_gear() (gear_ends.h) writes the rest.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation

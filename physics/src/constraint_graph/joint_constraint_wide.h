@@ -113,7 +113,7 @@ struct JointConstraintWideMeta {
     int angular = -1;        // its JointAngularWide, if the kind has one
     int row = -1;            // its VelocityRowWide, if the kind has one
     int axes = -1;           // its JointAxesWide, if the kind has one
-    int couple = -1;         // its JointGearWide, if the kind has one
+    int gear = -1;         // its JointGearWide, if the kind has one
     std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
     std::uint8_t in_batch = 0;    // how many of them are in batches (joint_batches.h)

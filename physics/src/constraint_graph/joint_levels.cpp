@@ -90,7 +90,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
                                .angular = has_angular(kind) ? angular : -1,
                                .row = has_row(kind) ? rows : -1,
                                .axes = has_axes(kind) ? axes : -1,
-                               .couple = has_gear(kind) ? couples : -1});
+                               .gear = has_gear(kind) ? couples : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
         if (has_row(kind)) rows += size;
@@ -104,7 +104,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
             meta.angular = run.angular < 0 ? -1 : run.angular + k - run.begin;
             meta.row = run.row < 0 ? -1 : run.row + k - run.begin;
             meta.axes = run.axes < 0 ? -1 : run.axes + k - run.begin;
-            meta.couple = run.couple < 0 ? -1 : run.couple + k - run.begin;
+            meta.gear = run.gear < 0 ? -1 : run.gear + k - run.begin;
         }
     for (LeveledJoint& joint : levels.joints) {
         const int lane = levels.places[joint.run]++;

@@ -24,7 +24,7 @@ struct JointRun {
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
     int axes = -1;           // JointAxesWide likewise
-    int couple = -1;         // JointGearWide likewise
+    int gear = -1;         // JointGearWide likewise
 };
 
 struct LeveledJoint {

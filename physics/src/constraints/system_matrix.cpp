@@ -83,7 +83,7 @@ const char* word_of_role(RowRole role) {
             return "friction";
         case RowRole::velocity:
             return "velocity row";
-        case RowRole::couple:
+        case RowRole::gear:
             return "couple";
         case RowRole::normal:
             return "normal";

@@ -80,14 +80,14 @@ bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint3
     return joined;
 }
 
-std::uint32_t find_carrier(const WorldState& world, const Joint& couple, int end) {
-    if (std::holds_alternative<PulleyJoint>(couple.kind)) return none;
-    const bool slides = end == 1 && std::holds_alternative<RackJoint>(couple.kind);
-    const std::uint32_t body = end == 0 ? couple.body_a : couple.body_b;
+std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) {
+    if (std::holds_alternative<PulleyJoint>(gear.kind)) return none;
+    const bool slides = end == 1 && std::holds_alternative<RackJoint>(gear.kind);
+    const std::uint32_t body = end == 0 ? gear.body_a : gear.body_b;
     if (body == none) return none;
     const Vec3 z{0, 0, 1};
     const Vec3 axis =
-        rotate(end == 0 ? couple.frame_a.rotation : couple.frame_b.rotation, z);  // in the body
+        rotate(end == 0 ? gear.frame_a.rotation : gear.frame_b.rotation, z);  // in the body
     std::uint32_t first = none, carrier = none;
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         const Joint& j = world.joints.joints[index];

@@ -31,7 +31,7 @@ JointedBodies jointed_with(WorldState& world, std::uint32_t body);
 // What an end (0: a, 1: b) of a gear or a rack is measured against: the body to which the first
 // joint among hinges and wheels, of a rack's b sliders, along the same axis holds it. None: the
 // world.
-std::uint32_t find_carrier(const WorldState& world, const Joint& couple, int end);
+std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end);
 
 // Calls visit(JointedBodies) once for each that `bodies` are of, alone or with others.
 template <class Bodies, class Visit>

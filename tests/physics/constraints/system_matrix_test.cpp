@@ -56,7 +56,7 @@ TEST(SystemMatrix, softness_of_a_block_is_a_share_of_it) {
 TEST(SystemMatrix, names_say_role_and_direction) {
     EXPECT_EQ(name_of({.role = RowRole::turn, .axis = 1}), "turn y");
     EXPECT_EQ(name_of({.role = RowRole::motor, .axis = 2}), "motor z");
-    EXPECT_EQ(name_of({.role = RowRole::couple}), "couple");
+    EXPECT_EQ(name_of({.role = RowRole::gear}), "couple");
     EXPECT_EQ(name_of({.role = RowRole::normal, .point = 2}), "normal of point 2");
     EXPECT_EQ(name_of({.role = RowRole::tangent, .axis = 1}), "friction 2 of point 0");
 }

@@ -48,7 +48,7 @@ enum class RowRole : std::uint8_t {
     motor,
     friction,  // of a joint
     velocity,  // of a VelocityRow
-    couple,    // of a gear, a rack or a pulley
+    gear,    // of a gear, a rack or a pulley
     normal,    // of a point of contact
     tangent,   // friction there
 };

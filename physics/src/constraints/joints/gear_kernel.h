@@ -62,29 +62,29 @@ struct GearKernel {
     }
 
     static void warm_start(const JointGearWide& t, SolverBody* bodies) {
-        GearKernel couple(t, bodies);
+        GearKernel gear(t, bodies);
         Slot rows[4];
-        for (int k = 0; k < 4; k++) rows[k] = couple.jacobian(t, k);
-        couple.apply(rows, load(t.impulse));
-        couple.store();
+        for (int k = 0; k < 4; k++) rows[k] = gear.jacobian(t, k);
+        gear.apply(rows, load(t.impulse));
+        gear.store();
     }
 
     template <bool kRelax>
     static JointLoad solve(const JointStep& step, JointGearWide& t, SolverBody* bodies) {
-        GearKernel couple(t, bodies);
+        GearKernel gear(t, bodies);
         Slot rows[4];
         Wide rate = splat(0), effect = splat(0);
         for (int k = 0; k < 4; k++) {
-            rows[k] = couple.jacobian(t, k);
-            const JointSide& side = couple.sides[0][k];
+            rows[k] = gear.jacobian(t, k);
+            const JointSide& side = gear.sides[0][k];
             rate = rate + (dot(rows[k].linear, side.v) + dot(rows[k].angular, side.w));
             effect = effect + (dot(rows[k].linear, side.push(rows[k].linear)) +
                                dot(rows[k].angular, side.inverse_inertia * rows[k].angular));
         }
         const Wide scale_a = load(t.scale[0]), scale_b = load(t.scale[1]);
         const WideMask rope = load(t.rope) > splat(0);
-        const Wide since_a = couple.way[0] - load(t.way[0]);
-        const Wide since_b = couple.way[1] - load(t.way[1]);
+        const Wide since_a = gear.way[0] - load(t.way[0]);
+        const Wide since_b = gear.way[1] - load(t.way[1]);
         const Wide error = load(t.error) + since_a * scale_a + since_b * scale_b;
         // A rope that hangs loose may be used up within the sub-step, and never pushes.
         const WideMask slack = rope & (splat(0) > error);
@@ -103,8 +103,8 @@ struct GearKernel {
         Wide now = before - want * inverse_above(effect, none) -
                    select(stiff, none, s.impulse_scale) * before;
         now = select(rope, min(now, none), now);
-        couple.apply(rows, now - before);
-        couple.store();
+        gear.apply(rows, now - before);
+        gear.store();
         jostle::physics::JOSTLE_ISA::store(t.impulse, now);
         if constexpr (kRelax) {
             jostle::physics::JOSTLE_ISA::store(t.moved[0], since_a);
@@ -112,7 +112,7 @@ struct GearKernel {
         }
         // About b's anchor, its own end's arm.
         return {rows[1].linear * now,
-                (rows[1].angular - cross(couple.sides[1][1].arm, rows[1].linear)) * now};
+                (rows[1].angular - cross(gear.sides[1][1].arm, rows[1].linear)) * now};
     }
 };
 

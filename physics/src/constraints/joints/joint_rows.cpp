@@ -267,9 +267,9 @@ struct JointRowWriter {
     }
 
     // Gears, racks and pulleys.
-    void couple() {
+    void gear() {
         const GearTerms terms = gear_terms(joint, a, b, carriers);
-        JointRow row{.role = RowRole::couple, .error = terms.sum - terms.target};
+        JointRow row{.role = RowRole::gear, .error = terms.sum - terms.target};
         for (int k = 0; k < 4; k++) {
             if (!terms.takes_part[k]) continue;
             JointRowJacobian& part = row.jacobians[row.jacobian_count++];
@@ -289,9 +289,9 @@ struct JointRowWriter {
         }
         add(row);
     }
-    void operator()(const GearJoint&) { couple(); }
-    void operator()(const RackJoint&) { couple(); }
-    void operator()(const PulleyJoint&) { couple(); }
+    void operator()(const GearJoint&) { gear(); }
+    void operator()(const RackJoint&) { gear(); }
+    void operator()(const PulleyJoint&) { gear(); }
 };
 
 }  // namespace

@@ -175,7 +175,7 @@ bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, i
         joint.motor = lane.get(from.row->impulse);
         joint.torque = lane.get3(from.row->torque) * (1 / dt);
     }
-    if (from.couple != nullptr) read_gear(joint, *from.couple, dt, lane);
+    if (from.gear != nullptr) read_gear(joint, *from.gear, dt, lane);
     if (from.axes != nullptr) read_axes(joint, *from.axes, dt, lane);
     if (const JointAngularWide* angular = from.angular; angular != nullptr) {
         joint.angular = inverse_rotate(carried, lane.get3(angular->angular));

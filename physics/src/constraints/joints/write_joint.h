@@ -21,7 +21,7 @@ struct JointBlock {
     JointAngularWide* angular;
     VelocityRowWide* row;
     JointAxesWide* axes;
-    JointGearWide* couple;
+    JointGearWide* gear;
     JointConstraintWideMeta& meta;
 };
 

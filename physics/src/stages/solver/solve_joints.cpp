@@ -124,7 +124,7 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
                   .angular = angular_of(levels, run.angular),
                   .rows = row_of(levels, run.row),
                   .axes = axes_of(levels, run.axes),
-                  .couples = gear_of(levels, run.couple),
+                  .couples = gear_of(levels, run.gear),
                   .metas = levels.metas.data(),
                   .kind = run.kind,
                   .first = run.begin,
@@ -168,16 +168,16 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
                 joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
                 end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), h,
                 {levels.blocks[block], angular_of(levels, meta.angular), row_of(levels, meta.row),
-                 axes_of(levels, meta.axes), gear_of(levels, meta.couple), meta},
+                 axes_of(levels, meta.axes), gear_of(levels, meta.gear), meta},
                 lane);
-            if (meta.couple >= 0) {
+            if (meta.gear >= 0) {
                 const std::uint32_t bodies[] = {find_carrier(world, joint, 0),
                                                 find_carrier(world, joint, 1)};
                 const Carrier carriers[] = {carrier_at(world, bodies[0]),
                                             carrier_at(world, bodies[1])};
                 write_gear(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
                              end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), carriers,
-                             *gear_of(levels, meta.couple), JointLane{lane});
+                             *gear_of(levels, meta.gear), JointLane{lane});
             }
         }
     });
@@ -222,7 +222,7 @@ void finish_joints(StepContext& step, const JointTask& task) {
             if (read_joint(world.joints.joints[meta.joint[lane]], carried, step.dt,
                            {levels.blocks[block], angular_of(levels, meta.angular),
                             row_of(levels, meta.row), axes_of(levels, meta.axes),
-                            gear_of(levels, meta.couple), meta},
+                            gear_of(levels, meta.gear), meta},
                            lane))
                 meta.broken_lanes |= static_cast<std::uint8_t>(1u << lane);
         }

@@ -224,7 +224,7 @@ TEST(JointRows, a_gear_turns_against_its_carriers) {
     const ConstraintSystem s = must(world.constraint_system(gear));
     ASSERT_EQ(s.rows.size(), 11u);
     const ConstraintRow& row = s.rows.back();
-    EXPECT_EQ(row.role, RowRole::couple);
+    EXPECT_EQ(row.role, RowRole::gear);
     EXPECT_EQ(row.jacobian_count, 3);
     EXPECT_NEAR(row.rate, (2 - 0.5) + 3 * (-1 - 0.5), 1e-12);
 }

@@ -81,7 +81,7 @@ struct alignas(32) JointGearWide {
     float arm[2][4][3][8];      // of each end, from each slot's centre as the step starts
     float part[2][4][8];        // what of an end's motion the slot's is: 1, -1 or 0
     float axis[2][3][8];        // along or about which, as the step starts; a rope: to its end
-    float way[2][8];            // a rope's length to its end, as the step starts, m
+    float travel[2][8];            // a rope's length to its end, as the step starts, m
     float scale[2][8];          // of each end's way in the row
     float turns[2][8];          // 1: its way is a turn; else a length
     float rope[8];              // 1: its ends are ropes, which pull only
@@ -89,7 +89,7 @@ struct alignas(32) JointGearWide {
     float impulse[8];           // of a sub-step
     float moved[2][8];          // way of each end since the step began
     float torque[3][8];         // N m s on b over the step so far, world axes
-    double ways[2][8], sum[8];  // of GearMemory, as the step starts
+    double travels[2][8], sum[8];  // of GearMemory, as the step starts
     double carriers[2][8];      // likewise
 };
 

@@ -35,8 +35,8 @@ constexpr std::array<bool, sizeof...(Kinds)> find_geared_kinds(
     return {is_geared<Kinds>...};
 }
 bool has_gear(std::uint32_t kind) {
-    static constexpr auto couples = find_geared_kinds(std::type_identity<JointKind>{});
-    return kind != driven_ball && couples[kind];
+    static constexpr auto gears = find_geared_kinds(std::type_identity<JointKind>{});
+    return kind != driven_ball && gears[kind];
 }
 bool has_angular(std::uint32_t kind) {
     return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind) &&
@@ -77,7 +77,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.places.assign(static_cast<std::size_t>(count) * kernel_kinds, 0);
     for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
     levels.runs.clear();
-    int blocks = 0, angular = 0, rows = 0, axes = 0, couples = 0;
+    int blocks = 0, angular = 0, rows = 0, axes = 0, gears = 0;
     for (std::uint32_t key = 0; key < levels.places.size(); key++) {
         const int joints = levels.places[key];
         levels.places[key] = blocks * 8;  // the next free lane
@@ -90,12 +90,12 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
                                .angular = has_angular(kind) ? angular : -1,
                                .row = has_row(kind) ? rows : -1,
                                .axes = has_axes(kind) ? axes : -1,
-                               .gear = has_gear(kind) ? couples : -1});
+                               .gear = has_gear(kind) ? gears : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
         if (has_row(kind)) rows += size;
         if (has_axes(kind)) axes += size;
-        if (has_gear(kind)) couples += size;
+        if (has_gear(kind)) gears += size;
     }
     levels.metas.assign(static_cast<std::size_t>(blocks), {});
     for (const JointRun& run : levels.runs)
@@ -121,7 +121,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
     levels.rows.assign(static_cast<std::size_t>(rows), VelocityRowWide{});
     levels.axes.assign(static_cast<std::size_t>(axes), JointAxesWide{});
-    levels.couples.assign(static_cast<std::size_t>(couples), JointGearWide{});
+    levels.gears.assign(static_cast<std::size_t>(gears), JointGearWide{});
 }
 
 }  // namespace jostle::physics

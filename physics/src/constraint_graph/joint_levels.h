@@ -43,7 +43,7 @@ struct JointLevels {
     std::vector<JointAngularWide> angular;
     std::vector<VelocityRowWide> rows;
     std::vector<JointAxesWide> axes;
-    std::vector<JointGearWide> couples;
+    std::vector<JointGearWide> gears;
     std::vector<JointConstraintWideMeta> metas;  // by block
 
     // Scratch.
@@ -73,8 +73,8 @@ inline JointAxesWide* axes_of(JointLevels& levels, int first) {
 }
 
 inline JointGearWide* gear_of(JointLevels& levels, int first) {
-    ASSERT(first < static_cast<int>(levels.couples.size()));
-    return first < 0 ? nullptr : &levels.couples[static_cast<std::size_t>(first)];
+    ASSERT(first < static_cast<int>(levels.gears.size()));
+    return first < 0 ? nullptr : &levels.gears[static_cast<std::size_t>(first)];
 }
 
 }  // namespace jostle::physics

@@ -32,7 +32,7 @@ constexpr std::size_t axes_of(const WheelJoint&) {
 // What gears and racks keep: what their ends were measured against, and how far they have turned or
 // travelled in all.
 struct GearMemory {
-    enum At : std::size_t { measured, carrier_a, carrier_b, way_a, way_b, sum, count };
+    enum At : std::size_t { measured, carrier_a, carrier_b, travel_a, travel_b, sum, count };
 };
 
 // Whether a joint is one row that couples the ways of two ends, each against a carrier.

@@ -80,7 +80,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
         for (int other = k - 1; other >= 0; other--)
             if (bodies[other] == bodies[k]) slots[k] = other;
         if (bodies[k] == none) slots[k] = k;
-        terms.takes_part[k] = slots[k] == k;
+        terms.participates[k] = slots[k] == k;
         terms.body[k] = bodies[k];
     }
     const Vec3 centers[] = {a.center, b.center, carriers[0].center, carriers[1].center};
@@ -95,11 +95,11 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
         }
         if (pulley == nullptr) {
             const std::vector<double>& memory = joint.memory;
-            const double before = memory[static_cast<std::size_t>(GearMemory::way_a + end)];
+            const double before = memory[static_cast<std::size_t>(GearMemory::travel_a + end)];
             if (memory[GearMemory::measured] != 0 && row.turns)
-                row.way = unwrapped(row.way, before);
+                row.travel = unwrapped(row.travel, before);
         }
-        terms.sum += row.scale * row.way;
+        terms.sum += row.scale * row.travel;
     }
     if (pulley == nullptr) {
         const std::vector<double>& memory = joint.memory;
@@ -121,17 +121,17 @@ void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const 
     for (int end = 0; end < 2; end++) {
         const End& row = terms.ends[end];
         for (int k = 0; k < 4; k++) {
-            if (!terms.takes_part[k]) continue;
+            if (!terms.participates[k]) continue;
             if (end == 0) to.body[k][lane.at] = hot[k] < 0 ? -hot[k] : hot[k];
             lane.put(to.part[end][k], row.part[k]);
             lane.put(to.arm[end][k], row.arm[k]);
         }
         lane.put(to.axis[end], row.axis);
-        lane.put(to.way[end], row.length);
+        lane.put(to.travel[end], row.length);
         lane.put(to.scale[end], row.scale);
         lane.put(to.turns[end], row.turns ? 1 : 0);
         if (!rope) to.carriers[end][lane.at] = static_cast<double>(carriers[end].body);
-        to.ways[end][lane.at] = row.way;
+        to.travels[end][lane.at] = row.travel;
     }
     lane.put(to.rope, rope ? 1 : 0);
     lane.put(to.impulse, joint.motor);
@@ -146,8 +146,8 @@ void read_gear(Joint& joint, const JointGearWide& from, double dt, const JointLa
     joint.memory[GearMemory::measured] = 1;
     joint.memory[GearMemory::carrier_a] = from.carriers[0][lane.at];
     joint.memory[GearMemory::carrier_b] = from.carriers[1][lane.at];
-    joint.memory[GearMemory::way_a] = from.ways[0][lane.at] + lane.get(from.moved[0]);
-    joint.memory[GearMemory::way_b] = from.ways[1][lane.at] + lane.get(from.moved[1]);
+    joint.memory[GearMemory::travel_a] = from.travels[0][lane.at] + lane.get(from.moved[0]);
+    joint.memory[GearMemory::travel_b] = from.travels[1][lane.at] + lane.get(from.moved[1]);
     joint.memory[GearMemory::sum] = from.sum[lane.at];
 }
 

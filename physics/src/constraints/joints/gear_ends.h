@@ -32,13 +32,13 @@ struct GearTerms {
         bool turns = false;   // the way is an angle; else a length
         double scale = 1;     // of its way in the sum
         Vec3 axis;            // world
-        double way = 0;       // rad or m
+        double travel = 0;       // rad or m
         double length = 0;    // m, of a rope
         double part[4] = {};  // how its way changes with each body's
         Vec3 arm[4];          // m, of the end from each body's centre of mass
     };
     End ends[2];
-    bool takes_part[4] = {};
+    bool participates[4] = {};
     std::uint32_t body[4] = {};
     double sum = 0, target = 0;  // of both ways, by their scales
 };

@@ -13,7 +13,7 @@ struct GearKernel {
     // By end and slot: the arm is that of the end. What moves is in sides[0].
     JointSide sides[2][4];
     Wide3 axis[2];
-    Wide way[2];  // since the step began; of a rope: its length
+    Wide travel[2];  // since the step began; of a rope: its length
 
     JOSTLE_INLINE GearKernel(const JointGearWide& t, const SolverBody* bodies) {
         for (int end = 0; end < 2; end++) {
@@ -28,10 +28,10 @@ struct GearKernel {
             // A rope's direction is where its end is now; an axis turns with its body.
             const WideMask rope = load(t.rope) > splat(0), turns = load(t.turns[end]) > splat(0);
             const Wide3 start = load3(t.axis[end]);
-            const Wide3 hangs = start * load(t.way[end]) + moved;
+            const Wide3 hangs = start * load(t.travel[end]) + moved;
             const Wide3 along = rotate(sides[end][end].rotation, start);
             axis[end] = select(rope, normalized(hangs, start), along);
-            way[end] =
+            travel[end] =
                 select(rope, root(dot(hangs, hangs)), dot(along, select(turns, turned, moved)));
         }
     }
@@ -83,8 +83,8 @@ struct GearKernel {
         }
         const Wide scale_a = load(t.scale[0]), scale_b = load(t.scale[1]);
         const WideMask rope = load(t.rope) > splat(0);
-        const Wide since_a = gear.way[0] - load(t.way[0]);
-        const Wide since_b = gear.way[1] - load(t.way[1]);
+        const Wide since_a = gear.travel[0] - load(t.travel[0]);
+        const Wide since_b = gear.travel[1] - load(t.travel[1]);
         const Wide error = load(t.error) + since_a * scale_a + since_b * scale_b;
         // A rope that hangs loose may be used up within the sub-step, and never pushes.
         const WideMask slack = rope & (splat(0) > error);

@@ -41,7 +41,7 @@ inline void warm_start_joint_range(const JointRange& range, SolverBody* bodies, 
         using Own = typename decltype(kernel)::Own;
         if constexpr (std::is_same_v<Own, JointGearWide>) {
             for (int k = range.begin; k < range.end; k++)
-                GearKernel::warm_start(range.couples[k - range.first], bodies);
+                GearKernel::warm_start(range.gears[k - range.first], bodies);
         } else {
             Own nothing;
             for (int k = range.begin; k < range.end; k++) {
@@ -60,7 +60,7 @@ void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointS
         using Own = typename decltype(kernel)::Own;
         if constexpr (std::is_same_v<Own, JointGearWide>) {
             for (int k = range.begin; k < range.end; k++) {
-                JointGearWide& own = range.couples[k - range.first];
+                JointGearWide& own = range.gears[k - range.first];
                 const JointLoad load = GearKernel::solve<kRelax>(step, own, bodies);
                 if constexpr (kRelax) {
                     JointConstraintWide& block = range.blocks[k];

@@ -271,7 +271,7 @@ struct JointRowWriter {
         const GearTerms terms = gear_terms(joint, a, b, carriers);
         JointRow row{.role = RowRole::gear, .error = terms.sum - terms.target};
         for (int k = 0; k < 4; k++) {
-            if (!terms.takes_part[k]) continue;
+            if (!terms.participates[k]) continue;
             JointRowJacobian& part = row.jacobians[row.jacobian_count++];
             part.body = terms.body[k];
             for (int end = 0; end < 2; end++) {

@@ -124,7 +124,7 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
                   .angular = angular_of(levels, run.angular),
                   .rows = row_of(levels, run.row),
                   .axes = axes_of(levels, run.axes),
-                  .couples = gear_of(levels, run.gear),
+                  .gears = gear_of(levels, run.gear),
                   .metas = levels.metas.data(),
                   .kind = run.kind,
                   .first = run.begin,

@@ -14,7 +14,7 @@
 namespace jostle::physics {
 namespace {
 
-struct Parts {
+struct JointWriteContext {
     const Joint& joint;
     const JointEnd &a, &b;
     double h;
@@ -160,7 +160,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     if (to.angular == nullptr) return;
     JointAngularWide& angular = *to.angular;
     lane.put(angular.angular, rotate(carried, joint.angular));
-    Parts parts{joint, a, b, h, lane, angular};
+    JointWriteContext parts{joint, a, b, h, lane, angular};
     std::visit(parts, joint.kind);
     if ((parts.uses & uses_motor) != 0) lane.put(angular.friction, rotate(carried, joint.friction));
     to.meta.uses |= parts.uses;

@@ -163,7 +163,7 @@ Result<JointState> World::joint(JointId id) const {
         state.travel = length(a.position - pulley->point_a) +
                        pulley->ratio * length(b.position - pulley->point_b);
     if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
-        const PathPlace place = j.memory[PathMemory::found] == 0
+        const PathPoint place = j.memory[PathMemory::found] == 0
                                     ? nearest_place(*path, state.offset)
                                     : nearest_place(*path, state.offset, j.memory[PathMemory::at]);
         state.travel = place.travel;

@@ -88,7 +88,7 @@ AxesLayout layout_of(const WheelJoint& wheel) {
     return layout;
 }
 
-AxesLayout layout_at(const PathJoint& path, const PathPlace& place) {
+AxesLayout layout_at(const PathJoint& path, const PathPoint& place) {
     AxesLayout layout;
     layout.turn_a = place.rotation;
     JointLimit limit = path.limit;

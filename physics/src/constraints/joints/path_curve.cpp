@@ -102,12 +102,12 @@ double distance2_at(const PathJoint& path, double at, Vec3 point) {
 
 }  // namespace
 
-PathPlace place_at(const PathJoint& path, double at) {
+PathPoint place_at(const PathJoint& path, double at) {
     const Parameter p = split(path, at);
     const Jet jet = jet_of(path, p.piece, p.t);
     const Vec3 tangent = tangent_of(path, p.piece, jet);
     const double speed = length(jet.first);
-    PathPlace place{.at = p.piece + p.t, .position = jet.position, .rotation = {}};
+    PathPoint place{.at = p.piece + p.t, .position = jet.position, .rotation = {}};
     place.rotation = facing(tangent, jet.second);
     if (speed > 1e-9)
         place.curvature = length(cross(jet.first, jet.second)) / (speed * speed * speed);
@@ -117,7 +117,7 @@ PathPlace place_at(const PathJoint& path, double at) {
 }
 
 // Newton's steps on the derivative of the squared distance, halved while they lead away.
-PathPlace nearest_place(const PathJoint& path, Vec3 point, double guess) {
+PathPoint nearest_place(const PathJoint& path, Vec3 point, double guess) {
     double at = within(path, guess);
     double best = distance2_at(path, at, point);
     for (int round = 0; round < 32; round++) {
@@ -144,7 +144,7 @@ PathPlace nearest_place(const PathJoint& path, Vec3 point, double guess) {
     return place_at(path, at);
 }
 
-PathPlace nearest_place(const PathJoint& path, Vec3 point) {
+PathPoint nearest_place(const PathJoint& path, Vec3 point) {
     double best = 0, nearest = distance2_at(path, 0, point);
     for (int k = 1; k <= pieces_of(path) * 8; k++) {
         const double at = k / 8.0, distance = distance2_at(path, at, point);

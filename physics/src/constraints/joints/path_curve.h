@@ -8,7 +8,7 @@
 
 namespace jostle::physics {
 
-struct PathPlace {
+struct PathPoint {
     double at = 0;         // parameter
     Vec3 position;         // m
     Quat rotation;         // x along the curve, y to the centre of its curvature
@@ -17,9 +17,9 @@ struct PathPlace {
 };
 
 // Where the curve is nearest to a point: near the parameter `guess`, or wherever on it.
-PathPlace nearest_place(const PathJoint& path, Vec3 point, double guess);
-PathPlace nearest_place(const PathJoint& path, Vec3 point);
-PathPlace place_at(const PathJoint& path, double at);
+PathPoint nearest_place(const PathJoint& path, Vec3 point, double guess);
+PathPoint nearest_place(const PathJoint& path, Vec3 point);
+PathPoint place_at(const PathJoint& path, double at);
 // How far `at` is from `before`, the shorter way round a closed path.
 double parameter_step(const PathJoint& path, double before, double at);
 double length_of(const PathJoint& path);  // m

@@ -58,7 +58,7 @@ bool turns_with_a(const JointKind& kind) {
 }
 
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                         const PathPlace* place, JointAxesWide& to, const JointLane& lane) {
+                         const PathPoint* place, JointAxesWide& to, const JointLane& lane) {
     const AxesLayout layout = place == nullptr ? layout_of(joint.kind)
                                                : layout_at(std::get<PathJoint>(joint.kind), *place);
     const Quat frame_a = a.frame * layout.turn_a, frame_b = b.frame * layout.turn_b;

@@ -129,7 +129,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
                  const JointBlock& to, int lane_index) {
     const JointLane lane{lane_index};
     Vec3 arm_a = a.arm;
-    std::optional<PathPlace> place;
+    std::optional<PathPoint> place;
     if (const auto* grab = std::get_if<GrabJoint>(&joint.kind)) {
         arm_a += rotate(a.frame, grab->target);
     } else if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {

@@ -74,13 +74,13 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
 
 void assign_levels(JointLevels& levels, std::size_t bodies) {
     const int count = find_levels(levels, bodies);
-    levels.places.assign(static_cast<std::size_t>(count) * kernel_kinds, 0);
-    for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
+    levels.next_lanes.assign(static_cast<std::size_t>(count) * kernel_kinds, 0);
+    for (const LeveledJoint& joint : levels.joints) levels.next_lanes[joint.run]++;
     levels.runs.clear();
     int blocks = 0, angular = 0, rows = 0, axes = 0, gears = 0;
-    for (std::uint32_t key = 0; key < levels.places.size(); key++) {
-        const int joints = levels.places[key];
-        levels.places[key] = blocks * 8;  // the next free lane
+    for (std::uint32_t key = 0; key < levels.next_lanes.size(); key++) {
+        const int joints = levels.next_lanes[key];
+        levels.next_lanes[key] = blocks * 8;  // the next free lane
         if (joints == 0) continue;
         const std::uint32_t kind = key % kernel_kinds;
         const int size = (joints + 7) / 8;
@@ -107,7 +107,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
             meta.gear = run.gear < 0 ? -1 : run.gear + k - run.begin;
         }
     for (LeveledJoint& joint : levels.joints) {
-        const int lane = levels.places[joint.run]++;
+        const int lane = levels.next_lanes[joint.run]++;
         JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(lane / 8)];
         ASSERT(meta.count < 8);
         joint.block = lane / 8;

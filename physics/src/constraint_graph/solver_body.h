@@ -46,7 +46,7 @@ inline Vec3 to_vec3(const float* row) {
 // What changes a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
 // carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.
 struct alignas(64) ExternalChange {
-    float keep[8];  // damping
+    float retained[8];  // damping
     float push[8];  // gravity, forces and the gyroscopic change of spin, times the sub-step
 };
 

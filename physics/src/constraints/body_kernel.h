@@ -16,7 +16,7 @@ void accelerate_range(const BodyRange& range) {
         SolverBody& hot = range.bodies[range.indices[k]];
         const ExternalChange& external = range.external[range.indices[k]];
         const Wide now = load(hot.v);
-        const Wide free = fma(now, load(external.keep), load(external.push));
+        const Wide free = fma(now, load(external.retained), load(external.push));
         Wide warm = free;
         if constexpr (!kFirst) {
             Wide pushed = now - load(hot.free);

@@ -163,11 +163,11 @@ Result<JointState> World::joint(JointId id) const {
         state.travel = length(a.position - pulley->point_a) +
                        pulley->ratio * length(b.position - pulley->point_b);
     if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
-        const PathPoint place = j.memory[PathMemory::found] == 0
-                                    ? nearest_place(*path, state.offset)
-                                    : nearest_place(*path, state.offset, j.memory[PathMemory::at]);
-        state.travel = place.travel;
-        state.separation = length(state.offset - place.position);
+        const PathPoint path_point = j.memory[PathMemory::found] == 0
+                                    ? nearest_path_point(*path, state.offset)
+                                    : nearest_path_point(*path, state.offset, j.memory[PathMemory::at]);
+        state.travel = path_point.travel;
+        state.separation = length(state.offset - path_point.position);
     }
     if (std::holds_alternative<SliderJoint>(j.kind)) state.travel = state.offset.z;
     if (const auto* six = std::get_if<SixDofJoint>(&j.kind)) {

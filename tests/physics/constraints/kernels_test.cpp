@@ -33,7 +33,7 @@ TEST(Kernels, the_fastest_that_there_is_is_in_use) {
 }
 
 TEST(Kernels, a_set_that_is_not_there_is_refused_with_those_that_are) {
-    const UsualSet keep;
+    const UsualSet retained;
     const auto sets = available_instruction_sets();
     for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::baseline,
                                      InstructionSet::avx2, InstructionSet::avx512}) {
@@ -53,12 +53,12 @@ TEST(Kernels, a_set_that_is_not_there_is_refused_with_those_that_are) {
 // Row 0 of a body: velocity, inverse mass and spin. free = v keep + push; what contacts did in the
 // sub-step before acts again; then it goes v h further.
 TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
-    const UsualSet keep;
+    const UsualSet retained;
     Random random(181);
     SolverBody start{};
     ExternalChange external{};
     for (int k = 0; k < 8; k++) {
-        external.keep[k] = k < 6 ? 0.99f : 1.0f;
+        external.retained[k] = k < 6 ? 0.99f : 1.0f;
         external.push[k] = k < 6 ? static_cast<float>(random.in(-1, 1)) : 0.0f;
     }
     for (int k = 0; k < 3; k++) {
@@ -99,7 +99,7 @@ TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
 
 // A ball of 2 kg that presses into the floor at 3 m/s, in every set: relaxed rigidly it stops.
 TEST(Kernels, a_contact_stops_a_ball_in_every_set) {
-    const UsualSet keep;
+    const UsualSet retained;
     for (const InstructionSet set : available_instruction_sets()) {
         SCOPED_TRACE(instruction_set_name(set));
         must(use_instruction_set(set));

@@ -173,7 +173,7 @@ struct AxesKernel {
                            s.push_speed + pair.pace(), point);
         store3(t.turns, turns);
         const Wide3 held = axes.to_world(point);
-        pair.keep(block.point, held);
+        pair.store_impulse(block.point, held);
         turns = turns + free_impulse(t, uses, 3);
         return {held + axes.to_world(free_impulse(t, uses, 0)),
                 axes.about[0] * turns.x + axes.about[1] * turns.y + axes.about[2] * turns.z};

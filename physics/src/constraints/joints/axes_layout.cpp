@@ -88,9 +88,9 @@ AxesLayout layout_of(const WheelJoint& wheel) {
     return layout;
 }
 
-AxesLayout layout_at(const PathJoint& path, const PathPoint& place) {
+AxesLayout layout_at(const PathJoint& path, const PathPoint& path_point) {
     AxesLayout layout;
-    layout.turn_a = place.rotation;
+    layout.turn_a = path_point.rotation;
     JointLimit limit = path.limit;
     if (!path.closed) {
         const double end = length_of(path);
@@ -100,12 +100,12 @@ AxesLayout layout_at(const PathJoint& path, const PathPoint& place) {
     } else {
         limit.enabled = false;
     }
-    limit.lower -= place.travel;
-    limit.upper -= place.travel;
+    limit.lower -= path_point.travel;
+    limit.upper -= path_point.travel;
     layout.axes[0] = {.free = true,
                       .limit = limit,
                       .spring = path.spring,
-                      .spring_at = path.spring_travel - place.travel,
+                      .spring_at = path.spring_travel - path_point.travel,
                       .motor = {path.motor.enabled, path.motor.speed, path.motor.max_force},
                       .friction = path.friction_force};
     layout.slots[0] = 0;

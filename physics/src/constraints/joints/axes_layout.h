@@ -40,7 +40,7 @@ AxesLayout layout_of(const SliderJoint& slider);
 AxesLayout layout_of(const SixDofJoint& six);
 AxesLayout layout_of(const WheelJoint& wheel);
 // Where the bead is: the first axis is along the curve there, and counts from there.
-AxesLayout layout_at(const PathJoint& path, const PathPoint& place);
+AxesLayout layout_at(const PathJoint& path, const PathPoint& path_point);
 
 // Where b is against a, in the layout's terms.
 struct AxesPose {

@@ -19,16 +19,16 @@ constexpr int rows = 3;
 // "Proximal and sparse resolution of constrained dynamic equations", 2021).
 constexpr float net_compliance = 1e-2f;
 
-std::size_t place(std::int32_t i) {
+std::size_t as_index(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
 // ---- groups ----
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
-    while (parent[place(joint)] != joint) {
-        parent[place(joint)] = parent[place(parent[place(joint)])];
-        joint = parent[place(joint)];
+    while (parent[as_index(joint)] != joint) {
+        parent[as_index(joint)] = parent[as_index(parent[as_index(joint)])];
+        joint = parent[as_index(joint)];
     }
     return joint;
 }
@@ -46,10 +46,10 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
         if (is_point[k] == 0) continue;
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b}) {
             if (hot <= 0) continue;
-            if (first[place(hot)] < 0) first[place(hot)] = static_cast<std::int32_t>(k);
-            const std::int32_t x = root_of(parent, first[place(hot)]);
+            if (first[as_index(hot)] < 0) first[as_index(hot)] = static_cast<std::int32_t>(k);
+            const std::int32_t x = root_of(parent, first[as_index(hot)]);
             const std::int32_t y = root_of(parent, static_cast<std::int32_t>(k));
-            parent[place(std::max(x, y))] = std::min(x, y);
+            parent[as_index(std::max(x, y))] = std::min(x, y);
         }
     }
     batches.next.assign(joints, -1);
@@ -60,13 +60,13 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
         if (is_point[k] == 0) continue;
         const auto joint = static_cast<std::int32_t>(k);
         const std::int32_t root = root_of(parent, joint);
-        JointBatches::Size& size = batches.size[place(root)];
+        JointBatches::Size& size = batches.size[as_index(root)];
         size.joints++;
         if (!preferences.empty()) size.preferences |= preferences[k];
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
-            if (hot > 0 && first[place(hot)] == joint) size.bodies++;
-        if (last[place(root)] >= 0) batches.next[place(last[place(root)])] = joint;
-        last[place(root)] = joint;
+            if (hot > 0 && first[as_index(hot)] == joint) size.bodies++;
+        if (last[as_index(root)] >= 0) batches.next[as_index(last[as_index(root)])] = joint;
+        last[as_index(root)] = joint;
     }
 }
 
@@ -79,11 +79,11 @@ struct Numbering {
     std::vector<std::uint8_t> pushed;
 
     std::int32_t operator()(std::int32_t body) {
-        if (body > 0 && of_hot[place(body)] >= 0) return of_hot[place(body)];
+        if (body > 0 && of_hot[as_index(body)] >= 0) return of_hot[as_index(body)];
         const auto number = static_cast<std::int32_t>(hot.size());
         hot.push_back(std::abs(body));
         pushed.push_back(body > 0 ? 1 : 0);
-        if (body > 0) of_hot[place(body)] = number;
+        if (body > 0) of_hot[as_index(body)] = number;
         return number;
     }
 };
@@ -206,8 +206,8 @@ void find_batches(JointBatches& batches, JointLevels& levels,
         if (most == 0) continue;
         Numbering number{batches.first, {}, {}};
         batches.key.clear();
-        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)])
-            for (const std::int32_t hot : {levels.joints[place(k)].a, levels.joints[place(k)].b})
+        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[as_index(k)])
+            for (const std::int32_t hot : {levels.joints[as_index(k)].a, levels.joints[as_index(k)].b})
                 batches.key.push_back(number(hot) * 2 + (hot > 0 ? 1 : 0));
         const JointPattern* const pattern = pattern_of(batches, number.pushed, most);
         if (pattern == nullptr) continue;
@@ -216,11 +216,11 @@ void find_batches(JointBatches& batches, JointLevels& levels,
         for (std::size_t body = 0; body < batch.bodies.size(); body++)
             batch.bodies[body].hot[lane] = number.hot[body];
         std::size_t at = 0;
-        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)]) {
-            levels.metas[place(levels.joints[place(k)].block)].in_batch++;
-            batches.found[place(k)] = 1;
-            batch.joints[at].block[lane] = levels.joints[place(k)].block;
-            batch.joints[at++].lane[lane] = levels.joints[place(k)].lane;
+        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[as_index(k)]) {
+            levels.metas[as_index(levels.joints[as_index(k)].block)].in_batch++;
+            batches.found[as_index(k)] = 1;
+            batch.joints[at].block[lane] = levels.joints[as_index(k)].block;
+            batch.joints[at++].lane[lane] = levels.joints[as_index(k)].lane;
         }
     }
     for (JointConstraintWideMeta& meta : levels.metas)
@@ -256,8 +256,8 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
 void load_batch(JointBatch& batch, const JointLevels& levels) {
     for (BatchJoint& joint : batch.joints)
         for (std::size_t lane = 0; lane < as_index(batch.groups); lane++) {
-            const JointConstraintWide& from = levels.blocks[place(joint.block[lane])];
-            const std::size_t at = place(joint.lane[lane]);
+            const JointConstraintWide& from = levels.blocks[as_index(joint.block[lane])];
+            const std::size_t at = as_index(joint.lane[lane]);
             for (std::size_t axis = 0; axis < 3; axis++) {
                 joint.arm_a[axis][lane] = from.arm_a[axis][at];
                 joint.arm_b[axis][lane] = from.arm_b[axis][at];

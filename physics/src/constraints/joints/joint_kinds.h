@@ -29,7 +29,7 @@ struct JointKernel<BallJoint> {
                                          unsigned uses) {
         Wide3 point = pair.to_world(block.point);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(block.point, point);
+        pair.store_impulse(block.point, point);
         return {point, Wide3{}};
     }
 };
@@ -42,7 +42,7 @@ JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
     const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
     pair.apply_angular(stop * share - friction);
     friction = stop * share;
-    pair.keep(t.friction, friction);
+    pair.store_impulse(t.friction, friction);
 }
 // A spring towards an orientation, of at most so much torque. The error is the turn from there to
 // where b is, the shorter way round.
@@ -83,7 +83,7 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     pair.push(answer);
     point = point + answer;
     impulse = target;
-    pair.keep(t.angular, impulse);
+    pair.store_impulse(t.angular, impulse);
 }
 
 // A ball that is driven or rubs: constraint_graph/joint_memory.h.
@@ -105,7 +105,7 @@ struct JointKernel<DrivenBall> {
         if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven, point);
         if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(block.point, point);
+        pair.store_impulse(block.point, point);
         return {point, driven + friction};
     }
 };
@@ -147,8 +147,8 @@ struct JointKernel<HingeJoint> {
         }
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(t.angular, angular);
-        pair.keep(block.point, point);
+        pair.store_impulse(t.angular, angular);
+        pair.store_impulse(block.point, point);
         return {point, angular + axis * along_axis(t)};
     }
 };
@@ -207,7 +207,7 @@ struct JointKernel<ConeTwistJoint> {
         limit_row<kRelax>(pair, step, HeldRow(pair, axes.swing, point), -1,
                           load(t.swing_at) - swing, t.swing);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(block.point, point);
+        pair.store_impulse(block.point, point);
         const Wide3 total = axes.total(t, friction);
         return {point, (uses & uses_drive) != 0 ? total + driven : total};
     }
@@ -245,8 +245,8 @@ struct JointKernel<FixedJoint> {
                       angular);
         if ((uses & uses_batch) == 0)
             hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
-        pair.keep(t.angular, angular);
-        pair.keep(block.point, point);
+        pair.store_impulse(t.angular, angular);
+        pair.store_impulse(block.point, point);
         return {point, angular};
     }
 };
@@ -356,7 +356,7 @@ struct JointKernel<GrabJoint> {
         if ((uses & uses_spring) != 0) {
             const Wide zero = splat(0);
             hold_rotation(pair, spring_of<kRelax>(t.spring_soft), {zero, zero, zero}, angular);
-            pair.keep(t.angular, angular);
+            pair.store_impulse(t.angular, angular);
         }
         const Wide3 before = point;
         Wide3 target = point;
@@ -366,7 +366,7 @@ struct JointKernel<GrabJoint> {
         const WideMask strong = size > most;
         point = target * select(strong, most / select(strong, size, splat(1)), splat(1));
         pair.push(point - before);
-        pair.keep(block.point, point);
+        pair.store_impulse(block.point, point);
         return {point, angular};
     }
 };

@@ -152,7 +152,7 @@ struct JointPair {
     JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
         return rotate(carried, load3(impulse));
     }
-    JOSTLE_INLINE void keep(float (*impulse)[8], Wide3 in_world) const {
+    JOSTLE_INLINE void store_impulse(float (*impulse)[8], Wide3 in_world) const {
         store3(impulse, rotate(conjugate(carried), in_world));
     }
 

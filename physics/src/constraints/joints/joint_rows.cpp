@@ -260,10 +260,10 @@ struct JointRowWriter {
     void operator()(const PathJoint& kind) {
         const Vec3 bead = inverse_rotate(a.frame, apart());
         const std::vector<double>& memory = joint.memory;
-        const PathPoint place = memory[PathMemory::found] == 0
-                                    ? nearest_place(kind, bead)
-                                    : nearest_place(kind, bead, memory[PathMemory::at]);
-        axes(layout_at(kind, place), {0, 1, 2, 0, 1, 2}, a.arm + rotate(a.frame, place.position));
+        const PathPoint path_point = memory[PathMemory::found] == 0
+                                    ? nearest_path_point(kind, bead)
+                                    : nearest_path_point(kind, bead, memory[PathMemory::at]);
+        axes(layout_at(kind, path_point), {0, 1, 2, 0, 1, 2}, a.arm + rotate(a.frame, path_point.position));
     }
 
     // Gears, racks and pulleys.

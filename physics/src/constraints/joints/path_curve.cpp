@@ -107,17 +107,17 @@ PathPoint place_at(const PathJoint& path, double at) {
     const Jet jet = jet_of(path, p.piece, p.t);
     const Vec3 tangent = tangent_of(path, p.piece, jet);
     const double speed = length(jet.first);
-    PathPoint place{.at = p.piece + p.t, .position = jet.position, .rotation = {}};
-    place.rotation = facing(tangent, jet.second);
+    PathPoint path_point{.at = p.piece + p.t, .position = jet.position, .rotation = {}};
+    path_point.rotation = facing(tangent, jet.second);
     if (speed > 1e-9)
-        place.curvature = length(cross(jet.first, jet.second)) / (speed * speed * speed);
-    for (int piece = 0; piece < p.piece; piece++) place.travel += length_up_to(path, piece, 1);
-    place.travel += length_up_to(path, p.piece, p.t);
-    return place;
+        path_point.curvature = length(cross(jet.first, jet.second)) / (speed * speed * speed);
+    for (int piece = 0; piece < p.piece; piece++) path_point.travel += length_up_to(path, piece, 1);
+    path_point.travel += length_up_to(path, p.piece, p.t);
+    return path_point;
 }
 
 // Newton's steps on the derivative of the squared distance, halved while they lead away.
-PathPoint nearest_place(const PathJoint& path, Vec3 point, double guess) {
+PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
     double at = within(path, guess);
     double best = distance2_at(path, at, point);
     for (int round = 0; round < 32; round++) {
@@ -144,13 +144,13 @@ PathPoint nearest_place(const PathJoint& path, Vec3 point, double guess) {
     return place_at(path, at);
 }
 
-PathPoint nearest_place(const PathJoint& path, Vec3 point) {
+PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {
     double best = 0, nearest = distance2_at(path, 0, point);
     for (int k = 1; k <= pieces_of(path) * 8; k++) {
         const double at = k / 8.0, distance = distance2_at(path, at, point);
         if (distance < nearest) nearest = distance, best = at;
     }
-    return nearest_place(path, point, best);
+    return nearest_path_point(path, point, best);
 }
 
 double parameter_step(const PathJoint& path, double before, double at) {

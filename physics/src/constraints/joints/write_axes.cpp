@@ -58,18 +58,18 @@ bool turns_with_a(const JointKind& kind) {
 }
 
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                         const PathPoint* place, JointAxesWide& to, const JointLane& lane) {
-    const AxesLayout layout = place == nullptr ? layout_of(joint.kind)
-                                               : layout_at(std::get<PathJoint>(joint.kind), *place);
+                         const PathPoint* path_point, JointAxesWide& to, const JointLane& lane) {
+    const AxesLayout layout = path_point == nullptr ? layout_of(joint.kind)
+                                               : layout_at(std::get<PathJoint>(joint.kind), *path_point);
     const Quat frame_a = a.frame * layout.turn_a, frame_b = b.frame * layout.turn_b;
     lane.put(to.frame_a, frame_a);
     lane.put(to.turn, conjugate(frame_a) * frame_b);
     lane.put(to.by_a, turns_with_a(joint.kind) ? 1 : 0);
     const double turns[] = {joint.angular.x, joint.angular.y, joint.angular.z};
     std::uint32_t uses = 0;
-    if (place != nullptr) {
+    if (path_point != nullptr) {
         uses = uses_curve;
-        lane.put(to.curvature, place->curvature);
+        lane.put(to.curvature, path_point->curvature);
     }
     for (std::size_t k = 0; k < 6; k++) {
         const bool locked = !layout.axes[k].free;

@@ -18,7 +18,7 @@ bool turns_with_a(const JointKind& kind);
 // Returns which rows it uses (JointUses), four bits for each axis. h: sub-step, s.
 // `place`: where b is on a path, of which a's arm ends there; null for other kinds.
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                         const PathPoint* place, JointAxesWide& to, const JointLane& lane);
+                         const PathPoint* path_point, JointAxesWide& to, const JointLane& lane);
 void read_axes(Joint& joint, const JointAxesWide& from, double dt, const JointLane& lane);
 
 }  // namespace jostle::physics

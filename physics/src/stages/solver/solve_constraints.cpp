@@ -146,7 +146,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     hot = {};
     hot.spins_along = gyroscopic && touched && cold.first_joint != none ? 1 : 0;
     external = {};
-    for (float& keep : external.keep) keep = 1;
+    for (float& retained : external.retained) retained = 1;
     put(hot.v, warm.v, warm.w);
     if (cold.type == BodyType::kinematic) return;
     ASSERT(h > 0);
@@ -162,8 +162,8 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const double linear = damping_factor(cold.linear_damping, h);
     const double angular = damping_factor(cold.angular_damping, h);
     for (int k = 0; k < 3; k++) {
-        external.keep[k] = as_float(linear);
-        external.keep[k + 3] = as_float(angular);
+        external.retained[k] = as_float(linear);
+        external.retained[k + 3] = as_float(angular);
     }
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
     // does. Bodies that turn far in a step take it sub-step by sub-step: integrate_gyroscopic().

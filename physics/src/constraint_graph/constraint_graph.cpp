@@ -11,7 +11,7 @@
 namespace jostle::physics {
 namespace {
 
-void clear_lane(const ContactPlace& place) {
+void clear_lane(const ContactLaneRef& place) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     for (int row = 0; row < rolling_rows; row++) float_at(*place.rolling, row, lane) = 0;
@@ -26,7 +26,7 @@ void clear_lane(const ContactPlace& place) {
     for (std::uint8_t& bits : place.meta->flags) bits &= static_cast<std::uint8_t>(~(1u << lane));
 }
 
-void copy_lane(const ContactPlace& to, const ContactPlace& from) {
+void copy_lane(const ContactLaneRef& to, const ContactLaneRef& from) {
     ASSERT(from.meta->contact[from.lane] != no_contact);
     constexpr std::size_t row_bytes = sizeof(ContactConstraintWide) / wide_rows;
     auto* target = reinterpret_cast<char*>(to.block);
@@ -109,7 +109,7 @@ std::int32_t add_contact(ConstraintGraph& graph, ColourSetKey key, int number,
     if (colour.contacts % lanes_per_block(number) == 0) add_block(colour);
     const std::int32_t slot = colour.contacts++;
     graph.sets[index_of(key)].contacts++;
-    const ContactPlace place = place_at(colour, number, slot);
+    const ContactLaneRef place = place_at(colour, number, slot);
     ASSERT(place.meta->contact[place.lane] == no_contact);
     place.meta->contact[place.lane] = contact;
     return slot;
@@ -119,9 +119,9 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
                              std::int32_t slot) {
     GraphColour& colour = colour_at(graph, key, number);
     ASSERT(slot >= 0 && slot < colour.contacts);
-    const ContactPlace hole = place_at(colour, number, slot);
+    const ContactLaneRef hole = place_at(colour, number, slot);
     ASSERT(hole.meta->contact[hole.lane] != no_contact);
-    const ContactPlace last = place_at(colour, number, colour.contacts - 1);
+    const ContactLaneRef last = place_at(colour, number, colour.contacts - 1);
     std::uint32_t moved = no_contact;
     if (slot != colour.contacts - 1) {
         copy_lane(hole, last);
@@ -141,7 +141,7 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
     return moved;
 }
 
-ContactPlace place_at(GraphColour& colour, int number, std::int32_t slot) {
+ContactLaneRef place_at(GraphColour& colour, int number, std::int32_t slot) {
     ASSERT(slot >= 0 && slot < colour.contacts);
     const auto block = static_cast<std::size_t>(slot / lanes_per_block(number));
     ASSERT(block < colour.blocks.size() && colour.metas.size() == colour.blocks.size());
@@ -149,11 +149,11 @@ ContactPlace place_at(GraphColour& colour, int number, std::int32_t slot) {
             slot % lanes_per_block(number)};
 }
 
-ContactPlace place_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot) {
+ContactLaneRef place_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot) {
     return place_at(colour_at(graph, key, colour), colour, slot);
 }
 
-SavedContact save_contact(const ContactPlace& place) {
+SavedContact save_contact(const ContactLaneRef& place) {
     const ContactConstraintWideMeta& meta = *place.meta;
     const int lane = place.lane;
     SavedContact saved{.contact = meta.contact[lane],
@@ -169,7 +169,7 @@ SavedContact save_contact(const ContactPlace& place) {
     return saved;
 }
 
-void restore_contact(const ContactPlace& place, const SavedContact& saved) {
+void restore_contact(const ContactLaneRef& place, const SavedContact& saved) {
     ContactConstraintWideMeta& meta = *place.meta;
     const int lane = place.lane;
     ASSERT(meta.contact[lane] == saved.contact);

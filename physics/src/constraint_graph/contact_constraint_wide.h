@@ -128,13 +128,13 @@ inline float& float_at(RollingWide& rolling, int row, int lane) {
 }
 
 // One lane of a block.
-struct ContactPlace {
+struct ContactLaneRef {
     ContactConstraintWide* block;
     ContactConstraintWideMeta* meta;
     RollingWide* rolling;
     int lane;
 };
-inline Vec3 normal_of(const ContactPlace& place) {
+inline Vec3 normal_of(const ContactLaneRef& place) {
     return get_lane(place.block->normal, place.lane);
 }
 

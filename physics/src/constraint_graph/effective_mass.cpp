@@ -5,7 +5,7 @@
 
 namespace jostle::physics {
 
-void write_effective_mass(const ContactPlace& place, const ContactFrame& frame,
+void write_effective_mass(const ContactLaneRef& place, const ContactFrame& frame,
                           const InverseMass& a, const InverseMass& b) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
@@ -44,7 +44,7 @@ void write_effective_mass(const ContactPlace& place, const ContactFrame& frame,
     block.torsion_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
-void rewrite_effective_mass(const ContactPlace& place, const InverseMass& a, const InverseMass& b) {
+void rewrite_effective_mass(const ContactLaneRef& place, const InverseMass& a, const InverseMass& b) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const float before = block.g[0][lane];

@@ -128,7 +128,7 @@ double patch_of(const ShapeStore& store, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rolling(const ContactPlace& place, const Material& ma, const Material& mb, Vec3 surface,
+void write_rolling(const ContactLaneRef& place, const Material& ma, const Material& mb, Vec3 surface,
                    Vec3 roll) {
     RollingWide& rolling = *place.rolling;
     const int lane = place.lane;
@@ -184,7 +184,7 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
     ASSERT(m.count >= 1 && m.count <= 4);
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const Carried old = fresh ? Carried{} : carried(block, *place.rolling, lane);

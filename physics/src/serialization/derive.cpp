@@ -34,7 +34,7 @@ void derive_contacts(WorldState& world) {
         if (c.colour < 0) continue;
         write_body_indices(world, c);
         derive_flags(world, c);
-        const ContactPlace place = place_of(world, c);
+        const ContactLaneRef place = place_of(world, c);
         place.meta->set(LaneFlag::bounces, place.lane, place.meta->restitution[place.lane] > 0);
         place.meta->set(LaneFlag::touching_now, place.lane, c.touching);
     }

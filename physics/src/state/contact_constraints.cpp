@@ -88,7 +88,7 @@ SavedContact save_contact(const WorldState& world, std::uint32_t index) {
 void restore_contact(WorldState& world, const SavedContact& saved) {
     add_contact(world, saved.contact, is_single_point(saved));
     const Contact& contact = world.contacts.contacts[saved.contact];
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     restore_contact(place, saved);
     place.meta->set(LaneFlag::touching_now, place.lane, contact.touching);
 }
@@ -101,7 +101,7 @@ void move_contact(WorldState& world, std::uint32_t contact) {
 
 bool is_in_its_list(const WorldState& world, const Contact& contact) {
     if (is_overflow(contact.colour)) return true;
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     return is_single_point(place.block->gap[1][place.lane]) == is_single(contact.colour);
 }
 
@@ -109,17 +109,17 @@ void move_to_its_list(WorldState& world, std::uint32_t contact) {
     if (!is_in_its_list(world, world.contacts.contacts[contact])) move_contact(world, contact);
 }
 
-ContactPlace place_of(WorldState& world, const Contact& contact) {
+ContactLaneRef place_of(WorldState& world, const Contact& contact) {
     ASSERT(contact.colour >= 0);
     return place_at(world.graph, contact.colour_set, contact.colour, contact.slot);
 }
 
-ContactPlace place_of(const WorldState& world, const Contact& contact) {
+ContactLaneRef place_of(const WorldState& world, const Contact& contact) {
     return place_of(const_cast<WorldState&>(world), contact);
 }
 
 void write_body_indices(WorldState& world, const Contact& contact) {
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     const auto hot_index = [&](std::uint32_t body) {
         const BodyCold& cold = world.bodies.cold[body];
         return cold.set == BodySet::awake ? static_cast<std::int32_t>(cold.at) + 1 : 0;
@@ -129,7 +129,7 @@ void write_body_indices(WorldState& world, const Contact& contact) {
 }
 
 void derive_flags(WorldState& world, const Contact& contact) {
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
     const bool two = b.type == BodyType::dynamic;
     const auto set = [&](LaneFlag flag, bool on) { place.meta->set(flag, place.lane, on); };
@@ -147,7 +147,7 @@ void derive_flags(WorldState& world, const Contact& contact) {
 void sort_contacts(WorldState& world, GraphColour& colour, int number) {
     sort_contacts(colour, number);
     for (std::int32_t slot = 0; slot < colour.contacts; slot++) {
-        const ContactPlace place = place_at(colour, number, slot);
+        const ContactLaneRef place = place_at(colour, number, slot);
         world.contacts.contacts[place.meta->contact[place.lane]].slot = slot;
     }
 }

@@ -9,7 +9,7 @@ namespace jostle::physics {
 
 Vec3 load_of(const WorldState& world, const Contact& contact) {
     ASSERT(world.last_dt > 0);
-    const ContactPlace place = place_of(world, contact);
+    const ContactLaneRef place = place_of(world, contact);
     const ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     double pressed = 0;

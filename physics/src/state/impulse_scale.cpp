@@ -12,7 +12,7 @@ namespace {
 // Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
 // mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
 // and the load stays what it is. `even`: the points of a manifold share it.
-void stiffen(const ContactPlace& place, float stiffer, bool even) {
+void stiffen(const ContactLaneRef& place, float stiffer, bool even) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
@@ -39,7 +39,7 @@ void scale_impulses(Joint& joint, double scale) {
 
 }  // namespace
 
-void scale_warm_start(const ContactPlace& place, float scale) {
+void scale_warm_start(const ContactLaneRef& place, float scale) {
     const auto row = [&](float* values) { values[place.lane] *= scale; };
     for (auto& lambda : place.block->lambda) row(lambda);
     for (auto& friction : place.block->friction) row(friction);
@@ -48,12 +48,12 @@ void scale_warm_start(const ContactPlace& place, float scale) {
     for (auto& roll : place.rolling->roll) row(roll);
 }
 
-void scale_impulses(const ContactPlace& place, float scale, bool even) {
+void scale_impulses(const ContactLaneRef& place, float scale, bool even) {
     scale_warm_start(place, scale);
     stiffen(place, 1 / (scale * scale), even);
 }
 
-void forget_pull(const ContactPlace& place) {
+void forget_pull(const ContactLaneRef& place) {
     for (auto& mean_impulse : place.block->mean_impulse)
         mean_impulse[place.lane] = std::max(mean_impulse[place.lane], 0.0f);
 }

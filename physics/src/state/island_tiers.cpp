@@ -28,7 +28,7 @@ struct Rescale {
 
 void rescale(WorldState& world, const Contact& c, Rescale by) {
     if (by.scale == 1 && !by.even) return;
-    const ContactPlace place = place_of(world, c);
+    const ContactLaneRef place = place_of(world, c);
     scale_impulses(place, by.scale, by.even);
     if (controls_error(world.def)) forget_pull(place);
 }

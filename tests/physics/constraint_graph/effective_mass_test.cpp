@@ -17,7 +17,7 @@ struct Lane {
     ContactConstraintWideMeta meta{};
     RollingWide rolling{};
     static constexpr int lane = 3;
-    ContactPlace place() { return {&block, &meta, &rolling, lane}; }
+    ContactLaneRef place() { return {&block, &meta, &rolling, lane}; }
 };
 
 InverseMass ball(double mass, double radius) {

@@ -54,7 +54,7 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
 
 bool modify_contact(WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
-    const ContactPlace place = place_of(world, c);
+    const ContactLaneRef place = place_of(world, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);

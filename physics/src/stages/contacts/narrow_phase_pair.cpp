@@ -223,7 +223,7 @@ struct Approach {
 };
 // By the manifold that they have.
 Approach approach_of(WorldState& world, const Contact& c) {
-    const ContactPlace place = place_of(world, c);
+    const ContactLaneRef place = place_of(world, c);
     double gap = no_point;
     for (const auto& row : place.block->gap) gap = minimum(gap, double{row[place.lane]});
     return {normal_of(place), gap};

@@ -14,7 +14,7 @@ namespace {
 
 // What a manifold knows may be as unsound as the body's state: it has no points and bears nothing
 // until it is rebuilt, in the next step.
-void forget_manifold(const ContactPlace& place) {
+void forget_manifold(const ContactLaneRef& place) {
     const int lane = place.lane;
     for (int row = first_saved_row; row < wide_rows; row++) {
         float& value = float_at(*place.block, row, lane);

@@ -16,7 +16,7 @@ namespace {
 
 // The warm records still hold the velocities from before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const ContactPlace place = place_of(world, c);
+    const ContactLaneRef place = place_of(world, c);
     const Vec3 normal = normal_of(place);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);

@@ -11,19 +11,19 @@
 namespace jostle::physics {
 namespace {
 
-void clear_lane(const ContactLaneRef& place) {
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
-    for (int row = 0; row < rolling_rows; row++) float_at(*place.rolling, row, lane) = 0;
+void clear_lane(const ContactLaneRef& lane_ref) {
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
+    for (int row = 0; row < rolling_rows; row++) float_at(*lane_ref.rolling, row, lane) = 0;
     block.a[lane] = block.b[lane] = 0;
     for (int row = first_saved_row; row < wide_rows; row++) float_at(block, row, lane) = 0;
     for (auto& gap : block.gap) gap[lane] = no_point;
     block.g[0][lane] = 1;  // is divided by
-    place.meta->moved[lane] = 0;
-    place.meta->restitution[lane] = 0;
-    place.meta->contact[lane] = no_contact;
-    place.meta->size[lane] = 0;
-    for (std::uint8_t& bits : place.meta->flags) bits &= static_cast<std::uint8_t>(~(1u << lane));
+    lane_ref.meta->moved[lane] = 0;
+    lane_ref.meta->restitution[lane] = 0;
+    lane_ref.meta->contact[lane] = no_contact;
+    lane_ref.meta->size[lane] = 0;
+    for (std::uint8_t& bits : lane_ref.meta->flags) bits &= static_cast<std::uint8_t>(~(1u << lane));
 }
 
 void copy_lane(const ContactLaneRef& to, const ContactLaneRef& from) {
@@ -109,9 +109,9 @@ std::int32_t add_contact(ConstraintGraph& graph, ColourSetKey key, int number,
     if (colour.contacts % lanes_per_block(number) == 0) add_block(colour);
     const std::int32_t slot = colour.contacts++;
     graph.sets[index_of(key)].contacts++;
-    const ContactLaneRef place = place_at(colour, number, slot);
-    ASSERT(place.meta->contact[place.lane] == no_contact);
-    place.meta->contact[place.lane] = contact;
+    const ContactLaneRef lane_ref = lane_ref_at(colour, number, slot);
+    ASSERT(lane_ref.meta->contact[lane_ref.lane] == no_contact);
+    lane_ref.meta->contact[lane_ref.lane] = contact;
     return slot;
 }
 
@@ -119,9 +119,9 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
                              std::int32_t slot) {
     GraphColour& colour = colour_at(graph, key, number);
     ASSERT(slot >= 0 && slot < colour.contacts);
-    const ContactLaneRef hole = place_at(colour, number, slot);
+    const ContactLaneRef hole = lane_ref_at(colour, number, slot);
     ASSERT(hole.meta->contact[hole.lane] != no_contact);
-    const ContactLaneRef last = place_at(colour, number, colour.contacts - 1);
+    const ContactLaneRef last = lane_ref_at(colour, number, colour.contacts - 1);
     std::uint32_t moved = no_contact;
     if (slot != colour.contacts - 1) {
         copy_lane(hole, last);
@@ -141,7 +141,7 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
     return moved;
 }
 
-ContactLaneRef place_at(GraphColour& colour, int number, std::int32_t slot) {
+ContactLaneRef lane_ref_at(GraphColour& colour, int number, std::int32_t slot) {
     ASSERT(slot >= 0 && slot < colour.contacts);
     const auto block = static_cast<std::size_t>(slot / lanes_per_block(number));
     ASSERT(block < colour.blocks.size() && colour.metas.size() == colour.blocks.size());
@@ -149,35 +149,35 @@ ContactLaneRef place_at(GraphColour& colour, int number, std::int32_t slot) {
             slot % lanes_per_block(number)};
 }
 
-ContactLaneRef place_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot) {
-    return place_at(colour_at(graph, key, colour), colour, slot);
+ContactLaneRef lane_ref_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot) {
+    return lane_ref_at(colour_at(graph, key, colour), colour, slot);
 }
 
-SavedContact save_contact(const ContactLaneRef& place) {
-    const ContactConstraintWideMeta& meta = *place.meta;
-    const int lane = place.lane;
+SavedContact save_contact(const ContactLaneRef& lane_ref) {
+    const ContactConstraintWideMeta& meta = *lane_ref.meta;
+    const int lane = lane_ref.lane;
     SavedContact saved{.contact = meta.contact[lane],
                        .moved = meta.moved[lane],
                        .restitution = meta.restitution[lane],
                        .needs_rebuild = meta.has(LaneFlag::needs_rebuild, lane),
                        .rolls = meta.has(LaneFlag::rolls, lane)};
     for (int row = 0; row < rolling_rows; row++)
-        saved.rolling_values[static_cast<std::size_t>(row)] = float_at(*place.rolling, row, lane);
+        saved.rolling_values[static_cast<std::size_t>(row)] = float_at(*lane_ref.rolling, row, lane);
     for (int row = first_saved_row; row < wide_rows; row++)
         saved.rows[static_cast<std::size_t>(row - first_saved_row)] =
-            float_at(*place.block, row, lane);
+            float_at(*lane_ref.block, row, lane);
     return saved;
 }
 
-void restore_contact(const ContactLaneRef& place, const SavedContact& saved) {
-    ContactConstraintWideMeta& meta = *place.meta;
-    const int lane = place.lane;
+void restore_contact(const ContactLaneRef& lane_ref, const SavedContact& saved) {
+    ContactConstraintWideMeta& meta = *lane_ref.meta;
+    const int lane = lane_ref.lane;
     ASSERT(meta.contact[lane] == saved.contact);
     for (int row = first_saved_row; row < wide_rows; row++)
-        float_at(*place.block, row, lane) =
+        float_at(*lane_ref.block, row, lane) =
             saved.rows[static_cast<std::size_t>(row - first_saved_row)];
     for (int row = 0; row < rolling_rows; row++)
-        float_at(*place.rolling, row, lane) = saved.rolling_values[static_cast<std::size_t>(row)];
+        float_at(*lane_ref.rolling, row, lane) = saved.rolling_values[static_cast<std::size_t>(row)];
     meta.moved[lane] = saved.moved;
     meta.restitution[lane] = saved.restitution;
     meta.set(LaneFlag::rolls, lane, saved.rolls);
@@ -206,7 +206,7 @@ void sort_contacts(GraphColour& colour, int number) {
     for (const auto& [key, from] : order) {
         const std::int32_t slot = sorted.contacts++;
         if (slot % block_lanes == 0) add_block(sorted);
-        copy_lane(place_at(sorted, number, slot), place_at(colour, number, from));
+        copy_lane(lane_ref_at(sorted, number, slot), lane_ref_at(colour, number, from));
     }
     ASSERT(sorted.blocks.size() == colour.blocks.size());
     colour = std::move(sorted);

@@ -109,13 +109,13 @@ std::int32_t add_contact(ConstraintGraph& graph, ColourSetKey key, int colour,
 std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int colour,
                              std::int32_t slot);
 
-ContactLaneRef place_at(GraphColour& colour, int number, std::int32_t slot);
-ContactLaneRef place_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot);
+ContactLaneRef lane_ref_at(GraphColour& colour, int number, std::int32_t slot);
+ContactLaneRef lane_ref_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot);
 
 // A lane's content outside the graph and back again. The flags that follow from the bodies are not
 // part of it.
-SavedContact save_contact(const ContactLaneRef& place);
-void restore_contact(const ContactLaneRef& place, const SavedContact& saved);
+SavedContact save_contact(const ContactLaneRef& lane_ref);
+void restore_contact(const ContactLaneRef& lane_ref, const SavedContact& saved);
 
 // Whether most contacts of a colour lie in the order of their bodies; brings them there. Then each
 // thread has the same bodies in all colours. Not for overflow lists, which are solved in the order

@@ -134,8 +134,8 @@ struct ContactLaneRef {
     RollingWide* rolling;
     int lane;
 };
-inline Vec3 normal_of(const ContactLaneRef& place) {
-    return get_lane(place.block->normal, place.lane);
+inline Vec3 normal_of(const ContactLaneRef& lane_ref) {
+    return get_lane(lane_ref.block->normal, lane_ref.lane);
 }
 
 // A manifold outside the graph: what a sleeping island keeps.

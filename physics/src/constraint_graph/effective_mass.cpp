@@ -5,10 +5,10 @@
 
 namespace jostle::physics {
 
-void write_effective_mass(const ContactLaneRef& place, const ContactFrame& frame,
+void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& frame,
                           const InverseMass& a, const InverseMass& b) {
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
     const auto [n, t1, arm_a, arm_b] = frame;
     const Vec3 t2 = cross(n, t1);
     const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
@@ -44,11 +44,11 @@ void write_effective_mass(const ContactLaneRef& place, const ContactFrame& frame
     block.torsion_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
-void rewrite_effective_mass(const ContactLaneRef& place, const InverseMass& a, const InverseMass& b) {
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
+void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a, const InverseMass& b) {
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
     const float before = block.g[0][lane];
-    write_effective_mass(place,
+    write_effective_mass(lane_ref,
                          {get_lane(block.normal, lane), get_lane(block.tangent, lane),
                           get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)},
                          a, b);

@@ -21,9 +21,9 @@ struct ContactFrame {
 };
 
 // Write only floats of the place's own lane.
-void write_effective_mass(const ContactLaneRef& place, const ContactFrame& frame,
+void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& frame,
                           const InverseMass& a, const InverseMass& b);
 // After the mass of one of its bodies changed.
-void rewrite_effective_mass(const ContactLaneRef& place, const InverseMass& a, const InverseMass& b);
+void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a, const InverseMass& b);
 
 }  // namespace jostle::physics

@@ -128,11 +128,11 @@ double patch_of(const ShapeStore& store, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rolling(const ContactLaneRef& place, const Material& ma, const Material& mb, Vec3 surface,
+void write_rolling(const ContactLaneRef& lane_ref, const Material& ma, const Material& mb, Vec3 surface,
                    Vec3 roll) {
-    RollingWide& rolling = *place.rolling;
-    const int lane = place.lane;
-    const Vec3 n = get_lane(place.block->normal, lane), t1 = get_lane(place.block->tangent, lane);
+    RollingWide& rolling = *lane_ref.rolling;
+    const int lane = lane_ref.lane;
+    const Vec3 n = get_lane(lane_ref.block->normal, lane), t1 = get_lane(lane_ref.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
     rolling.surface[0][lane] = as_float(dot(surface, t1));
     rolling.surface[1][lane] = as_float(dot(surface, t2));
@@ -184,10 +184,10 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
     ASSERT(m.count >= 1 && m.count <= 4);
-    const ContactLaneRef place = place_of(world, contact);
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
-    const Carried old = fresh ? Carried{} : carried(block, *place.rolling, lane);
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
+    const Carried old = fresh ? Carried{} : carried(block, *lane_ref.rolling, lane);
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
@@ -235,12 +235,12 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const ContactModifier modifier = modifier_of(world, contact);
     if (!modifier.enabled) disable(block, lane);
     block.mu[lane] = as_float(modifier.friction);
-    write_rolling(place, ma, mb, modifier.surface_velocity, old.roll);
-    ContactConstraintWideMeta& meta = *place.meta;
+    write_rolling(lane_ref, ma, mb, modifier.surface_velocity, old.roll);
+    ContactConstraintWideMeta& meta = *lane_ref.meta;
     meta.restitution[lane] = as_float(modifier.restitution);
     meta.moved[lane] = 0;
     put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
-    put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*place.rolling, lane));
+    put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*lane_ref.rolling, lane));
     put_bit(meta.bits(LaneFlag::needs_rebuild), lane, false);
 }
 

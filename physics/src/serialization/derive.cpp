@@ -34,9 +34,9 @@ void derive_contacts(WorldState& world) {
         if (c.colour < 0) continue;
         write_body_indices(world, c);
         derive_flags(world, c);
-        const ContactLaneRef place = place_of(world, c);
-        place.meta->set(LaneFlag::bounces, place.lane, place.meta->restitution[place.lane] > 0);
-        place.meta->set(LaneFlag::touching_now, place.lane, c.touching);
+        const ContactLaneRef lane_ref = lane_ref_of(world, c);
+        lane_ref.meta->set(LaneFlag::bounces, lane_ref.lane, lane_ref.meta->restitution[lane_ref.lane] > 0);
+        lane_ref.meta->set(LaneFlag::touching_now, lane_ref.lane, c.touching);
     }
 }
 

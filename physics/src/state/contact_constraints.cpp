@@ -82,15 +82,15 @@ void remove_contact(WorldState& world, std::uint32_t index) {
 }
 
 SavedContact save_contact(const WorldState& world, std::uint32_t index) {
-    return save_contact(place_of(world, world.contacts.contacts[index]));
+    return save_contact(lane_ref_of(world, world.contacts.contacts[index]));
 }
 
 void restore_contact(WorldState& world, const SavedContact& saved) {
     add_contact(world, saved.contact, is_single_point(saved));
     const Contact& contact = world.contacts.contacts[saved.contact];
-    const ContactLaneRef place = place_of(world, contact);
-    restore_contact(place, saved);
-    place.meta->set(LaneFlag::touching_now, place.lane, contact.touching);
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    restore_contact(lane_ref, saved);
+    lane_ref.meta->set(LaneFlag::touching_now, lane_ref.lane, contact.touching);
 }
 
 void move_contact(WorldState& world, std::uint32_t contact) {
@@ -101,38 +101,38 @@ void move_contact(WorldState& world, std::uint32_t contact) {
 
 bool is_in_its_list(const WorldState& world, const Contact& contact) {
     if (is_overflow(contact.colour)) return true;
-    const ContactLaneRef place = place_of(world, contact);
-    return is_single_point(place.block->gap[1][place.lane]) == is_single(contact.colour);
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    return is_single_point(lane_ref.block->gap[1][lane_ref.lane]) == is_single(contact.colour);
 }
 
 void move_to_its_list(WorldState& world, std::uint32_t contact) {
     if (!is_in_its_list(world, world.contacts.contacts[contact])) move_contact(world, contact);
 }
 
-ContactLaneRef place_of(WorldState& world, const Contact& contact) {
+ContactLaneRef lane_ref_of(WorldState& world, const Contact& contact) {
     ASSERT(contact.colour >= 0);
-    return place_at(world.graph, contact.colour_set, contact.colour, contact.slot);
+    return lane_ref_at(world.graph, contact.colour_set, contact.colour, contact.slot);
 }
 
-ContactLaneRef place_of(const WorldState& world, const Contact& contact) {
-    return place_of(const_cast<WorldState&>(world), contact);
+ContactLaneRef lane_ref_of(const WorldState& world, const Contact& contact) {
+    return lane_ref_of(const_cast<WorldState&>(world), contact);
 }
 
 void write_body_indices(WorldState& world, const Contact& contact) {
-    const ContactLaneRef place = place_of(world, contact);
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     const auto hot_index = [&](std::uint32_t body) {
         const BodyCold& cold = world.bodies.cold[body];
         return cold.set == BodySet::awake ? static_cast<std::int32_t>(cold.at) + 1 : 0;
     };
-    place.block->a[place.lane] = hot_index(contact.body_a);
-    place.block->b[place.lane] = hot_index(contact.body_b);
+    lane_ref.block->a[lane_ref.lane] = hot_index(contact.body_a);
+    lane_ref.block->b[lane_ref.lane] = hot_index(contact.body_b);
 }
 
 void derive_flags(WorldState& world, const Contact& contact) {
-    const ContactLaneRef place = place_of(world, contact);
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
     const bool two = b.type == BodyType::dynamic;
-    const auto set = [&](LaneFlag flag, bool on) { place.meta->set(flag, place.lane, on); };
+    const auto set = [&](LaneFlag flag, bool on) { lane_ref.meta->set(flag, lane_ref.lane, on); };
     set(LaneFlag::anisotropic, !a.isotropic || (two && !b.isotropic));
     set(LaneFlag::locked, !world.def.planar && (a.locks != 0 || (two && b.locks != 0)));
     set(LaneFlag::reports, reports_stays(world, contact));
@@ -141,24 +141,24 @@ void derive_flags(WorldState& world, const Contact& contact) {
     const bool unusual = is_unusual(size, gravity_ratio_squared(world.def.gravity));
     set(LaneFlag::unusual, unusual);
     const auto bits = std::bit_cast<std::uint32_t>(unusual ? as_float(size) : 0.0f);
-    place.meta->size[place.lane] = static_cast<std::uint16_t>(bits >> 16);
+    lane_ref.meta->size[lane_ref.lane] = static_cast<std::uint16_t>(bits >> 16);
 }
 
 void sort_contacts(WorldState& world, GraphColour& colour, int number) {
     sort_contacts(colour, number);
     for (std::int32_t slot = 0; slot < colour.contacts; slot++) {
-        const ContactLaneRef place = place_at(colour, number, slot);
-        world.contacts.contacts[place.meta->contact[place.lane]].slot = slot;
+        const ContactLaneRef lane_ref = lane_ref_at(colour, number, slot);
+        world.contacts.contacts[lane_ref.meta->contact[lane_ref.lane]].slot = slot;
     }
 }
 
 void write_effective_mass(WorldState& world, const Contact& contact, const ContactFrame& frame) {
-    write_effective_mass(place_of(world, contact), frame, inverse_mass_of(world, contact.body_a),
+    write_effective_mass(lane_ref_of(world, contact), frame, inverse_mass_of(world, contact.body_a),
                          inverse_mass_of(world, contact.body_b));
 }
 
 void rewrite_effective_mass(WorldState& world, const Contact& contact) {
-    rewrite_effective_mass(place_of(world, contact), inverse_mass_of(world, contact.body_a),
+    rewrite_effective_mass(lane_ref_of(world, contact), inverse_mass_of(world, contact.body_a),
                            inverse_mass_of(world, contact.body_b));
 }
 

@@ -30,9 +30,9 @@ bool is_in_its_list(const WorldState& world, const Contact& contact);
 // ... and goes there.
 void move_to_its_list(WorldState& world, std::uint32_t contact);
 
-ContactLaneRef place_of(WorldState& world, const Contact& contact);
+ContactLaneRef lane_ref_of(WorldState& world, const Contact& contact);
 // To read it.
-ContactLaneRef place_of(const WorldState& world, const Contact& contact);
+ContactLaneRef lane_ref_of(const WorldState& world, const Contact& contact);
 
 // Writes the hot indices of the contact's bodies into its lane: after it was added or a body moved
 // in the awake set.

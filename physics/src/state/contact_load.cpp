@@ -9,12 +9,12 @@ namespace jostle::physics {
 
 Vec3 load_of(const WorldState& world, const Contact& contact) {
     ASSERT(world.last_dt > 0);
-    const ContactLaneRef place = place_of(world, contact);
-    const ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
+    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    const ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
     double pressed = 0;
     for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
-    const Vec3 normal = normal_of(place);
+    const Vec3 normal = normal_of(lane_ref);
     const Vec3 t1 = get_lane(block.tangent, lane);
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};

@@ -33,9 +33,9 @@ ContactModifier material_modifier(const WorldState& world, std::uint32_t shape_a
 ContactModifier modifier_of(const WorldState& world, const Contact& contact) {
     if (!contact.has_modifier) return material_modifier(world, contact.shape_a, contact.shape_b);
     const auto index = static_cast<std::uint32_t>(&contact - world.contacts.contacts.data());
-    const auto place = find_modifier(world, index);
-    ASSERT(place != world.contacts.modifiers.end() && place->contact == index);
-    return *place;
+    const auto lane_ref = find_modifier(world, index);
+    ASSERT(lane_ref != world.contacts.modifiers.end() && lane_ref->contact == index);
+    return *lane_ref;
 }
 
 void set_modifier(WorldState& world, const ContactModifier& modifier) {

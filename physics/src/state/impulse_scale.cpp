@@ -12,9 +12,9 @@ namespace {
 // Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
 // mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
 // and the load stays what it is. `even`: the points of a manifold share it.
-void stiffen(const ContactLaneRef& place, float stiffer, bool even) {
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
+void stiffen(const ContactLaneRef& lane_ref, float stiffer, bool even) {
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
     float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
     for (int k = 0; k < 4; k++) {
         // There is always a first one.
@@ -39,23 +39,23 @@ void scale_impulses(Joint& joint, double scale) {
 
 }  // namespace
 
-void scale_warm_start(const ContactLaneRef& place, float scale) {
-    const auto row = [&](float* values) { values[place.lane] *= scale; };
-    for (auto& lambda : place.block->lambda) row(lambda);
-    for (auto& friction : place.block->friction) row(friction);
-    row(place.block->torsion);
-    for (auto& mean_impulse : place.block->mean_impulse) row(mean_impulse);
-    for (auto& roll : place.rolling->roll) row(roll);
+void scale_warm_start(const ContactLaneRef& lane_ref, float scale) {
+    const auto row = [&](float* values) { values[lane_ref.lane] *= scale; };
+    for (auto& lambda : lane_ref.block->lambda) row(lambda);
+    for (auto& friction : lane_ref.block->friction) row(friction);
+    row(lane_ref.block->torsion);
+    for (auto& mean_impulse : lane_ref.block->mean_impulse) row(mean_impulse);
+    for (auto& roll : lane_ref.rolling->roll) row(roll);
 }
 
-void scale_impulses(const ContactLaneRef& place, float scale, bool even) {
-    scale_warm_start(place, scale);
-    stiffen(place, 1 / (scale * scale), even);
+void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even) {
+    scale_warm_start(lane_ref, scale);
+    stiffen(lane_ref, 1 / (scale * scale), even);
 }
 
-void forget_pull(const ContactLaneRef& place) {
-    for (auto& mean_impulse : place.block->mean_impulse)
-        mean_impulse[place.lane] = std::max(mean_impulse[place.lane], 0.0f);
+void forget_pull(const ContactLaneRef& lane_ref) {
+    for (auto& mean_impulse : lane_ref.block->mean_impulse)
+        mean_impulse[lane_ref.lane] = std::max(mean_impulse[lane_ref.lane], 0.0f);
 }
 
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {
@@ -82,7 +82,7 @@ void scale_awake(WorldState& world, const std::array<double, solved_set_count>& 
     for (std::uint32_t i = 0; i < world.contacts.contacts.size(); i++) {
         const Contact& c = world.contacts.contacts[i];
         if (world.contacts.ids.alive(i) && c.colour >= 0)
-            scale_impulses(place_of(world, c), static_cast<float>(scale_at(c.body_a)), false);
+            scale_impulses(lane_ref_of(world, c), static_cast<float>(scale_at(c.body_a)), false);
     }
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];

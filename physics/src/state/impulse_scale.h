@@ -11,13 +11,13 @@
 namespace jostle::physics {
 
 // All that warm-starts a manifold.
-void scale_warm_start(const ContactLaneRef& place, float scale);
+void scale_warm_start(const ContactLaneRef& lane_ref, float scale);
 // ... for sub-steps that are `scale` times as long. `even`: the points of a manifold share its
 // load.
-void scale_impulses(const ContactLaneRef& place, float scale, bool even);
+void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even);
 // A contact that became stiffer before it had learned what it bears makes up for that with a mean
 // impulse that pulls. It would rub as if it bore more, until it has learned better.
-void forget_pull(const ContactLaneRef& place);
+void forget_pull(const ContactLaneRef& lane_ref);
 // Those of the joints of a body, each joint once: at its first dynamic body.
 void scale_joints(WorldState& world, std::uint32_t body, double scale);
 

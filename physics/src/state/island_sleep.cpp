@@ -72,7 +72,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const SavedContact& saved : manifolds) {
         restore_contact(world, saved);
         if (scale != 1)
-            scale_impulses(place_of(world, world.contacts.contacts[saved.contact]),
+            scale_impulses(lane_ref_of(world, world.contacts.contacts[saved.contact]),
                            static_cast<float>(scale), false);
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;

@@ -28,9 +28,9 @@ struct Rescale {
 
 void rescale(WorldState& world, const Contact& c, Rescale by) {
     if (by.scale == 1 && !by.even) return;
-    const ContactLaneRef place = place_of(world, c);
-    scale_impulses(place, by.scale, by.even);
-    if (controls_error(world.def)) forget_pull(place);
+    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    scale_impulses(lane_ref, by.scale, by.even);
+    if (controls_error(world.def)) forget_pull(lane_ref);
 }
 
 // `resting_only`: the others have been moved.
@@ -159,7 +159,7 @@ void scale_warm_start(WorldState& world, const Island& island, float scale) {
          body = world.bodies.cold[body].island_next)
         for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
-            if (c.body_a == body) scale_warm_start(place_of(world, c), scale);
+            if (c.body_a == body) scale_warm_start(lane_ref_of(world, c), scale);
         });
 }
 

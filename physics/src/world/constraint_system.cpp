@@ -245,15 +245,15 @@ struct ConstraintSystemBuilder {
         std::vector<std::uint32_t> order = bodies;
         std::sort(order.begin(), order.end());
         std::vector<SystemBody> sorted;
-        std::vector<int> place(bodies.size());
+        std::vector<int> lane_ref(bodies.size());
         for (const std::uint32_t index : order) {
             const auto number = static_cast<std::size_t>(number_of[index]);
-            place[number] = static_cast<int>(sorted.size());
+            lane_ref[number] = static_cast<int>(sorted.size());
             sorted.push_back(system.bodies[number]);
         }
         for (ConstraintRow& row : system.rows)
             for (int p = 0; p < row.jacobian_count; p++)
-                row.parts[p].body = place[static_cast<std::size_t>(row.parts[p].body)];
+                row.parts[p].body = lane_ref[static_cast<std::size_t>(row.parts[p].body)];
         system.bodies = std::move(sorted);
     }
 };

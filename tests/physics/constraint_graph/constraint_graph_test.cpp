@@ -26,7 +26,7 @@ GraphColour& colour_of(ConstraintGraph& graph, int colour) {
     return graph.sets[index_of(low)].colours[static_cast<std::size_t>(colour)];
 }
 std::uint32_t owner(ConstraintGraph& graph, int colour, std::int32_t slot) {
-    const ContactLaneRef place = place_at(graph, low, colour, slot);
+    const ContactLaneRef place = lane_ref_at(graph, low, colour, slot);
     return place.meta->contact[place.lane];
 }
 
@@ -76,8 +76,8 @@ TEST(ConstraintGraph, eight_contacts_share_a_block_and_none_in_an_overflow_list)
     const auto graph = graph_with(9, 3);
     EXPECT_EQ(colour_of(*graph, 3).contacts, 9);
     EXPECT_EQ(colour_of(*graph, 3).blocks.size(), 2u);
-    EXPECT_EQ(place_at(*graph, low, 3, 8).lane, 0);
-    EXPECT_EQ(place_at(*graph, low, 3, 7).block, &colour_of(*graph, 3).blocks[0]);
+    EXPECT_EQ(lane_ref_at(*graph, low, 3, 8).lane, 0);
+    EXPECT_EQ(lane_ref_at(*graph, low, 3, 7).block, &colour_of(*graph, 3).blocks[0]);
     const auto alone = graph_with(9, overflow_colours);
     EXPECT_EQ(colour_of(*alone, overflow_colours).blocks.size(), 9u);
     EXPECT_EQ(graph->sets[index_of(low)].contacts, 9);
@@ -87,7 +87,7 @@ TEST(ConstraintGraph, eight_contacts_share_a_block_and_none_in_an_overflow_list)
 // that is zero.
 TEST(ConstraintGraph, a_new_lane_is_empty_but_for_its_owner) {
     const auto graph = graph_with(1, 0);
-    const ContactLaneRef place = place_at(*graph, low, 0, 0);
+    const ContactLaneRef place = lane_ref_at(*graph, low, 0, 0);
     EXPECT_EQ(place.meta->contact[0], 100u);
     EXPECT_EQ(place.meta->contact[1], no_contact);
     for (int lane = 0; lane < block_lanes; lane++) {
@@ -115,7 +115,7 @@ TEST(ConstraintGraph, the_last_moves_into_the_hole_and_is_named) {
 
 TEST(ConstraintGraph, all_that_is_in_a_lane_moves_with_it) {
     const auto graph = graph_with(12, 1);
-    const ContactLaneRef last = place_at(*graph, low, 1, 11);
+    const ContactLaneRef last = lane_ref_at(*graph, low, 1, 11);
     last.block->a[last.lane] = 7;
     for (int row = first_saved_row; row < wide_rows; row++)
         float_at(*last.block, row, last.lane) = static_cast<float>(row);
@@ -125,7 +125,7 @@ TEST(ConstraintGraph, all_that_is_in_a_lane_moves_with_it) {
     last.meta->restitution[last.lane] = 0.5f;
     for (std::size_t k = 0; k < lane_flag_count; k += 2)
         last.meta->set(static_cast<LaneFlag>(k), last.lane, true);
-    const ContactLaneRef hole = place_at(*graph, low, 1, 4);
+    const ContactLaneRef hole = lane_ref_at(*graph, low, 1, 4);
     for (std::size_t k = 1; k < lane_flag_count; k += 2)
         hole.meta->set(static_cast<LaneFlag>(k), hole.lane, true);
 
@@ -151,7 +151,7 @@ TEST(ConstraintGraph, all_that_is_in_a_lane_moves_with_it) {
 
 TEST(ConstraintGraph, a_saved_contact_is_restored_in_another_colour_with_its_own_flags) {
     const auto graph = graph_with(3, 2);
-    const ContactLaneRef place = place_at(*graph, low, 2, 1);
+    const ContactLaneRef place = lane_ref_at(*graph, low, 2, 1);
     for (int row = first_saved_row; row < wide_rows; row++)
         float_at(*place.block, row, place.lane) = 0.5f * static_cast<float>(row);
     place.rolling->rolling[place.lane] = 0.125f;
@@ -165,7 +165,7 @@ TEST(ConstraintGraph, a_saved_contact_is_restored_in_another_colour_with_its_own
 
     add_contact(*graph, low, 20, 999);
     const std::int32_t slot = add_contact(*graph, low, 20, 101);
-    const ContactLaneRef there = place_at(*graph, low, 20, slot);
+    const ContactLaneRef there = lane_ref_at(*graph, low, 20, slot);
     restore_contact(there, saved);
     for (int row = first_saved_row; row < wide_rows; row++)
         EXPECT_EQ(float_at(*there.block, row, there.lane), 0.5f * static_cast<float>(row));
@@ -191,7 +191,7 @@ TEST(ConstraintGraph, sorted_contacts_lie_in_the_order_of_their_bodies) {
     const auto graph = graph_with(40, 0);
     GraphColour& colour = colour_of(*graph, 0);
     for (std::int32_t slot = 0; slot < 40; slot++) {
-        const ContactLaneRef place = place_at(colour, 0, slot);
+        const ContactLaneRef place = lane_ref_at(colour, 0, slot);
         place.block->a[place.lane] = 1 + slot * 7 % 40;
         place.block->b[place.lane] = -1;  // is not pushed: a alone counts
     }
@@ -199,7 +199,7 @@ TEST(ConstraintGraph, sorted_contacts_lie_in_the_order_of_their_bodies) {
     sort_contacts(colour, 0);
     EXPECT_TRUE(is_sorted(colour));
     for (std::int32_t slot = 0; slot < 40; slot++) {
-        const ContactLaneRef place = place_at(colour, 0, slot);
+        const ContactLaneRef place = lane_ref_at(colour, 0, slot);
         EXPECT_EQ(place.block->a[place.lane], 1 + slot);
         EXPECT_EQ((place.meta->contact[place.lane] - 100) * 7 % 40, static_cast<unsigned>(slot));
     }

@@ -17,7 +17,7 @@ constexpr ColourSetKey low{SolverTier::low, 0}, low_next{SolverTier::low, 1};
 void add_contacts(ConstraintGraph& graph, ColourSetKey key, int colour, int contacts) {
     for (int k = 0; k < contacts; k++) {
         const auto slot = add_contact(graph, key, colour, static_cast<std::uint32_t>(k));
-        const ContactLaneRef place = place_at(graph, key, colour, slot);
+        const ContactLaneRef place = lane_ref_at(graph, key, colour, slot);
         place.block->a[place.lane] = 1;
         place.block->b[place.lane] = 2;
     }
@@ -81,7 +81,7 @@ TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
 TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
     const auto graph = std::make_unique<ConstraintGraph>();
     add_contacts(*graph, low, single_colours, 1);
-    const ContactLaneRef place = place_at(*graph, low, single_colours, 0);
+    const ContactLaneRef place = lane_ref_at(*graph, low, single_colours, 0);
     std::vector<ColourRun> runs;
     list_runs(*graph, index_of(low), index_of(low) + 1, runs);
     SolverBodies bodies;

@@ -45,7 +45,7 @@ TEST(BodySets, lanes_of_who_moves_are_told) {
     WorldState& state = state_of(world);
     const auto hot_index = [&](BodyId box) {
         const Contact& c = state.contacts.contacts[state.bodies.cold[box.index].first_edge / 2];
-        const ContactLaneRef place = place_of(state, c);
+        const ContactLaneRef place = lane_ref_of(state, c);
         return place.block->a[place.lane];
     };
     EXPECT_EQ(hot_index(boxes[2]), 3);

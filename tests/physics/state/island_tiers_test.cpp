@@ -52,7 +52,7 @@ struct StackAndNeighbour {
         return *found;
     }
     double impulse(BodyId box) {
-        const ContactLaneRef place = place_of(state, on_floor(box));
+        const ContactLaneRef place = lane_ref_of(state, on_floor(box));
         double sum = 0;
         for (const auto& lambda : place.block->lambda) sum += double{lambda[place.lane]};
         return sum;

@@ -43,7 +43,7 @@ struct HeavyStack {
     const Contact& contact(std::uint32_t index) const { return state.contacts.contacts[index]; }
     // 1/kg of the two boxes of a contact together, as its lane says.
     float inverse_mass(std::uint32_t index) {
-        const ContactLaneRef place = place_of(state, contact(index));
+        const ContactLaneRef place = lane_ref_of(state, contact(index));
         return place.block->g[0][place.lane];
     }
     std::string fault() const { return find_fault(state).value_or(""); }

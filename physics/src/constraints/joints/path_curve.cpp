@@ -102,7 +102,7 @@ double distance2_at(const PathJoint& path, double at, Vec3 point) {
 
 }  // namespace
 
-PathPoint place_at(const PathJoint& path, double at) {
+PathPoint lane_ref_at(const PathJoint& path, double at) {
     const Parameter p = split(path, at);
     const Jet jet = jet_of(path, p.piece, p.t);
     const Vec3 tangent = tangent_of(path, p.piece, jet);
@@ -141,7 +141,7 @@ PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
         }
         if (!better || absolute(step) < 1e-12) break;
     }
-    return place_at(path, at);
+    return lane_ref_at(path, at);
 }
 
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {

@@ -19,7 +19,7 @@ struct PathPoint {
 // Where the curve is nearest to a point: near the parameter `guess`, or wherever on it.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess);
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point);
-PathPoint place_at(const PathJoint& path, double at);
+PathPoint lane_ref_at(const PathJoint& path, double at);
 // How far `at` is from `before`, the shorter way round a closed path.
 double parameter_step(const PathJoint& path, double before, double at);
 double length_of(const PathJoint& path);  // m

@@ -140,7 +140,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
         to.axes->at[lane.at] = path_point->at;
         // The circle that stands for the curve in this step touches it in the middle of b's way.
         if (path->smooth)
-            path_point = place_at(*path,
+            path_point = lane_ref_at(*path,
                              path_point->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
         arm_a += rotate(a.frame, path_point->position);
     }

@@ -54,12 +54,12 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
 
 bool modify_contact(WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
-    const ContactLaneRef place = place_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
-    const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
+    const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
     ContactModifier modifier = call_contact_listeners(world,
-                                         {c.shape_a, c.shape_b, normal_of(place), point,
+                                         {c.shape_a, c.shape_b, normal_of(lane_ref), point,
                                           velocity_at(b, point) - velocity_at(a, point)},
                                          given);
     if (is_same(modifier, given)) return false;

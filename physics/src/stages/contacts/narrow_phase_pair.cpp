@@ -121,7 +121,7 @@ void match_children(WorldState& world, const Contact& pair, std::vector<FoundChi
     for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child) {
         const Contact& child = world.contacts.contacts[p];
         if (child.colour < 0) continue;
-        const Vec3 normal = normal_of(place_of(world, child));
+        const Vec3 normal = normal_of(lane_ref_of(world, child));
         FoundChild* best = nullptr;
         double most = tuning::same_part;
         for (FoundChild& f : found) {
@@ -223,10 +223,10 @@ struct Approach {
 };
 // By the manifold that they have.
 Approach approach_of(WorldState& world, const Contact& c) {
-    const ContactLaneRef place = place_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world, c);
     double gap = no_point;
-    for (const auto& row : place.block->gap) gap = minimum(gap, double{row[place.lane]});
-    return {normal_of(place), gap};
+    for (const auto& row : lane_ref.block->gap) gap = minimum(gap, double{row[lane_ref.lane]});
+    return {normal_of(lane_ref), gap};
 }
 
 // The points where a pair may touch in this step.

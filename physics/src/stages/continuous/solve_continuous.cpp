@@ -131,7 +131,7 @@ private:
             if (!leaves || !c.touching) return;
             const bool is_a = c.body_a == body;
             const Vec3 u = speed_of(is_a ? c.body_b : c.body_a, at).v - v;
-            const ContactLaneRef place = place_of(world_, c);
+            const ContactLaneRef place = lane_ref_of(world_, c);
             leaves = dot(normal_of(place), u) * (is_a ? 1 : -1) > least;
         });
         return leaves;

@@ -158,7 +158,7 @@ void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotat
     update_motion_bound(world, body, dt);
     // The solver moved their gaps along another way.
     for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
-        const ContactLaneRef place = place_of(world, world.contacts.contacts[contact]);
+        const ContactLaneRef place = lane_ref_of(world, world.contacts.contacts[contact]);
         place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)

@@ -14,21 +14,21 @@ namespace {
 
 // What a manifold knows may be as unsound as the body's state: it has no points and bears nothing
 // until it is rebuilt, in the next step.
-void forget_manifold(const ContactLaneRef& place) {
-    const int lane = place.lane;
+void forget_manifold(const ContactLaneRef& lane_ref) {
+    const int lane = lane_ref.lane;
     for (int row = first_saved_row; row < wide_rows; row++) {
-        float& value = float_at(*place.block, row, lane);
+        float& value = float_at(*lane_ref.block, row, lane);
         if (!(absolute(double{value}) <= 1e30)) value = 0;
     }
     for (int k = 0; k < 4; k++) {
-        place.block->gap[k][lane] = no_point;
-        place.block->lambda[k][lane] = place.block->mean_impulse[k][lane] = 0;
+        lane_ref.block->gap[k][lane] = no_point;
+        lane_ref.block->lambda[k][lane] = lane_ref.block->mean_impulse[k][lane] = 0;
     }
-    for (auto& friction : place.block->friction) friction[lane] = 0;
-    place.block->torsion[lane] = 0;
-    for (auto& roll : place.rolling->roll) roll[lane] = 0;
-    place.meta->moved[lane] = 0;
-    place.meta->set(LaneFlag::needs_rebuild, lane, true);
+    for (auto& friction : lane_ref.block->friction) friction[lane] = 0;
+    lane_ref.block->torsion[lane] = 0;
+    for (auto& roll : lane_ref.rolling->roll) roll[lane] = 0;
+    lane_ref.meta->moved[lane] = 0;
+    lane_ref.meta->set(LaneFlag::needs_rebuild, lane, true);
 }
 
 void clear_impulses(Joint& joint) {
@@ -62,7 +62,7 @@ Skipped quarantine(StepContext& step) {
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) forget_manifold(place_of(world, c));
+            if (c.colour >= 0) forget_manifold(lane_ref_of(world, c));
             contacts.push_back(contact);
         });
         for_each_joint(world.joints, world.bodies.cold[body],

@@ -15,7 +15,7 @@ bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
     for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (!c.touching) return;
-        const double rise = dot(normal_of(place_of(world, c)), up);
+        const double rise = dot(normal_of(lane_ref_of(world, c)), up);
         // The normal leads from a to b.
         if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
         const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];

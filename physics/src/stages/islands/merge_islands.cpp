@@ -16,10 +16,10 @@ namespace {
 
 // The warm records still hold the velocities from before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const ContactLaneRef place = place_of(world, c);
-    const Vec3 normal = normal_of(place);
+    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const Vec3 normal = normal_of(lane_ref);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
-    const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
+    const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
     return {.shape_a = shape_id(world, c.shape_a),
             .shape_b = shape_id(world, c.shape_b),

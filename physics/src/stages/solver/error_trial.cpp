@@ -31,7 +31,7 @@ void scale_all(StepContext& step, std::span<const std::uint32_t> jointed, double
 
 void lengthen(GraphColour& colour, int number) {
     for (std::int32_t slot = 0; slot < colour.contacts; slot++)
-        scale_warm_start(place_at(colour, number, slot), longer);
+        scale_warm_start(lane_ref_at(colour, number, slot), longer);
 }
 
 // As the step began.

@@ -63,7 +63,7 @@ TEST(ChooseChecks, a_manifold_that_moved_too_far_is_looked_at_once) {
     run(world, 2);
     WorldState& state = state_of(world);
     const std::uint32_t second = state.bodies.cold[2].first_edge / 2;
-    const ContactLaneRef place = place_of(state, state.contacts.contacts[second]);
+    const ContactLaneRef place = lane_ref_of(state, state.contacts.contacts[second]);
     place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     EXPECT_EQ(Choice(world).contacts(), Contacts{second});
 }
@@ -84,7 +84,7 @@ TEST(ChooseChecks, a_pair_of_many_parts_is_looked_at_as_a_whole) {
         if (c.composite) pair = index;
         if (c.colour < 0) return;
         parts++;
-        const ContactLaneRef place = place_of(state, c);
+        const ContactLaneRef place = lane_ref_of(state, c);
         place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     });
     ASSERT_EQ(parts, 2);

@@ -15,15 +15,15 @@ namespace jostle::physics {
 namespace {
 
 // What a manifold carried before it was rebuilt, in world axes.
-struct Carried {
+struct PreviousImpulses {
     int count = 0;
     Vec3 point[4];  // from a's centre of mass
     double lambda[4] = {}, mean_impulse[4] = {};
     Vec3 friction, roll;
 };
 
-Carried carried(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
-    Carried c;
+PreviousImpulses carried(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
+    PreviousImpulses c;
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
     const Vec3 arm = get_lane(block.arm_a, lane);
@@ -47,7 +47,7 @@ struct Loads {
 // that tilts rests on other corners) goes to the nearest of the points that continue none, or else
 // to the nearest of all: the load has not changed because other points were chosen to bear it.
 // `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
-Loads redistribute_loads(const Carried& old, const Manifold& m, Vec3 center, double reach, bool even) {
+Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach, bool even) {
     Loads loads;
     bool taken[4] = {}, given[4] = {};
     const auto way2 = [&](int i, int j) {
@@ -187,7 +187,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
-    const Carried old = fresh ? Carried{} : carried(block, *lane_ref.rolling, lane);
+    const PreviousImpulses old = fresh ? PreviousImpulses{} : carried(block, *lane_ref.rolling, lane);
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 

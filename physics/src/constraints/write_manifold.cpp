@@ -22,7 +22,7 @@ struct PreviousImpulses {
     Vec3 friction, roll;
 };
 
-PreviousImpulses carried(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
+PreviousImpulses previous_impulses(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
     PreviousImpulses c;
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
@@ -187,7 +187,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
-    const PreviousImpulses old = fresh ? PreviousImpulses{} : carried(block, *lane_ref.rolling, lane);
+    const PreviousImpulses old = fresh ? PreviousImpulses{} : previous_impulses(block, *lane_ref.rolling, lane);
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 

@@ -87,17 +87,17 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
 // is rebuilt; the others stand for the rest of it, in case the body comes down. With all of them a
 // disc that rolls round on its rim would be held in its middle and braked by the lever of a whole
 // face.
-struct Footing {
+struct SupportExtent {
     Vec3 centre;
     bool bears[4] = {};
     int count = 0;
 };
 
-Footing footing_of(const Manifold& m, bool rim, double scale) {
+SupportExtent footing_of(const Manifold& m, bool rim, double scale) {
     double reach = m.gap[0];
     for (int i = 1; i < m.count; i++) reach = minimum(reach, m.gap[i]);
     reach = maximum(reach, 0) + tuning::reuse_distance * scale;
-    Footing f;
+    SupportExtent f;
     for (int i = 0; i < m.count; i++) {
         f.bears[i] = !rim || m.gap[i] <= reach;
         f.count += f.bears[i] ? 1 : 0;
@@ -191,7 +191,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
-    const Footing footing =
+    const SupportExtent footing =
         footing_of(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
     const Vec3 centre = footing.centre;
     const Vec3 n = m.normal;

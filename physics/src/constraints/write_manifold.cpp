@@ -89,21 +89,21 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
 // face.
 struct SupportExtent {
     Vec3 centre;
-    bool bears[4] = {};
+    bool bearing[4] = {};
     int count = 0;
 };
 
-SupportExtent footing_of(const Manifold& m, bool rim, double scale) {
+SupportExtent support_extent(const Manifold& m, bool rim, double scale) {
     double reach = m.gap[0];
     for (int i = 1; i < m.count; i++) reach = minimum(reach, m.gap[i]);
     reach = maximum(reach, 0) + tuning::reuse_distance * scale;
     SupportExtent f;
     for (int i = 0; i < m.count; i++) {
-        f.bears[i] = !rim || m.gap[i] <= reach;
-        f.count += f.bears[i] ? 1 : 0;
+        f.bearing[i] = !rim || m.gap[i] <= reach;
+        f.count += f.bearing[i] ? 1 : 0;
     }
     for (int i = 0; i < m.count; i++)
-        if (f.bears[i]) f.centre += m.point[i] * (1.0 / f.count);
+        if (f.bearing[i]) f.centre += m.point[i] * (1.0 / f.count);
     return f;
 }
 
@@ -192,7 +192,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
                center_b = warm_of(world, contact.body_b).center;
 
     const SupportExtent footing =
-        footing_of(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
+        support_extent(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
     const Vec3 centre = footing.centre;
     const Vec3 n = m.normal;
     const Vec3 t1 = world.def.planar
@@ -220,7 +220,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
         block.lambda[i][lane] = as_float(loads.lambda[i]);
         block.mean_impulse[i][lane] = as_float(loads.mean_impulse[i]);
-        if (footing.bears[i]) friction_radius += square_root(x * x + y * y) / footing.count;
+        if (footing.bearing[i]) friction_radius += square_root(x * x + y * y) / footing.count;
     }
     block.friction_radius[lane] =
         as_float(maximum(friction_radius, patch_of(world.shapes, contact)));

@@ -202,7 +202,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     c.touching = false;
     for (const std::uint32_t body : {c.body_a, c.body_b})
         if (world.bodies.cold[body].asleep_in_place)
-            world.wake_requests.push_back({body, mass_borne_by(world, c)});
+            world.wake_requests.push_back({body, supported_mass(world, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.

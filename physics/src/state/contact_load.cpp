@@ -27,7 +27,7 @@ Vec3 saved_load(const Contact& c) {
     return {double{c.load[0]}, double{c.load[1]}, double{c.load[2]}};
 }
 
-double mass_borne_by(const WorldState& world, const Contact& contact) {
+double supported_mass(const WorldState& world, const Contact& contact) {
     const double gravity = length(world.def.gravity);
     return gravity > 0 ? length(saved_load(contact)) / gravity : 0;
 }

@@ -14,6 +14,6 @@ Vec3 load_of(const WorldState& world, const Contact& contact);
 void save_load(WorldState& world, std::uint32_t contact);
 Vec3 saved_load(const Contact& contact);
 // What that was the weight of, kg; 0 without gravity.
-double mass_borne_by(const WorldState& world, const Contact& contact);
+double supported_mass(const WorldState& world, const Contact& contact);
 
 }  // namespace jostle::physics

@@ -53,7 +53,7 @@ void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even) {
     stiffen(lane_ref, 1 / (scale * scale), even);
 }
 
-void forget_pull(const ContactLaneRef& lane_ref) {
+void clear_negative_mean_impulse(const ContactLaneRef& lane_ref) {
     for (auto& mean_impulse : lane_ref.block->mean_impulse)
         mean_impulse[lane_ref.lane] = std::max(mean_impulse[lane_ref.lane], 0.0f);
 }

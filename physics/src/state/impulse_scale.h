@@ -17,7 +17,7 @@ void scale_warm_start(const ContactLaneRef& lane_ref, float scale);
 void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even);
 // A contact that became stiffer before it had learned what it bears makes up for that with a mean
 // impulse that pulls. It would rub as if it bore more, until it has learned better.
-void forget_pull(const ContactLaneRef& lane_ref);
+void clear_negative_mean_impulse(const ContactLaneRef& lane_ref);
 // Those of the joints of a body, each joint once: at its first dynamic body.
 void scale_joints(WorldState& world, std::uint32_t body, double scale);
 

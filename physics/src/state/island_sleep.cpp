@@ -27,7 +27,7 @@ bool is_parked(const WorldState& world, std::uint32_t body) {
 namespace {
 
 // Those of an island that a touch leaves as they lie: all but what a kinematic body leads.
-std::vector<std::uint32_t> who_stays_asleep(WorldState& world,
+std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
                                             const std::vector<BodyWarm>& sleepers) {
     std::vector<std::uint32_t> still;
     if (!world.def.sleeping || sleepers.size() < tuning::partial_sleep_least) return still;
@@ -57,7 +57,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     island.sleepers = {};
     island.manifolds = {};
     for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
-    const std::vector<std::uint32_t> still = who_stays_asleep(world, sleepers);
+    const std::vector<std::uint32_t> still = bodies_staying_asleep(world, sleepers);
     for (const std::uint32_t body : still) hold_still(world, body);
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].asleep_in_place)

@@ -30,7 +30,7 @@ void rescale(WorldState& world, const Contact& c, Rescale by) {
     if (by.scale == 1 && !by.even) return;
     const ContactLaneRef lane_ref = lane_ref_of(world, c);
     scale_impulses(lane_ref, by.scale, by.even);
-    if (controls_error(world.def)) forget_pull(lane_ref);
+    if (controls_error(world.def)) clear_negative_mean_impulse(lane_ref);
 }
 
 // `resting_only`: the others have been moved.

@@ -31,7 +31,7 @@ void detach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Bo
 
 }  // namespace
 
-void forget_density(WorldState& world, std::uint32_t joint) {
+void reset_density(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     for (const std::uint32_t body : {j.body_a, j.body_b})
         if (is_dynamic(world, body) && world.bodies.cold[body].island != none)
@@ -46,13 +46,13 @@ void attach_joint(WorldState& world, std::uint32_t joint) {
     attach_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
     if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
         join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
-    forget_density(world, joint);
+    reset_density(world, joint);
 }
 
 void destroy_joint(WorldState& world, std::uint32_t joint) {
     Joint& j = world.joints.joints[joint];
     ASSERT(world.joints.ids.alive(joint));
-    forget_density(world, joint);
+    reset_density(world, joint);
     const std::uint32_t a = j.body_a, b = j.body_b;
     if (a != none) detach_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
     detach_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);

@@ -16,7 +16,7 @@ void attach_joint(WorldState& world, std::uint32_t joint);
 // The shapes of its bodies may meet from then on.
 void destroy_joint(WorldState& world, std::uint32_t joint);
 // The islands of a joint that has changed may be solved directly again (Island::too_dense_for).
-void forget_density(WorldState& world, std::uint32_t joint);
+void reset_density(WorldState& world, std::uint32_t joint);
 // Whether a joint forbids the two bodies to collide.
 bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b);
 

@@ -24,7 +24,7 @@ using WakeRequests = std::vector<WakeRequest>;
 
 // So much that, if something of that momentum came to rest in it at once, it would be slow. kg from
 // kg m/s.
-inline double mass_stirred_by(double momentum) {
+inline double mass_to_wake(double momentum) {
     return momentum / tuning::gentle_speed;
 }
 

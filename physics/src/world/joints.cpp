@@ -121,7 +121,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (j.kind == kind) return {};
     if (Status s = check_kind(kind); !s.ok()) return s;
     j.kind = kind;
-    forget_density(world, id.index);
+    reset_density(world, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};
@@ -133,7 +133,7 @@ Status World::set_joint_solver(JointId id, std::optional<JointSolver> solver) {
     if (solver)
         if (Status s = check_joint_solver("solver", *solver); !s.ok()) return s;
     world.joints.joints[id.index].solver = solver;
-    forget_density(world, id.index);
+    reset_density(world, id.index);
     return {};
 }
 

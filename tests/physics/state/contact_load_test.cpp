@@ -53,9 +53,9 @@ TEST(ContactLoad, saved_it_is_the_mass_that_was_borne) {
     const std::uint32_t contact = contact_of(state, box);
     EXPECT_EQ(saved_load(state.contacts.contacts[contact]), Vec3{});
     save_load(state, contact);
-    EXPECT_NEAR(mass_borne_by(state, state.contacts.contacts[contact]), 1000, 1);
+    EXPECT_NEAR(supported_mass(state, state.contacts.contacts[contact]), 1000, 1);
     state.def.gravity = {};
-    EXPECT_EQ(mass_borne_by(state, state.contacts.contacts[contact]), 0)
+    EXPECT_EQ(supported_mass(state, state.contacts.contacts[contact]), 0)
         << "without gravity it is nobody's weight";
 }
 

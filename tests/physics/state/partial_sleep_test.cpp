@@ -78,8 +78,8 @@ TEST(PartialSleep, a_sleeper_is_as_heavy_as_a_wall) {
 TEST(PartialSleep, keeps_the_forces_at_its_contacts) {
     HeavyStack stack;
     sleep_in_place(stack.state, std::vector{stack.boxes[0]});
-    EXPECT_NEAR(mass_borne_by(stack.state, stack.contact(stack.below(1))), 4000, 40);
-    EXPECT_NEAR(mass_borne_by(stack.state, stack.contact(stack.below(0))), 5000, 50);
+    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(1))), 4000, 40);
+    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(0))), 5000, 50);
 }
 
 TEST(PartialSleep, waking_alone_keeps_the_time_at_rest) {

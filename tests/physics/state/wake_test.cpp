@@ -85,7 +85,7 @@ TEST(Wake, of_a_large_island_wakes_what_a_request_stirs) {
 
 // 10 kg m/s are slow, a tenth of a metre per second, in 100 kg.
 TEST(Wake, an_impact_stirs_the_mass_in_which_it_would_be_slow) {
-    EXPECT_NEAR(mass_stirred_by(10), 100, 1e-12);
+    EXPECT_NEAR(mass_to_wake(10), 100, 1e-12);
     EXPECT_LT((WakeRequest{1, 5, true}), (WakeRequest{2, 0, false})) << "bodies count first";
 }
 

@@ -134,7 +134,7 @@ JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
     return found->too_dense || found->work > most ? nullptr : found.get();
 }
 
-void forget_patterns(JointBatches& batches) {
+void clear_patterns(JointBatches& batches) {
     if (batches.patterns.size() <= kept_patterns) return;
     std::erase_if(batches.patterns,
                   [&](const auto& entry) { return entry.second->used != batches.count; });
@@ -225,7 +225,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
     }
     for (JointConstraintWideMeta& meta : levels.metas)
         if (meta.in_batch == meta.count) meta.uses |= uses_batch;
-    forget_patterns(batches);
+    clear_patterns(batches);
 }
 
 BatchView view_of(JointBatch& batch, JointLevels& levels) {

@@ -75,7 +75,7 @@ bool begins(WorldState& world, const Contact& c, double predicted_gap) {
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         if (is_asleep(world.bodies.cold[body]))
             world.wake_requests.push_back(
-                {body, mass_stirred_by(speed * mass_as_mover(world.bodies, other, body))});
+                {body, mass_to_wake(speed * mass_as_mover(world.bodies, other, body))});
     };
     meet(c.body_a, c.body_b);
     meet(c.body_b, c.body_a);

@@ -98,7 +98,7 @@ private:
         t.fast = fast;
         if (!fast && any_bounces_) {
             const BodyCold& cold = world_.bodies.cold[body];
-            t.held = is_borne(cold);
+            t.held = is_supported(cold);
             if (!t.held) t.gain = gain_in_free_fall(world_, cold, step_.dt);
         }
         bodies_.push_back(std::move(t));
@@ -108,7 +108,7 @@ private:
     }
 
     // Whether contacts or joints hold a body, or sleep does.
-    bool is_borne(const BodyCold& cold) const {
+    bool is_supported(const BodyCold& cold) const {
         if (cold.set != BodySet::awake || cold.asleep_in_place || cold.first_joint != none)
             return true;
         if (cold.constraints == 0) return false;
@@ -120,7 +120,7 @@ private:
     }
     // What a step adds to the velocity of a body that nobody follows, m/s.
     Vec3 gain_of(const BodyCold& cold) const {
-        return any_bounces_ && !is_borne(cold) ? gain_in_free_fall(world_, cold, step_.dt) : Vec3{};
+        return any_bounces_ && !is_supported(cold) ? gain_in_free_fall(world_, cold, step_.dt) : Vec3{};
     }
     // Whether a velocity takes a body away from all that bore it.
     bool leaves_its_support(std::uint32_t body, Vec3 v, double at) const {
@@ -686,7 +686,7 @@ private:
         const BodyCold& cold = world_.bodies.cold[hit_body];
         if (cold.set != BodySet::sleeping && !cold.asleep_in_place) return;
         const double momentum = world_.bodies.cold[body].mass * length(warm_of(world_, body).v);
-        world_.wake_requests.push_back({hit_body, mass_stirred_by(momentum)});
+        world_.wake_requests.push_back({hit_body, mass_to_wake(momentum)});
     }
 
     // Who would have met a body that goes another way now looks anew, at everything. That body

@@ -14,7 +14,7 @@ namespace {
 
 // What a manifold knows may be as unsound as the body's state: it has no points and bears nothing
 // until it is rebuilt, in the next step.
-void forget_manifold(const ContactLaneRef& lane_ref) {
+void clear_manifold(const ContactLaneRef& lane_ref) {
     const int lane = lane_ref.lane;
     for (int row = first_saved_row; row < wide_rows; row++) {
         float& value = float_at(*lane_ref.block, row, lane);
@@ -38,7 +38,7 @@ void clear_impulses(Joint& joint) {
 }
 
 // How far a pair is apart was told by how its bodies moved: in the next step it is looked at.
-void forget_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
+void clear_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
     std::sort(contacts.begin(), contacts.end());
     for (const std::uint32_t contact : contacts) store.contacts[contact].limit = -1;
     for (SeparationBound& bound : store.bounds)
@@ -62,14 +62,14 @@ Skipped quarantine(StepContext& step) {
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) forget_manifold(lane_ref_of(world, c));
+            if (c.colour >= 0) clear_manifold(lane_ref_of(world, c));
             contacts.push_back(contact);
         });
         for_each_joint(world.joints, world.bodies.cold[body],
                        [&](std::uint32_t joint) { clear_impulses(world.joints.joints[joint]); });
         update_motion_bound(world, body, step.dt);
     }
-    if (!contacts.empty()) forget_bounds(world.contacts, contacts);
+    if (!contacts.empty()) clear_bounds(world.contacts, contacts);
     return ran;
 }
 

@@ -15,7 +15,7 @@ struct SleepScratch {
     std::vector<double> shortest, longest;
     std::vector<std::uint8_t> restless;  // by hot index: has not rested for long
     // By hot index: restless, touches one that is, or is jointed to one of either.
-    std::vector<std::uint8_t> beside;
+    std::vector<std::uint8_t> near_restless;
     std::vector<std::uint32_t> resting;  // by island: bodies that could sleep in place, or do
     std::vector<std::uint32_t> falling_asleep;  // bodies
 };

@@ -53,7 +53,7 @@ bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
 // What is jointed together falls asleep as one, or not: if one of them has a mark, all get it. And
 // what a kinematic body leads goes with it. A kinematic body that stands still may be in the awake
 // set while what is jointed to it sleeps: that has no marks.
-void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
+void propagate_to_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
     if (world.joints.ids.alive_count() == 0) return;
     const auto is_awake = [&](std::uint32_t body) {
         return world.bodies.cold[body].set == BodySet::awake;
@@ -78,10 +78,10 @@ void find_restless(const BodyStore& bodies, const ConstraintGraph& graph, SleepS
         const BodyWarm& warm = bodies.awake[i];
         if (is_restless(warm, bodies.cold[warm.body])) scratch.restless[i + 1] = 1;
     }
-    scratch.beside = scratch.restless;
+    scratch.near_restless = scratch.restless;
     for_each_bond(graph, [&](std::uint32_t, std::size_t a, std::size_t b) {
-        scratch.beside[a] |= scratch.restless[b];
-        scratch.beside[b] |= scratch.restless[a];
+        scratch.near_restless[a] |= scratch.restless[b];
+        scratch.near_restless[b] |= scratch.restless[a];
     });
 }
 
@@ -104,7 +104,7 @@ void file_disturbances(StepContext& step) {
         const BodyCold& cold = cold_a.asleep_in_place ? cold_b : cold_a;
         ASSERT(mover.body == (cold_a.asleep_in_place ? c.body_b : c.body_a));
         if (c.touching && mover.sleep_time == 0)
-            requests.push_back({body, mass_stirred_by(momentum_of(mover, cold, step.dt))});
+            requests.push_back({body, mass_to_wake(momentum_of(mover, cold, step.dt))});
         else if (is_load_changed(world, c, body))
             requests.push_back({.body = body, .briefly = true});
     });
@@ -125,7 +125,7 @@ void put_parts_to_sleep(StepContext& step) {
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
     const auto rests = [&](std::size_t i, const BodyCold& cold) {
-        return scratch.beside[i + 1] == 0 && (cold.constraints > 0 || cold.first_joint != none);
+        return scratch.near_restless[i + 1] == 0 && (cold.constraints > 0 || cold.first_joint != none);
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
@@ -133,7 +133,7 @@ void put_parts_to_sleep(StepContext& step) {
         ASSERT(cold.island < count.size());
         count[cold.island]++;
     }
-    share_among_jointed(world, scratch.beside);
+    propagate_to_jointed(world, scratch.near_restless);
     // What sleeps in a turmoil would hold up loads that are about to shift.
     const auto calm = [&](std::uint32_t island) {
         return count[island] >= tuning::partial_sleep_least &&

@@ -167,7 +167,7 @@ COVERED_BY = {
         (["behaviour/triggers_test.cpp"], "who enters, stays and leaves, and when"),
     "stages/publish_events.cpp":
         (["behaviour/contact_events_test.cpp", "behaviour/contact_reports_test.cpp"], "order of events; impulses of what stays"),
-    "stages/sleep/update_partial_sleep.cpp":
+    "stages/sleep/put_parts_to_sleep.cpp":
         (["behaviour/partial_sleep_test.cpp"], "who sleeps in place and what wakes it"),
     "stages/sleep/update_sleep.cpp":
         (["behaviour/sleeping_test.cpp"], "what rests falls asleep, what is carried or may not does not"),

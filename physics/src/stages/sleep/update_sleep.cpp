@@ -3,7 +3,7 @@
 
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/sleep/update_partial_sleep.h"
+#include "physics/src/stages/sleep/put_parts_to_sleep.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/island_sleep.h"
 #include "physics/src/state/islands.h"

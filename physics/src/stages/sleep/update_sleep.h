@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Resting islands leave the awake set; of an island that does not rest as a whole, parts that do
-// fall asleep in place (update_partial_sleep.h). An island that is in parts is split before, one in
+// fall asleep in place (put_parts_to_sleep.h). An island that is in parts is split before, one in
 // a step.
 //
 // Reads: times at rest (finalize_body), SolverScratch::jointed, contacts with kinematic bodies.

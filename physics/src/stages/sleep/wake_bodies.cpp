@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/sleep/wake_bodies.h"
 
-#include "physics/src/stages/sleep/update_partial_sleep.h"
+#include "physics/src/stages/sleep/put_parts_to_sleep.h"
 #include "physics/src/state/wake.h"
 
 namespace jostle::physics {

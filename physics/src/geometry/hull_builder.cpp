@@ -36,7 +36,7 @@ public:
     // Each a closed loop of points, counter-clockwise; nothing when a region has no simple border.
     std::optional<std::vector<std::vector<std::uint32_t>>> run() {
         find_neighbours();
-        region_.assign(triangles_.size(), nobody);
+        region_.assign(triangles_.size(), no_index);
         // Large triangles first: their planes are the best known.
         std::vector<std::uint32_t> order(triangles_.size());
         for (std::uint32_t i = 0; i < order.size(); i++) order[i] = i;
@@ -48,7 +48,7 @@ public:
         });
         std::vector<std::vector<std::uint32_t>> loops;
         for (const std::uint32_t seed : order) {
-            if (region_[seed] != nobody) continue;
+            if (region_[seed] != no_index) continue;
             const auto loop = grow(seed);
             if (!loop) return std::nullopt;
             loops.push_back(*loop);
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::uint32_t no_index = 0xffffffff;
 
     void find_neighbours() {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> owner;
@@ -78,7 +78,7 @@ private:
         for (std::size_t k = 0; k < members.size(); k++)
             for (std::size_t e = 0; e < 3; e++) {
                 const std::uint32_t other = across_[members[k]][e];
-                if (region_[other] != nobody) continue;
+                if (region_[other] != no_index) continue;
                 // A sliver's own normal says nothing: where its corners lie decides.
                 bool flat = dot(normal_of(points_, triangles_[other]), normal) > -1e-300;
                 for (const std::uint32_t p : triangles_[other])

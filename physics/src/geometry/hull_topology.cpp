@@ -20,7 +20,7 @@ struct Face {
     bool seen = false;
 };
 
-constexpr std::uint32_t nobody = 0xffffffff;
+constexpr std::uint32_t no_index = 0xffffffff;
 
 class Builder {
 public:
@@ -28,7 +28,7 @@ public:
 
     std::optional<std::vector<HullTriangle>> run() {
         if (!make_tetrahedron()) return std::nullopt;
-        for (std::uint32_t face = next_open(0); face != nobody; face = next_open(face)) {
+        for (std::uint32_t face = next_open(0); face != no_index; face = next_open(face)) {
             add_point(face);
         }
         std::vector<HullTriangle> result;
@@ -63,7 +63,7 @@ private:
             if (points_[b] < points_[i]) b = i;
         }
         if (a == b) return false;
-        std::uint32_t c = nobody;
+        std::uint32_t c = no_index;
         Wide widest = 0;
         for (std::uint32_t i = 0; i < count; i++) {
             const GridPoint &o = points_[a], &q = points_[b], &r = points_[i];
@@ -78,8 +78,8 @@ private:
                 c = i;
             }
         }
-        if (c == nobody) return false;
-        std::uint32_t d = nobody;
+        if (c == no_index) return false;
+        std::uint32_t d = no_index;
         Wide furthest = 0;
         for (std::uint32_t i = 0; i < count; i++) {
             const Wide v = volume(a, b, c, i), size = v < 0 ? -v : v;
@@ -88,7 +88,7 @@ private:
                 d = i;
             }
         }
-        if (d == nobody) return false;
+        if (d == no_index) return false;
         if (volume(a, b, c, d) > 0) std::swap(b, c);  // d is below (a, b, c) now
         faces_.push_back({.corner = {a, b, c}, .across = {1, 2, 3}, .above = {}});
         faces_.push_back({.corner = {b, a, d}, .across = {0, 3, 2}, .above = {}});
@@ -114,7 +114,7 @@ private:
             const std::size_t f = (from + k) % faces_.size();
             if (faces_[f].alive && !faces_[f].above.empty()) return static_cast<std::uint32_t>(f);
         }
-        return nobody;
+        return no_index;
     }
 
     struct Rim {
@@ -123,7 +123,7 @@ private:
     };
 
     void add_point(std::uint32_t start) {
-        std::uint32_t top = nobody;
+        std::uint32_t top = no_index;
         Wide highest = 0;
         for (const std::uint32_t p : faces_[start].above) {
             const Wide h = height(faces_[start], p);

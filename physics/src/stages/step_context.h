@@ -15,7 +15,7 @@ namespace jostle::physics {
 // program.
 using Skipped = const char*;
 inline constexpr Skipped ran = nullptr;
-inline constexpr Skipped nobody_awake = "nobody is awake";
+inline constexpr Skipped no_awake_bodies = "nobody is awake";
 
 struct StepScratch;
 

@@ -149,7 +149,7 @@ void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactE
 namespace {
 
 // Its island bears it no more.
-void note_lost_load(WorldState& world, std::uint32_t body) {
+void record_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.island == none || cold.constraints == 0) return;
     Island& island = world.islands.islands[cold.island];
@@ -160,7 +160,7 @@ void note_lost_load(WorldState& world, std::uint32_t body) {
 }  // namespace
 
 void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended) {
-    note_lost_load(world, body);
+    record_lost_load(world, body);
     destroy_pairs(world, world.bodies.cold[body], ended, [](const Contact&) { return true; });
 }
 

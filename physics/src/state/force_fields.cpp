@@ -164,7 +164,7 @@ double field_acceleration(const WorldState& world, const BodyWarm& now, const Bo
     return length(push.force) * cold.inverse_mass;
 }
 
-bool feels_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
+bool is_affected_by_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
     for (const std::uint32_t index : world.fields.active) {
         const FieldDef& field = world.fields.fields[index];
         if (changes_with_time(field) && acts_on(world, field, now, cold)) return true;

@@ -21,7 +21,7 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
 // Whether a field that changes with time acts on the body: it may not fall asleep.
-bool feels_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
+bool is_affected_by_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
 // Whether a field reaches a ball there, whomever it acts on.
 bool reaches(const FieldStore& fields, Vec3 center, double radius);

@@ -7,7 +7,7 @@
 namespace jostle::physics::planar {
 namespace {
 
-constexpr std::uint32_t no_one = 0xffffffff;
+constexpr std::uint32_t no_index = 0xffffffff;
 
 // The sides of all parts: 3 t, 3 t + 1 and 3 t + 2 are those of triangle t. Inner ones are there
 // twice, once in each direction.
@@ -31,7 +31,7 @@ public:
 
     std::vector<ConvexPart> run() {
         for (std::uint32_t side = 0; side < from_.size(); side++)
-            if (twin_[side] != no_one && side < twin_[side]) join_across(side);
+            if (twin_[side] != no_index && side < twin_[side]) join_across(side);
         std::vector<ConvexPart> parts;
         std::vector<char> seen = removed_;
         for (std::uint32_t side = 0; side < from_.size(); side++) {
@@ -47,7 +47,7 @@ public:
 
 private:
     void find_twins() {
-        twin_.assign(from_.size(), no_one);
+        twin_.assign(from_.size(), no_index);
         // Pairs of corners, lower first, with the side: equal pairs lie together when sorted.
         std::vector<std::array<std::uint32_t, 3>> pairs;
         for (std::uint32_t side = 0; side < from_.size(); side++) {

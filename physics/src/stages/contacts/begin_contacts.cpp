@@ -19,7 +19,7 @@ Skipped begin_contacts(StepContext& step) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<NewContact>& begins = scratch.begins;
-    if (world.bodies.awake.empty()) return nobody_awake;
+    if (world.bodies.awake.empty()) return no_awake_bodies;
     if (begins.empty()) return "no manifold begins";
     const auto key = [&](const NewContact& next) {
         const Contact& c = world.contacts.contacts[scratch.tasks[next.task].contact];

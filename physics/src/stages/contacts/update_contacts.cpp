@@ -37,7 +37,7 @@ void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>&
 }  // namespace
 
 Skipped update_contacts(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     select_pairs(step);
     std::vector<NarrowPhaseTask>& tasks = step.scratch.contacts.tasks;
     step.team.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {

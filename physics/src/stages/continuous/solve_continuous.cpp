@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::uint32_t no_index = 0xffffffff;
 
     // What next happens to a TOI body. Impacts of one moment go on through what touches, the
     // hardest first: so a row of balls hands a push on from one to the next.
@@ -87,11 +87,11 @@ private:
 
     // Index of the TOI body that a body is, or nobody.
     std::uint32_t toi_body_of(std::uint32_t body) const {
-        return where_.empty() ? nobody : where_[body];
+        return where_.empty() ? no_index : where_[body];
     }
     std::size_t add(std::uint32_t body, bool fast) {
-        if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
-        ASSERT(where_[body] == nobody);
+        if (where_.empty()) where_.resize(world_.bodies.cold.size(), no_index);
+        ASSERT(where_[body] == no_index);
         where_[body] = static_cast<std::uint32_t>(bodies_.size());
         ToiBody t;
         t.body = body;
@@ -240,7 +240,7 @@ private:
     // How a body goes on from its last impact or, without one, in the whole step.
     SweptMotion motion_now(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
-        if (known == nobody) return motions_.of(world_, body);
+        if (known == no_index) return motions_.of(world_, body);
         const Sweep& sweep = bodies_[known].sweep;
         return {sweep.center, sweep.translation,
                 length(sweep.rotation_vector) * world_.bodies.cold[body].radius};
@@ -261,13 +261,13 @@ private:
     }
     Speed speed_of(std::uint32_t body, double fraction) const {
         const std::uint32_t known = toi_body_of(body);
-        if (known != nobody) return speed_at(world_, bodies_[known], fraction, step_.dt);
+        if (known != no_index) return speed_at(world_, bodies_[known], fraction, step_.dt);
         const BodyWarm& warm = warm_of(world_, body);
         return {warm.v - gain_of(world_.bodies.cold[body]) * (1 - fraction), warm.w};
     }
     Sweep sweep_of(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
-        return known != nobody ? bodies_[known].sweep : sweep_of_body(body);
+        return known != no_index ? bodies_[known].sweep : sweep_of_body(body);
     }
     // How a body moved in this step: as it did if that is known, else back from where it is, by its
     // velocity.
@@ -368,7 +368,7 @@ private:
     // Whether the other one looks at this TOI body in the same round: once is enough.
     bool is_tested_by(std::size_t k, std::uint32_t other) const {
         const std::uint32_t known = toi_body_of(other);
-        if (known == nobody || known >= k || bodies_[known].full_search_round != round_) return false;
+        if (known == no_index || known >= k || bodies_[known].full_search_round != round_) return false;
         const std::vector<std::uint32_t>& near = bodies_[known].candidates;
         for (std::uint32_t s = world_.bodies.cold[bodies_[k].body].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
@@ -384,11 +384,11 @@ private:
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
         if (left_to_contacts(world_, cold, cold_other)) return false;
         const std::uint32_t known = toi_body_of(other);
-        const bool changed = t.changed || (known != nobody && bodies_[known].changed);
+        const bool changed = t.changed || (known != no_index && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
         double least = motion_without_sweep(step_.scratch.contacts, cold, cold_other);
         // Of two that search one looks, for both.
-        if (known != nobody && searches(known))
+        if (known != no_index && searches(known))
             least = minimum(least, motion_without_sweep(step_.scratch.contacts, cold_other, cold));
         least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
@@ -404,7 +404,7 @@ private:
                   std::uint32_t other) const {
         const double restitution = pair_restitution(world_.shapes.shapes[own].material,
                                                     world_.shapes.shapes[other].material);
-        const int had = std::max(t.impact_chain_length, known == nobody ? 0 : bodies_[known].impact_chain_length);
+        const int had = std::max(t.impact_chain_length, known == no_index ? 0 : bodies_[known].impact_chain_length);
         double left = 1;
         for (int k = 0; k < had; k++) left *= restitution;
         return left > tuning::min_impact_chain;
@@ -420,7 +420,7 @@ private:
         double from = 0, until = minimum(t.fraction, t.sweep.until);
         // What a body that nobody follows gains in the step bends its way by less than this.
         double reach = cold.radius + cold_other.radius + 2 * tuning::sweep_gap;
-        if (known != nobody) {
+        if (known != no_index) {
             const Sweep& sweep = bodies_[known].sweep;
             center = sweep.center, translation = sweep.translation;
             from = sweep.from, until = minimum(until, sweep.until);
@@ -447,7 +447,7 @@ private:
         const Sweep motion = sweep_of(body);
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[body];
         const std::uint32_t known = toi_body_of(body);
-        const bool turned = t.changed || (known != nobody && bodies_[known].changed);
+        const bool turned = t.changed || (known != no_index && bodies_[known].changed);
         const bool of_other =
             cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
         for_each_shape_near(t, other, motion, [&](std::uint32_t own) {
@@ -633,7 +633,7 @@ private:
             return recheck(index);
         }
         world_.profile.impacts++;
-        file_wake(body_a, body_b);
+        request_wake(body_a, body_b);
         if (modifier.restitution > 0 && !bodies_[index].at_start)
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
         const HardestPoint hit = resolve_impact(a, b, points, modifier.restitution, modifier.friction);
@@ -643,7 +643,7 @@ private:
             note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t hit_body = toi_body_of(body_b);
-        if (hit.approach <= 0 && hit_body != nobody && is_exhausted(bodies_[hit_body]))
+        if (hit.approach <= 0 && hit_body != no_index && is_exhausted(bodies_[hit_body]))
             bodies_[index].impacts = tuning::sweep_impacts;
         else
             bodies_[index].impacts++;
@@ -655,7 +655,7 @@ private:
 
     Fall fall_of(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
-        if (known == nobody) return {gain_of(world_.bodies.cold[body]), 0};
+        if (known == no_index) return {gain_of(world_.bodies.cold[body]), 0};
         return {bodies_[known].gain, bodies_[known].flies_from};
     }
 
@@ -682,7 +682,7 @@ private:
     }
 
     // Who is met asleep wakes when all impacts are known, with as much around it as this one stirs.
-    void file_wake(std::uint32_t body, std::uint32_t hit_body) {
+    void request_wake(std::uint32_t body, std::uint32_t hit_body) {
         const BodyCold& cold = world_.bodies.cold[hit_body];
         if (cold.set != BodySet::sleeping && !cold.asleep_in_place) return;
         const double momentum = world_.bodies.cold[body].mass * length(warm_of(world_, body).v);
@@ -713,7 +713,7 @@ private:
     void start_bodies_on(const Aabb way) {
         std::vector<std::uint32_t> bodies;
         candidates_.for_each_swept(way, [&](std::uint32_t body) {
-            if (toi_body_of(body) == nobody) bodies.push_back(body);
+            if (toi_body_of(body) == no_index) bodies.push_back(body);
         });
         std::sort(bodies.begin(), bodies.end());
         std::vector<std::uint32_t> hit_body;
@@ -730,7 +730,7 @@ private:
         candidates_.for_each_swept(way, [&](std::uint32_t other) {
             const std::uint32_t known = toi_body_of(other);
             if (other == body) return;
-            if (known != nobody && bodies_[known].fast) hit_bodies_.push_back(known);
+            if (known != no_index && bodies_[known].fast) hit_bodies_.push_back(known);
         });
         std::sort(hit_bodies_.begin(), hit_bodies_.end());
         for (const std::size_t k : hit_bodies_) candidates_.insert(body, bodies_[k].candidates);
@@ -750,7 +750,7 @@ private:
                         bool bounced) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
         const std::uint32_t known = toi_body_of(body);
-        ToiBody& t = bodies_[known == nobody ? add(body, false) : known];
+        ToiBody& t = bodies_[known == no_index ? add(body, false) : known];
         const BodyCold& cold = world_.bodies.cold[body];
         if (bounced) {
             // It may bounce off the next as well.
@@ -788,7 +788,7 @@ private:
 
 Skipped solve_continuous(StepContext& step) {
     step.scratch.continuous.changed.clear();
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     if (!step.world.def.continuous) return "continuous collision is off";
     if (step.scratch.finalize.any_fast == 0) return "no body moved further than half its thickness";
     ToiSolver(step).run();

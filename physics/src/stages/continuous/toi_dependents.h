@@ -14,7 +14,7 @@ namespace jostle::physics {
 class ToiDependents {
 public:
     void add(std::uint32_t body, std::size_t dependent) {
-        if (body >= latest_.size()) latest_.resize(body + 1, nobody);
+        if (body >= latest_.size()) latest_.resize(body + 1, no_index);
         chain_.push_back({dependent, latest_[body]});
         latest_[body] = static_cast<std::uint32_t>(chain_.size() - 1);
     }
@@ -23,13 +23,13 @@ public:
     template <class Visit>
     void take(std::uint32_t body, Visit&& visit) {
         if (body >= latest_.size()) return;
-        for (std::uint32_t at = std::exchange(latest_[body], nobody); at != nobody;
+        for (std::uint32_t at = std::exchange(latest_[body], no_index); at != no_index;
              at = chain_[at].previous)
             visit(chain_[at].dependent);
     }
 
 private:
-    static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::uint32_t no_index = 0xffffffff;
 
     struct Node {
         std::size_t dependent;

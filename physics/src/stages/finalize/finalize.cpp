@@ -24,7 +24,7 @@ FreeMotion motion_of(const SolverScratch& solver, std::size_t hot_index, const B
 }  // namespace
 
 Skipped finalize(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     WorldState& world = step.world;
     const SolverScratch& solver = step.scratch.solver;
     FinalizeScratch& scratch = step.scratch.finalize;

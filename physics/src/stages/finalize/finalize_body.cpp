@@ -64,7 +64,7 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
         displacement < tuning::drift_speed * slow * dt &&
         length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift * length_scale;
     const bool rests = cold.sleep_allowed && (still || sways) &&
-                       (world.fields.empty() || !feels_gusts(world, warm, cold));
+                       (world.fields.empty() || !is_affected_by_gusts(world, warm, cold));
     // What is large falls slowly, and has to rest for longer.
     warm.sleep_time = rests ? warm.sleep_time + dt * minimum(1, slow / length_scale) : 0;
 }

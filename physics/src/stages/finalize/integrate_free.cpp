@@ -116,7 +116,7 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
 }  // namespace
 
 Skipped integrate_free(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     WorldState& world = step.world;
     // Each awake body is free, in the solver, in a joint group, or asleep in place.
     const JointGroupScratch& groups = step.scratch.solver.groups;

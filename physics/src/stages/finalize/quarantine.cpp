@@ -49,7 +49,7 @@ void clear_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
 }  // namespace
 
 Skipped quarantine(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     WorldState& world = step.world;
     // What woke since then was at rest.
     const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;

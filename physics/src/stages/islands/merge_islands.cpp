@@ -38,7 +38,7 @@ void report_begin(WorldState& world, const Contact& c) {
                                      begin.point, begin.normal, begin.approach});
 }
 
-void change_touch(WorldState& world, std::uint32_t contact) {
+void toggle_touch(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     ASSERT(c.colour >= 0 && !c.composite);
     if (!c.touching) {
@@ -85,7 +85,7 @@ void report_composites(WorldState& world) {
 }  // namespace
 
 Skipped merge_islands(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (step.world.bodies.awake.empty()) return no_awake_bodies;
     WorldState& world = step.world;
     std::vector<std::uint32_t>& changes = step.scratch.islands.touch_changes;
     changes.clear();
@@ -108,7 +108,7 @@ Skipped merge_islands(StepContext& step) {
     ASSERT(std::adjacent_find(changes.begin(), changes.end()) == changes.end());
     std::vector<std::uint32_t> heavy;
     for (const std::uint32_t contact : changes) {
-        change_touch(world, contact);
+        toggle_touch(world, contact);
         const Contact& c = world.contacts.contacts[contact];
         if (c.touching && is_dynamic(world, c.body_b)) note_heavy(world.bodies, c, heavy);
     }

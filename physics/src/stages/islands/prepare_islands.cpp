@@ -156,7 +156,7 @@ void scale_lost_loads(WorldState& world) {
 
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
-    if (world.bodies.awake.empty()) return nobody_awake;
+    if (world.bodies.awake.empty()) return no_awake_bodies;
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::tier_interval == 1;
     if (!look && !world.islands.some_lost && !controls_error(world.def))

@@ -87,7 +87,7 @@ void find_restless(const BodyStore& bodies, const ConstraintGraph& graph, SleepS
 
 }  // namespace
 
-void file_disturbances(StepContext& step) {
+void request_disturbed_wakes(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.asleep_in_place == 0) return;
     WakeRequests& requests = world.wake_requests;

@@ -16,6 +16,6 @@ void put_parts_to_sleep(StepContext& step);
 
 // In wake_before_solve. Reads: bodies that sleep in place and what touches them. Files wake
 // requests for those that are disturbed.
-void file_disturbances(StepContext& step);
+void request_disturbed_wakes(StepContext& step);
 
 }  // namespace jostle::physics

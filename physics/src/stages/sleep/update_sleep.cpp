@@ -13,7 +13,7 @@ namespace jostle::physics {
 namespace {
 
 // ... and what is tied to one.
-void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
+void hold_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
     for (const std::uint32_t hot : jointed) {
         ASSERT(hot > 0 && hot <= world.bodies.awake.size());
         BodyWarm& warm = world.bodies.awake[hot - 1];
@@ -28,7 +28,7 @@ void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& joint
 }
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.
-void keep_carried_awake(WorldState& world) {
+void hold_carried_awake(WorldState& world) {
     for_each_colour(world.graph.sets, [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::kinematic) return;
         for (const ContactConstraintWideMeta& meta : colour.metas)
@@ -76,10 +76,10 @@ void fall_asleep(WorldState& world, std::uint32_t island) {
 Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (!world.def.sleeping) return "sleeping is off";
-    if (world.bodies.awake.empty()) return nobody_awake;
+    if (world.bodies.awake.empty()) return no_awake_bodies;
     SleepScratch& scratch = step.scratch.sleep;
-    keep_carried_awake(world);
-    keep_towed_awake(world, step.scratch.solver.jointed.all);
+    hold_carried_awake(world);
+    hold_towed_awake(world, step.scratch.solver.jointed.all);
     find_awake_islands(world, scratch.islands);
     measure_rest(world.bodies, world.islands, scratch);
     // Splitting adds islands; those wait for the next step's measure.

@@ -7,7 +7,7 @@
 namespace jostle::physics {
 namespace {
 
-Skipped wake_filed(WorldState& world) {
+Skipped wake_requested(WorldState& world) {
     if (world.wake_requests.empty()) return "nobody is to wake";
     apply_wake_requests(world, world.events.woke);
     return ran;
@@ -16,12 +16,12 @@ Skipped wake_filed(WorldState& world) {
 }  // namespace
 
 Skipped wake_before_solve(StepContext& step) {
-    file_disturbances(step);
-    return wake_filed(step.world);
+    request_disturbed_wakes(step);
+    return wake_requested(step.world);
 }
 
 Skipped wake_after_impacts(StepContext& step) {
-    return wake_filed(step.world);
+    return wake_requested(step.world);
 }
 
 }  // namespace jostle::physics

@@ -462,7 +462,7 @@ void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
 Skipped solve_constraints(StepContext& step) {
     const BodyStore& bodies = step.world.bodies;
     const ConstraintGraph& graph = step.world.graph;
-    if (bodies.awake.empty()) return nobody_awake;
+    if (bodies.awake.empty()) return no_awake_bodies;
     SolverScratch& scratch = step.scratch.solver;
     find_joint_groups(step);
     classify_bodies(bodies, step.world.islands, scratch);

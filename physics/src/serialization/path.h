@@ -17,7 +17,7 @@ public:
 
     std::string text(std::string_view field) const {
         std::string text;
-        for (const Part& part : parts_) {
+        for (const PathElement& part : parts_) {
             if (part.is_index) {
                 text += '[' + std::to_string(part.index) + ']';
             } else {
@@ -33,12 +33,12 @@ public:
     }
 
 private:
-    struct Part {
+    struct PathElement {
         std::string_view name;
         std::size_t index;
         bool is_index;
     };
-    std::vector<Part> parts_;
+    std::vector<PathElement> parts_;
 };
 
 }  // namespace jostle::physics

@@ -519,7 +519,7 @@ void visit_fields(V& v, FieldDef& field) {
 // What a world has only if something was added to it from outside: force fields, answers of
 // listeners.
 template <class V>
-void visit_doors(V& v, WorldStores& world) {
+void visit_entry_points(V& v, WorldStores& world) {
     v.unhashed("time", world.time, 10);
     auto fields = world.fields.ids.size();
     v.optional("fields", fields, 10);
@@ -623,7 +623,7 @@ void visit_stores(V& v, WorldStores& world) {
     visit_all(v, "islands", world.islands.islands, [&](Island& i) { visit_fields(v, i); });
     v.leave();
 
-    visit_doors(v, world);
+    visit_entry_points(v, world);
 }
 
 template <class V>

@@ -7,7 +7,7 @@
 namespace jostle::physics {
 
 std::string JointCheck::path_of(const char* field) const {
-    return (whole_ != nullptr ? whole_->path_of(name_) : name_) + "." + field;
+    return (parent_ != nullptr ? parent_->path_of(name_) : name_) + "." + field;
 }
 
 void JointCheck::number(const char* name, double value, double low, double high) {
@@ -46,7 +46,7 @@ void JointCheck::drive(const char* name, const RotationDrive& drive) {
     inside.number("max_torque", drive.max_torque, 0, 1e12);
     if (inside.status_.ok() && !check_pose("target", {{}, drive.target}).ok())
         inside.status_ = check_pose(inside.path_of("target").c_str(), {{}, drive.target});
-    keep(inside);
+    merge_status(inside);
 }
 
 void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
@@ -55,13 +55,13 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     if (inside.status_.ok() && limit.lower > limit.upper)
         inside.status_ = invalid_argument(inside.path_of("lower") + " is above " +
                                           inside.path_of("upper") + "; give the lower one first");
-    keep(inside);
+    merge_status(inside);
 }
 
 void JointCheck::spring(const char* name, const JointSpring& spring) {
     JointCheck inside(*this, name);
     visit_spring(inside, spring);
-    keep(inside);
+    merge_status(inside);
 }
 
 void JointCheck::axis(const char* name, const JointAxis& axis, double low, double high) {
@@ -73,7 +73,7 @@ void JointCheck::axis(const char* name, const JointAxis& axis, double low, doubl
             invalid_argument(path_of(name) +
                              " is locked and has a limit, spring, motor or friction; make it "
                              "free, or take those away");
-    keep(inside);
+    merge_status(inside);
 }
 
 Status check_kind(const JointKind& kind) {

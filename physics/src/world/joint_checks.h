@@ -18,7 +18,7 @@ class JointCheck {
 public:
     explicit JointCheck(const char* kind) : name_(kind) {}
     // Of a part of what the other looks at, which lives on.
-    JointCheck(const JointCheck& whole, const char* name) : whole_(&whole), name_(name) {}
+    JointCheck(const JointCheck& parent, const char* name) : parent_(&parent), name_(name) {}
     JointCheck(const JointCheck&) = delete;
     JointCheck& operator=(const JointCheck&) = delete;
     const Status& status() const { return status_; }
@@ -39,7 +39,7 @@ public:
     void motor(const char* name, const Motor& motor) {
         JointCheck inside(*this, name);
         visit_motor(inside, motor);
-        keep(inside);
+        merge_status(inside);
     }
     void spring(const char* name, const JointSpring& spring);
     void axis(const char* name, const JointAxis& axis, double low, double high);
@@ -47,11 +47,11 @@ public:
 private:
     // Made when there is a fault: joints are set by the thousand in a step.
     std::string path_of(const char* field) const;
-    void keep(const JointCheck& part) {
+    void merge_status(const JointCheck& part) {
         if (status_.ok()) status_ = part.status_;
     }
 
-    const JointCheck* whole_ = nullptr;
+    const JointCheck* parent_ = nullptr;
     const char* name_;
     Status status_;
 };

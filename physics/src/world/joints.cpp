@@ -53,7 +53,7 @@ JointDef def_of(const WorldState& world, const Joint& j) {
 
 // "cone-twist": as people write it.
 template <class Kind>
-constexpr auto spoken_name = [] {
+constexpr auto display_name = [] {
     constexpr std::string_view name = JointFields<Kind>::name;
     std::array<char, name.size() + 1> text{};
     std::replace_copy(name.begin(), name.end(), text.begin(), '_', '-');
@@ -68,7 +68,7 @@ Transform frame_in_world(const WorldState& world, std::uint32_t body, const Tran
 }  // namespace
 
 const char* kind_name(const JointKind& kind) {
-    return std::visit([]<class Kind>(const Kind&) { return spoken_name<Kind>.data(); }, kind);
+    return std::visit([]<class Kind>(const Kind&) { return display_name<Kind>.data(); }, kind);
 }
 
 Result<JointId> World::create_joint(const JointDef& def) {

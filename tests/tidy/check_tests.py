@@ -117,7 +117,7 @@ COVERED_BY = {
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
     "foundation/threads.h":
-        (["physics/foundation/task_team_test.cpp", "physics/serialization/module_state_test.cpp"],
+        (["physics/foundation/thread_pool_test.cpp", "physics/serialization/module_state_test.cpp"],
          "names for the standard library's own, used by teams and by the register of modules"),
     "foundation/prefetch.h":
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),

@@ -9,7 +9,7 @@
 
 #include "physics/src/constraint_graph/constraint_graph.h"
 #include "physics/src/constraints/kernels.h"
-#include "physics/src/foundation/task_team.h"
+#include "physics/src/foundation/thread_pool.h"
 
 namespace jostle::physics {
 
@@ -32,7 +32,7 @@ struct ContactTask {
     std::span<const ColourRun> runs;
     SolverBody* bodies;
     const ContactSettings& set;
-    TaskTeam& team;
+    ThreadPool& team;
 };
 
 void warm_start(const ContactTask& task);

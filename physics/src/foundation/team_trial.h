@@ -4,7 +4,7 @@
 // milliseconds, records that travel from one core's cache to another's and back may take longer
 // than the work that is saved: a line takes 0.05 to 0.35 us, by whether the cores share a cache,
 // which no constant can know. So it is tried, now and then, and what takes less time is kept. That
-// goes by the clock, and may: which thread does what changes no bit of a step (task_team.h).
+// goes by the clock, and may: which thread does what changes no bit of a step (thread_pool.h).
 //
 // Used by the thread that steps a world.
 #pragma once

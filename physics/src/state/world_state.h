@@ -10,7 +10,7 @@
 #include "jostle/physics/profile.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
 #include "physics/src/foundation/check.h"
-#include "physics/src/foundation/task_team.h"
+#include "physics/src/foundation/thread_pool.h"
 #include "physics/src/foundation/team_trial.h"
 #include "physics/src/state/body_store.h"
 #include "physics/src/state/contact_store.h"
@@ -64,7 +64,7 @@ struct WorldState : WorldStores {
     // Composite pairs of which a part began or ended to touch: merge_islands reports them.
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
-    std::unique_ptr<TaskTeam> team;
+    std::unique_ptr<ThreadPool> team;
     TeamTrial team_trial;
     TeamUse team_use;
 };

@@ -30,7 +30,7 @@ Result<World> World::create(const WorldDef& def) {
     state->def = def;
     state->shapes.statics = make_broad_phase(def.broad_phase);
     state->shapes.moving = make_broad_phase(def.broad_phase);
-    state->team = std::make_unique<TaskTeam>(def.threads);
+    state->team = std::make_unique<ThreadPool>(def.threads);
     return World(std::move(state));
 }
 
@@ -71,7 +71,7 @@ Status World::step(double dt) {
 }
 void World::parallel_for(int count, int grain,
                       const std::function<void(int first, int last)>& part) const {
-    TaskTeam& team = *state_->team;
+    ThreadPool& team = *state_->team;
     if (team.size() > 1 && count >= 4 * grain) team.wake();
     team.run(count, grain, part);
 }
@@ -144,7 +144,7 @@ Status World::set_threads(int threads) {
     if (Status s = check_range("threads", threads, 1, limits::max_threads); !s.ok()) return s;
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
-    state_->team = std::make_unique<TaskTeam>(threads);
+    state_->team = std::make_unique<ThreadPool>(threads);
     state_->team_trial = {};
     state_->team_use = {};
     return {};

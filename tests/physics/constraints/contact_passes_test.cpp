@@ -94,7 +94,7 @@ TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
     place.block->normal[0][0] = 1;
     place.block->gap[0][0] = 0;
     bodies[2].v[0] = -4;
-    TaskTeam team(1);
+    ThreadPool team(1);
     const ContactSettings set = contact_settings(1.0 / 60, 8, SolverTier::low);
     const ContactTask task{runs, bodies.data(), set, team};
     EXPECT_FALSE(begin_restitution(task));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is inside which trigger, after everything has moved. After the trees were told of that
-// (TaskTeam::finish() in step_world).
+// (ThreadPool::finish() in step_world).
 //
 // Reads: shapes where they are now, the broad phases, TriggerStore of the step before. Writes:
 // TriggerStore, and trigger events. Leaves nothing in scratch.

@@ -308,7 +308,7 @@ void each_body(StepContext& step, const SolverTask& task, Work&& work) {
             work(solved.subspan(static_cast<std::size_t>(begin),
                                 static_cast<std::size_t>(end - begin)));
         },
-        TaskTeam::Split::fixed);
+        ThreadPool::Split::fixed);
 }
 
 BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indices) {
@@ -399,7 +399,7 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
     const bool shared =
         shares_levels(joints) || std::any_of(colours.begin(), colours.end(),
                                              [](const ColourRun& run) { return run.shared; });
-    TaskTeam alone(1);
+    ThreadPool alone(1);
     StepContext substeps{world, step.scratch, shared ? step.team : alone, step.dt, step.contacts};
     run_substeps(substeps, task, set, joints, kinematic);
 }
@@ -449,7 +449,7 @@ void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
         return a.first % batch_count < b.first % batch_count;
     });
     for (const SolverTask& task : shared) solve_task(step, task, kinematic);
-    TaskTeam alone(1);
+    ThreadPool alone(1);
     step.team.run_tasks(static_cast<int>(single.size()), [&](int k) {
         StepContext own{step.world, step.scratch, alone, step.dt, step.contacts};
         solve_task(own, single[static_cast<std::size_t>(k)], {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/foundation/task_team.h"
+#include "physics/src/foundation/thread_pool.h"
 
 #include <utility>
 
@@ -26,14 +26,14 @@ void relax_cpu() {
 }  // namespace
 
 #if defined(JOSTLE_NO_THREADS)
-TaskTeam::TaskTeam(int) : count_(1), cursors_(1) {}
-TaskTeam::~TaskTeam() = default;
+ThreadPool::ThreadPool(int) : count_(1), cursors_(1) {}
+ThreadPool::~ThreadPool() = default;
 #else
-TaskTeam::TaskTeam(int threads) : count_(threads), cursors_(static_cast<std::size_t>(threads)) {
+ThreadPool::ThreadPool(int threads) : count_(threads), cursors_(static_cast<std::size_t>(threads)) {
     for (int self = 1; self < threads; self++) workers_.emplace_back([this, self] { work(self); });
 }
 
-TaskTeam::~TaskTeam() {
+ThreadPool::~ThreadPool() {
     if (workers_.empty()) return;
     quit_.store(true, std::memory_order_relaxed);
     gate_.fetch_add(one_range, std::memory_order_release);
@@ -42,7 +42,7 @@ TaskTeam::~TaskTeam() {
 }
 #endif
 
-void TaskTeam::parallel_for(int total, int grain, Split split, Call call, void* context) {
+void ThreadPool::parallel_for(int total, int grain, Split split, Call call, void* context) {
     call_ = call;
     context_ = context;
     grain_ = grain;
@@ -71,14 +71,14 @@ void TaskTeam::parallel_for(int total, int grain, Split split, Call call, void* 
 }
 
 // Its own part first. To look whether others are done would carry their cursors to and fro.
-void TaskTeam::take_grains(int self) {
+void ThreadPool::take_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++)
         take_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
                        k > 0 && split_ == Split::fixed);
 }
 
-void TaskTeam::take_grains_of(Cursor& cursor, bool leave_to_owner) {
+void ThreadPool::take_grains_of(Cursor& cursor, bool leave_to_owner) {
     for (;;) {
         if (leave_to_owner && cursor.owned.load(std::memory_order_relaxed)) return;
         const int begin = cursor.next.fetch_add(grain_, std::memory_order_relaxed);
@@ -88,13 +88,13 @@ void TaskTeam::take_grains_of(Cursor& cursor, bool leave_to_owner) {
     }
 }
 
-void TaskTeam::wake() {
+void ThreadPool::wake() {
     if (size() == 1) return;
     gate_.fetch_add(one_range, std::memory_order_release);
     gate_.notify_all();
 }
 
-void TaskTeam::start(std::function<void()> job) {
+void ThreadPool::start(std::function<void()> job) {
     if (size() == 1) return job();
     job_ = std::move(job);
     job_state_.store(Job::waiting, std::memory_order_release);
@@ -103,7 +103,7 @@ void TaskTeam::start(std::function<void()> job) {
     gate_.notify_all();
 }
 
-bool TaskTeam::take_job() {
+bool ThreadPool::take_job() {
     Job waiting = Job::waiting;
     if (!job_state_.compare_exchange_strong(waiting, Job::taken, std::memory_order_acquire))
         return false;
@@ -112,7 +112,7 @@ bool TaskTeam::take_job() {
     return true;
 }
 
-void TaskTeam::finish() {
+void ThreadPool::finish() {
     if (take_job()) return;
     int spins = 0;
     while (job_state_.load(std::memory_order_acquire) != Job::idle) {
@@ -121,7 +121,7 @@ void TaskTeam::finish() {
     }
 }
 
-void TaskTeam::work(int self) {
+void ThreadPool::work(int self) {
     const FpModeScope fp_mode;
     std::uint64_t seen = 0;  // the range that it was last in, or found closed
     int spins = 0;

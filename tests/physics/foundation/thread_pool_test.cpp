@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/foundation/task_team.h"
+#include "physics/src/foundation/thread_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 
 namespace jostle::test {
 namespace {
-using physics::TaskTeam;
+using physics::ThreadPool;
 
-TEST(TaskTeam, a_range_is_covered_once) {
+TEST(ThreadPool, a_range_is_covered_once) {
     for (const int threads : {1, 2, 5}) {
-        TaskTeam team(threads);
+        ThreadPool team(threads);
         for (int round = 0; round < 200; round++) {
             std::vector<int> seen(1000 + static_cast<std::size_t>(round), 0);
             team.run(
@@ -22,15 +22,15 @@ TEST(TaskTeam, a_range_is_covered_once) {
                 [&](int begin, int end) {
                     for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
                 },
-                round % 2 == 0 ? TaskTeam::Split::free : TaskTeam::Split::fixed);
+                round % 2 == 0 ? ThreadPool::Split::free : ThreadPool::Split::fixed);
             for (const int times : seen) ASSERT_EQ(times, 1);
         }
     }
 }
 
-TEST(TaskTeam, tasks_are_done_once_each) {
+TEST(ThreadPool, tasks_are_done_once_each) {
     for (const int threads : {1, 2, 5}) {
-        TaskTeam team(threads);
+        ThreadPool team(threads);
         for (int round = 0; round < 500; round++) {
             std::vector<int> seen(static_cast<std::size_t>(round % 9), 0);
             if (round % 3 == 0) team.wake();
@@ -41,9 +41,9 @@ TEST(TaskTeam, tasks_are_done_once_each) {
 }
 
 // Whoever takes it, the job is done once, and before finish() returns; ranges go on beside it.
-TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
+TEST(ThreadPool, a_job_is_done_once_beside_ranges) {
     for (const int threads : {1, 2, 5}) {
-        TaskTeam team(threads);
+        ThreadPool team(threads);
         for (int round = 0; round < 2000; round++) {
             int done = 0;
             std::atomic<int> sum{0};
@@ -60,8 +60,8 @@ TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
 
 // Who works on its own part and loses its processor is helped all the same: of 40 grains the worker
 // does the one in which it sleeps and not all twenty of its part.
-TEST(TaskTeam, a_part_whose_thread_has_stopped_is_done_by_others) {
-    TaskTeam team(2);
+TEST(ThreadPool, a_part_whose_thread_has_stopped_is_done_by_others) {
+    ThreadPool team(2);
     const auto caller = std::this_thread::get_id();
     std::atomic<int> done = 0, by_worker = 0;
     for (int round = 0; round < 50 && by_worker == 0; round++) {
@@ -79,7 +79,7 @@ TEST(TaskTeam, a_part_whose_thread_has_stopped_is_done_by_others) {
                     std::this_thread::sleep_for(std::chrono::milliseconds(100));
                 }
             },
-            TaskTeam::Split::fixed);
+            ThreadPool::Split::fixed);
         ASSERT_EQ(done, 40);
     }
     EXPECT_GE(by_worker, 1);
@@ -88,10 +88,10 @@ TEST(TaskTeam, a_part_whose_thread_has_stopped_is_done_by_others) {
 
 // A worker that is woken for a range may come when the team is already being let go: it must see
 // that, and not go back to sleep for good.
-TEST(TaskTeam, ends_while_its_workers_wake) {
+TEST(ThreadPool, ends_while_its_workers_wake) {
     std::atomic<int> done = 0;
     for (int round = 0; round < 1500; round++) {
-        TaskTeam team(4);
+        ThreadPool team(4);
         std::this_thread::sleep_for(std::chrono::microseconds(100 + round % 400));
         team.run(8, 1, [&](int begin, int end) { done += end - begin; });
     }

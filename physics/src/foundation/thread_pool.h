@@ -19,12 +19,12 @@
 
 namespace jostle::physics {
 
-class TaskTeam {
+class ThreadPool {
 public:
-    explicit TaskTeam(int threads);
-    ~TaskTeam();
-    TaskTeam(const TaskTeam&) = delete;
-    TaskTeam& operator=(const TaskTeam&) = delete;
+    explicit ThreadPool(int threads);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
 
     // How many threads share what comes next.
     int size() const { return alone_ ? 1 : count_; }

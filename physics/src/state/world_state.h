@@ -11,7 +11,7 @@
 #include "physics/src/constraint_graph/constraint_graph.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/thread_pool.h"
-#include "physics/src/foundation/team_trial.h"
+#include "physics/src/foundation/threading_trial.h"
 #include "physics/src/state/body_store.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/event_store.h"
@@ -65,7 +65,7 @@ struct WorldState : WorldStores {
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> team;
-    TeamTrial team_trial;
+    ThreadingTrial team_trial;
     TeamUse team_use;
 };
 

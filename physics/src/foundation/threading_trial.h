@@ -16,7 +16,7 @@
 
 namespace jostle::physics {
 
-class TeamTrial {
+class ThreadingTrial {
 public:
     // Whether the threads share the next step. `last_ms`: what the last one took.
     bool shares(double last_ms);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/foundation/team_trial.h"
+#include "physics/src/foundation/threading_trial.h"
 
 #include <gtest/gtest.h>
 
 namespace jostle::test {
 namespace {
-using physics::TeamTrial;
+using physics::ThreadingTrial;
 
 // How many of so many steps are shared, if they take so long alone and shared.
-int shared_steps(TeamTrial& trial, int steps, double alone_ms, double shared_ms) {
+int shared_steps(ThreadingTrial& trial, int steps, double alone_ms, double shared_ms) {
     int shared = 0;
     bool last = false;
     for (int k = 0; k < steps; k++) {
@@ -20,25 +20,25 @@ int shared_steps(TeamTrial& trial, int steps, double alone_ms, double shared_ms)
 
 // Ten seconds at 60 Hz, in which it is tried three times for four steps: the first, and three that
 // are no better.
-TEST(TeamTrial, what_is_slower_with_two_threads_goes_on_with_one) {
-    TeamTrial trial;
+TEST(ThreadingTrial, what_is_slower_with_two_threads_goes_on_with_one) {
+    ThreadingTrial trial;
     EXPECT_LE(shared_steps(trial, 600, 0.30, 0.40), 12);
 }
 
-TEST(TeamTrial, what_is_faster_with_two_threads_has_them) {
-    TeamTrial trial;
+TEST(ThreadingTrial, what_is_faster_with_two_threads_has_them) {
+    ThreadingTrial trial;
     EXPECT_GE(shared_steps(trial, 600, 0.40, 0.30), 600 - 8 - 12);
 }
 
 // A step of 5 ms alone would be a late one.
-TEST(TeamTrial, long_steps_are_always_shared) {
-    TeamTrial trial;
+TEST(ThreadingTrial, long_steps_are_always_shared) {
+    ThreadingTrial trial;
     shared_steps(trial, 3, 5.0, 3.0);
     EXPECT_EQ(shared_steps(trial, 600, 5.0, 3.0), 600);
 }
 
-TEST(TeamTrial, what_grows_long_is_shared_within_three_steps) {
-    TeamTrial trial;
+TEST(ThreadingTrial, what_grows_long_is_shared_within_three_steps) {
+    ThreadingTrial trial;
     for (int k = 0; k < 4; k++) trial.shares(0.3);
     EXPECT_FALSE(trial.shares(2.4));
     EXPECT_FALSE(trial.shares(2.4));
@@ -47,15 +47,15 @@ TEST(TeamTrial, what_grows_long_is_shared_within_three_steps) {
 }
 
 // A scene that changes is tried again: the longest pause is 512 steps.
-TEST(TeamTrial, what_becomes_worth_it_is_found_within_nine_seconds) {
-    TeamTrial trial;
+TEST(ThreadingTrial, what_becomes_worth_it_is_found_within_nine_seconds) {
+    ThreadingTrial trial;
     shared_steps(trial, 600, 0.30, 0.40);
     EXPECT_GE(shared_steps(trial, 540 + 100, 0.90, 0.60), 100 - 18);
 }
 
 // One step in ten is disturbed, for longer than a long step takes.
-TEST(TeamTrial, a_step_that_something_else_disturbed_decides_nothing) {
-    TeamTrial trial;
+TEST(ThreadingTrial, a_step_that_something_else_disturbed_decides_nothing) {
+    ThreadingTrial trial;
     int shared = 0;
     bool last = false;
     for (int k = 0; k < 600; k++) {

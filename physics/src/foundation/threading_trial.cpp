@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/foundation/team_trial.h"
+#include "physics/src/foundation/threading_trial.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,7 @@ void use_thread_trials(bool on) {
     trials_in_use.store(on, std::memory_order_relaxed);
 }
 
-bool TeamTrial::shares(double last_ms) {
+bool ThreadingTrial::shares(double last_ms) {
     if (!trials_in_use.load(std::memory_order_relaxed)) return true;
     last_[next_] = last_ms;
     next_ = (next_ + 1) % last_.size();
@@ -49,14 +49,14 @@ bool TeamTrial::shares(double last_ms) {
 }
 
 // All of the last three: one was disturbed, perhaps.
-bool TeamTrial::last_are_long() const {
+bool ThreadingTrial::last_are_long() const {
     const auto ago = [&](std::size_t steps) {
         return last_[(next_ + last_.size() - steps) % last_.size()];
     };
     return std::min({ago(1), ago(2), ago(3)}) > tuning::long_step_ms;
 }
 
-double TeamTrial::median() const {
+double ThreadingTrial::median() const {
     auto sorted = last_;
     std::sort(sorted.begin(), sorted.end());
     return sorted[sorted.size() / 2];

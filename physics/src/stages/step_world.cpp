@@ -28,7 +28,7 @@ namespace {
 
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
-    world.team->stay_alone(!world.team_trial.shares(world.team_use.step_ms));
+    world.team->stay_alone(!world.threading_trial.shares(world.team_use.step_ms));
     if (world.team_use.solver_tasks > 1) world.team->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;

@@ -65,7 +65,7 @@ struct WorldState : WorldStores {
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> team;
-    ThreadingTrial team_trial;
+    ThreadingTrial threading_trial;
     TeamUse team_use;
 };
 

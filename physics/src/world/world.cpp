@@ -145,7 +145,7 @@ Status World::set_threads(int threads) {
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->team = std::make_unique<ThreadPool>(threads);
-    state_->team_trial = {};
+    state_->threading_trial = {};
     state_->team_use = {};
     return {};
 }

@@ -48,7 +48,7 @@ struct WorldStores {
 
 // How the last step used its threads. It decides who does the work of the next one, never what
 // comes of it.
-struct TeamUse {
+struct ThreadUsage {
     double step_ms = 0;
     int solver_tasks = 0;
 };
@@ -66,7 +66,7 @@ struct WorldState : WorldStores {
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> team;
     ThreadingTrial threading_trial;
-    TeamUse team_use;
+    ThreadUsage team_use;
 };
 
 // Sub-steps of the islands of a set in the next step, or in the one that runs.

@@ -35,7 +35,7 @@ void run(ContactPass pass, const ContactTask& task) {
                            share(run.singles, begin), share(run.singles, end), task);
         };
         if (run.shared)
-            task.team.run(total, tuning::contact_grain, work, ThreadPool::Split::fixed);
+            task.thread_pool.run(total, tuning::contact_grain, work, ThreadPool::Split::fixed);
         else
             work(0, total);
     }

@@ -32,7 +32,7 @@ struct ContactTask {
     std::span<const ColourRun> runs;
     SolverBody* bodies;
     const ContactSettings& set;
-    ThreadPool& team;
+    ThreadPool& thread_pool;
 };
 
 void warm_start(const ContactTask& task);

@@ -28,7 +28,7 @@ public:
         return index;
     }
 
-    void give_back(std::uint32_t index) {
+    void release(std::uint32_t index) {
         ASSERT(alive(index));
         alive_[index] = 0;
         generation_[index]++;

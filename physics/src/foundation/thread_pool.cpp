@@ -58,27 +58,27 @@ void ThreadPool::parallel_for(int total, int grain, Split split, Call call, void
     }
     gate_.fetch_add(one_range | open, std::memory_order_release);
     gate_.notify_all();
-    take_grains(0);
+    run_grains(0);
     // Who has not come in by now finds the gate closed: nobody waits for a worker that sleeps.
     gate_.fetch_and(~open, std::memory_order_relaxed);
     int spins = 0;
     while ((gate_.load(std::memory_order_acquire) & inside) != 0) {
         relax_cpu();
         if (++spins == spins_before_help)
-            for (Cursor& cursor : cursors_) take_grains_of(cursor, false);
-        if (spins > spins_before_sleep) give_way();
+            for (Cursor& cursor : cursors_) run_grains_of(cursor, false);
+        if (spins > spins_before_sleep) yield_thread();
     }
 }
 
 // Its own part first. To look whether others are done would carry their cursors to and fro.
-void ThreadPool::take_grains(int self) {
+void ThreadPool::run_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++)
-        take_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
+        run_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
                        k > 0 && split_ == Split::fixed);
 }
 
-void ThreadPool::take_grains_of(Cursor& cursor, bool leave_to_owner) {
+void ThreadPool::run_grains_of(Cursor& cursor, bool leave_to_owner) {
     for (;;) {
         if (leave_to_owner && cursor.owned.load(std::memory_order_relaxed)) return;
         const int begin = cursor.next.fetch_add(grain_, std::memory_order_relaxed);
@@ -103,7 +103,7 @@ void ThreadPool::start(std::function<void()> job) {
     gate_.notify_all();
 }
 
-bool ThreadPool::take_job() {
+bool ThreadPool::run_job() {
     Job waiting = Job::waiting;
     if (!job_state_.compare_exchange_strong(waiting, Job::taken, std::memory_order_acquire))
         return false;
@@ -113,11 +113,11 @@ bool ThreadPool::take_job() {
 }
 
 void ThreadPool::finish() {
-    if (take_job()) return;
+    if (run_job()) return;
     int spins = 0;
     while (job_state_.load(std::memory_order_acquire) != Job::idle) {
         relax_cpu();
-        if (++spins > spins_before_sleep) give_way();
+        if (++spins > spins_before_sleep) yield_thread();
     }
 }
 
@@ -130,7 +130,7 @@ void ThreadPool::work(int self) {
         // other way round a worker could miss the end and wait for a change after the last one.
         std::uint64_t gate = gate_.load(std::memory_order_acquire);
         if (quit_.load(std::memory_order_relaxed)) return;
-        if (job_state_.load(std::memory_order_relaxed) == Job::waiting && take_job()) spins = 0;
+        if (job_state_.load(std::memory_order_relaxed) == Job::waiting && run_job()) spins = 0;
         if (gate / one_range == seen || (gate & open) == 0) {
             relax_cpu();
             if (++spins > spins_before_sleep) {
@@ -142,7 +142,7 @@ void ThreadPool::work(int self) {
         spins = 0;
         if (!gate_.compare_exchange_weak(gate, gate + 1, std::memory_order_acquire)) continue;
         seen = gate / one_range;
-        take_grains(self);
+        run_grains(self);
         gate_.fetch_sub(1, std::memory_order_release);
     }
 }

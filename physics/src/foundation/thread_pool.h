@@ -27,9 +27,9 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     // How many threads share what comes next.
-    int size() const { return alone_ ? 1 : count_; }
+    int size() const { return single_threaded_ ? 1 : count_; }
     // From now on the calling thread does everything itself; the workers sleep on.
-    void stay_alone(bool alone) { alone_ = alone; }
+    void set_single_threaded(bool alone) { single_threaded_ = alone; }
 
     // What happens to the share of a thread that is there but not done when others are.
     enum class Split {
@@ -91,13 +91,13 @@ private:
 
     // In grains, each thread its own part of the range first.
     void parallel_for(int total, int grain, Split split, Call call, void* context);
-    void take_grains(int self);
-    void take_grains_of(Cursor& cursor, bool leave_to_owner);
+    void run_grains(int self);
+    void run_grains_of(Cursor& cursor, bool leave_to_owner);
     void work(int self);
-    bool take_job();
+    bool run_job();
 
     int count_;
-    bool alone_ = false;
+    bool single_threaded_ = false;
     std::vector<Cursor> cursors_;
 #if !defined(JOSTLE_NO_THREADS)
     std::vector<std::thread> workers_;

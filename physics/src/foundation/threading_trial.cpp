@@ -30,14 +30,14 @@ bool ThreadingTrial::shares(double last_ms) {
     left_--;
     if (!trying_) {
         if (left_ > 0) return shared_;
-        kept_ms_ = median();
-        trying_ = kept_ms_ <= tuning::long_step_ms;
+        baseline_ms_ = median();
+        trying_ = baseline_ms_ <= tuning::long_step_ms;
         left_ = trying_ ? trial_steps : pause_;
         lost_ = 0;
         return shared_ != trying_;
     }
     // The first one still finds records elsewhere.
-    if (left_ < trial_steps - 1 && last_ms >= tuning::trial_gain * kept_ms_) lost_++;
+    if (left_ < trial_steps - 1 && last_ms >= tuning::trial_gain * baseline_ms_) lost_++;
     const bool decided = lost_ > sample_count / 2;
     if (left_ > 0 && !decided) return !shared_;
     trying_ = false;

@@ -18,11 +18,11 @@ struct Mutex {};
 struct MutexLock {
     explicit MutexLock(Mutex&) {}
 };
-inline void give_way() {}
+inline void yield_thread() {}
 #else
 using Mutex = std::mutex;
 using MutexLock = std::lock_guard<std::mutex>;
-inline void give_way() {
+inline void yield_thread() {
     std::this_thread::yield();
 }
 #endif

@@ -97,7 +97,7 @@ Result<World> load(std::span<const std::byte> bytes) {
         return corrupt(std::to_string(loader.in.left()) + " bytes are left after the last field");
     if (const auto fault = find_fault(*state)) return corrupt(*fault);
     derive_all(*state);
-    state->team = std::make_unique<ThreadPool>(1);
+    state->thread_pool = std::make_unique<ThreadPool>(1);
     World world(std::move(state));
     for (const std::unique_ptr<Module>& module : state_of(world).listeners.modules)
         module->restored(world);

@@ -22,7 +22,7 @@ struct StepScratch;
 struct StepContext {
     WorldState& world;
     StepScratch& scratch;
-    ThreadPool& team;
+    ThreadPool& thread_pool;
     double dt = 0;                                           // s
     std::array<ContactSettings, solved_set_count> contacts;  // by index_of(ColourSetKey)
     Timer timer = {};                                        // of the stages, for the profile

@@ -28,15 +28,15 @@ namespace {
 
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
-    world.team->stay_alone(!world.threading_trial.shares(world.team_use.step_ms));
-    if (world.team_use.solver_tasks > 1) world.team->wake();
+    world.thread_pool->set_single_threaded(!world.threading_trial.shares(world.thread_usage.step_ms));
+    if (world.thread_usage.solver_tasks > 1) world.thread_pool->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     if (dt != world.last_dt && world.last_dt > 0) scale_awake(world, dt / world.last_dt);
     world.last_dt = dt;
-    return {world, scratch, *world.team, dt, {}};
+    return {world, scratch, *world.thread_pool, dt, {}};
 }
 
 // Manifolds are kept over more motion, however fast that is.
@@ -117,7 +117,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run_second<move_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
     run<quarantine>(step, Stage::quarantine);            // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);        // resting islands leave the awake set
-    step.team.finish();                                  // what finalize began
+    step.thread_pool.finish();                                  // what finalize began
     run<update_triggers>(step, Stage::update_triggers);  // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
@@ -126,7 +126,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     world.steps++;
     world.time += dt;
     add_up_times(world.profile);
-    world.team_use = {world.profile.step_ms, world.profile.solver_tasks};
+    world.thread_usage = {world.profile.step_ms, world.profile.solver_tasks};
 }
 
 }  // namespace jostle::physics

@@ -114,7 +114,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
     if (c.parent == none) store.pairs.erase(pair_key(c.shape_a, c.shape_b));
     c = Contact{};
-    store.ids.give_back(contact);
+    store.ids.release(contact);
 }
 
 void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {

@@ -56,7 +56,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     island.too_dense_for = -1;
     if (--island.bodies == 0) {
         island = Island{};
-        world.islands.ids.give_back(index);
+        world.islands.ids.release(index);
     }
 }
 
@@ -94,7 +94,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.remaining_load = minimum(into.remaining_load, from.remaining_load);
     into.error = joined(into.error, from.error);
     from = Island{};
-    world.islands.ids.give_back(b);
+    world.islands.ids.release(b);
 }
 
 namespace {

@@ -60,7 +60,7 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
         world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
     const bool collided = j.collide_connected;
     j = Joint{};
-    world.joints.ids.give_back(joint);
+    world.joints.ids.release(joint);
     if (collided || a == none) return;
     // Their shapes may meet from now on.
     for (const std::uint32_t body : {a, b})

@@ -64,9 +64,9 @@ struct WorldState : WorldStores {
     // Composite pairs of which a part began or ended to touch: merge_islands reports them.
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
-    std::unique_ptr<ThreadPool> team;
+    std::unique_ptr<ThreadPool> thread_pool;
     ThreadingTrial threading_trial;
-    ThreadUsage team_use;
+    ThreadUsage thread_usage;
 };
 
 // Sub-steps of the islands of a set in the next step, or in the one that runs.

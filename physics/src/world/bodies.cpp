@@ -45,14 +45,14 @@ void remove_body(WorldState& world, std::uint32_t body) {
         const std::uint32_t next = world.shapes.shapes[s].next;
         destroy_proxy(world, s);
         world.shapes.shapes[s] = ShapeRecord{};
-        world.shapes.ids.give_back(s);
+        world.shapes.ids.release(s);
         s = next;
     }
     if (cold.island != none) remove_from_island(world, body);
     leave_set(world, body);
     cold = BodyCold{};
     world.bodies.motion[body] = {};
-    world.bodies.ids.give_back(body);
+    world.bodies.ids.release(body);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ Status World::destroy_field(FieldId field) {
     if (Status s = check_id(world, field); !s.ok()) return s;
     wake_region(world, world.fields.fields[field.index]);
     world.fields.fields[field.index] = {};
-    world.fields.ids.give_back(field.index);
+    world.fields.ids.release(field.index);
     update_bounds(world);
     return {};
 }

@@ -41,7 +41,7 @@ std::uint32_t add_record(WorldState& world, std::uint32_t body, const ShapeDef& 
 void free_record(WorldState& world, std::uint32_t shape) {
     destroy_proxy(world, shape);
     world.shapes.shapes[shape] = ShapeRecord{};
-    world.shapes.ids.give_back(shape);
+    world.shapes.ids.release(shape);
 }
 
 }  // namespace

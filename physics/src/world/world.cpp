@@ -30,7 +30,7 @@ Result<World> World::create(const WorldDef& def) {
     state->def = def;
     state->shapes.statics = make_broad_phase(def.broad_phase);
     state->shapes.moving = make_broad_phase(def.broad_phase);
-    state->team = std::make_unique<ThreadPool>(def.threads);
+    state->thread_pool = std::make_unique<ThreadPool>(def.threads);
     return World(std::move(state));
 }
 
@@ -71,9 +71,9 @@ Status World::step(double dt) {
 }
 void World::parallel_for(int count, int grain,
                       const std::function<void(int first, int last)>& part) const {
-    ThreadPool& team = *state_->team;
-    if (team.size() > 1 && count >= 4 * grain) team.wake();
-    team.run(count, grain, part);
+    ThreadPool& thread_pool = *state_->thread_pool;
+    if (thread_pool.size() > 1 && count >= 4 * grain) thread_pool.wake();
+    thread_pool.run(count, grain, part);
 }
 void World::stop_stepping() {
     scratch_->stopped = true;
@@ -144,9 +144,9 @@ Status World::set_threads(int threads) {
     if (Status s = check_range("threads", threads, 1, limits::max_threads); !s.ok()) return s;
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
-    state_->team = std::make_unique<ThreadPool>(threads);
+    state_->thread_pool = std::make_unique<ThreadPool>(threads);
     state_->threading_trial = {};
-    state_->team_use = {};
+    state_->thread_usage = {};
     return {};
 }
 

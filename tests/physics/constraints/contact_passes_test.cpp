@@ -94,9 +94,9 @@ TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
     place.block->normal[0][0] = 1;
     place.block->gap[0][0] = 0;
     bodies[2].v[0] = -4;
-    ThreadPool team(1);
+    ThreadPool thread_pool(1);
     const ContactSettings set = contact_settings(1.0 / 60, 8, SolverTier::low);
-    const ContactTask task{runs, bodies.data(), set, team};
+    const ContactTask task{runs, bodies.data(), set, thread_pool};
     EXPECT_FALSE(begin_restitution(task));
     place.meta->set(LaneFlag::bounces, 0, true);
     EXPECT_TRUE(begin_restitution(task));

@@ -12,9 +12,9 @@ using physics::IdPool;
 TEST(IdPool, hands_out_the_lowest_free_index) {
     IdPool ids;
     for (std::uint32_t k = 0; k < 5; k++) EXPECT_EQ(ids.take(), k);
-    ids.give_back(3);
-    ids.give_back(1);
-    ids.give_back(4);
+    ids.release(3);
+    ids.release(1);
+    ids.release(4);
     EXPECT_EQ(ids.take(), 1u);
     EXPECT_EQ(ids.take(), 3u);
     EXPECT_EQ(ids.take(), 4u);
@@ -27,7 +27,7 @@ TEST(IdPool, an_index_that_is_used_again_has_another_generation) {
     const std::uint32_t index = ids.take(), first = ids.generation(index);
     EXPECT_EQ(first, 1u);
     EXPECT_TRUE(ids.matches(index, first));
-    ids.give_back(index);
+    ids.release(index);
     EXPECT_FALSE(ids.alive(index));
     EXPECT_FALSE(ids.matches(index, first));
     EXPECT_FALSE(ids.matches(index, first + 1)) << "nobody lives there yet";
@@ -46,7 +46,7 @@ TEST(IdPool, knows_nothing_of_indices_that_it_never_gave) {
 TEST(IdPool, goes_on_alike_when_its_free_list_is_made_anew) {
     IdPool ids;
     for (int k = 0; k < 8; k++) ids.take();
-    for (const std::uint32_t index : {6u, 2u, 5u}) ids.give_back(index);
+    for (const std::uint32_t index : {6u, 2u, 5u}) ids.release(index);
     IdPool loaded;
     loaded.generations() = ids.generations();
     loaded.alive_flags() = ids.alive_flags();

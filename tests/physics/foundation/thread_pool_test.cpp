@@ -14,10 +14,10 @@ using physics::ThreadPool;
 
 TEST(ThreadPool, a_range_is_covered_once) {
     for (const int threads : {1, 2, 5}) {
-        ThreadPool team(threads);
+        ThreadPool thread_pool(threads);
         for (int round = 0; round < 200; round++) {
             std::vector<int> seen(1000 + static_cast<std::size_t>(round), 0);
-            team.run(
+            thread_pool.run(
                 static_cast<int>(seen.size()), 7,
                 [&](int begin, int end) {
                     for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
@@ -30,11 +30,11 @@ TEST(ThreadPool, a_range_is_covered_once) {
 
 TEST(ThreadPool, tasks_are_done_once_each) {
     for (const int threads : {1, 2, 5}) {
-        ThreadPool team(threads);
+        ThreadPool thread_pool(threads);
         for (int round = 0; round < 500; round++) {
             std::vector<int> seen(static_cast<std::size_t>(round % 9), 0);
-            if (round % 3 == 0) team.wake();
-            team.run_tasks(round % 9, [&](int k) { seen[static_cast<std::size_t>(k)]++; });
+            if (round % 3 == 0) thread_pool.wake();
+            thread_pool.run_tasks(round % 9, [&](int k) { seen[static_cast<std::size_t>(k)]++; });
             for (const int times : seen) ASSERT_EQ(times, 1);
         }
     }
@@ -43,32 +43,32 @@ TEST(ThreadPool, tasks_are_done_once_each) {
 // Whoever takes it, the job is done once, and before finish() returns; ranges go on beside it.
 TEST(ThreadPool, a_job_is_done_once_beside_ranges) {
     for (const int threads : {1, 2, 5}) {
-        ThreadPool team(threads);
+        ThreadPool thread_pool(threads);
         for (int round = 0; round < 2000; round++) {
             int done = 0;
             std::atomic<int> sum{0};
-            team.start([&] { done++; });
+            thread_pool.start([&] { done++; });
             for (int part = 0; part < round % 4; part++)
-                team.run(64, 1, [&](int begin, int end) { sum += end - begin; });
-            team.finish();
+                thread_pool.run(64, 1, [&](int begin, int end) { sum += end - begin; });
+            thread_pool.finish();
             ASSERT_EQ(done, 1) << threads << " threads, round " << round;
             ASSERT_EQ(sum, 64 * (round % 4));
         }
-        team.finish();  // of nothing
+        thread_pool.finish();  // of nothing
     }
 }
 
 // Who works on its own part and loses its processor is helped all the same: of 40 grains the worker
 // does the one in which it sleeps and not all twenty of its part.
 TEST(ThreadPool, a_part_whose_thread_has_stopped_is_done_by_others) {
-    ThreadPool team(2);
+    ThreadPool thread_pool(2);
     const auto caller = std::this_thread::get_id();
     std::atomic<int> done = 0, by_worker = 0;
     for (int round = 0; round < 50 && by_worker == 0; round++) {
         done = 0;
-        team.wake();
+        thread_pool.wake();
         std::this_thread::sleep_for(std::chrono::microseconds(20));
-        team.run(
+        thread_pool.run(
             40, 1,
             [&](int begin, int end) {
                 done += end - begin;
@@ -91,9 +91,9 @@ TEST(ThreadPool, a_part_whose_thread_has_stopped_is_done_by_others) {
 TEST(ThreadPool, ends_while_its_workers_wake) {
     std::atomic<int> done = 0;
     for (int round = 0; round < 1500; round++) {
-        ThreadPool team(4);
+        ThreadPool thread_pool(4);
         std::this_thread::sleep_for(std::chrono::microseconds(100 + round % 400));
-        team.run(8, 1, [&](int begin, int end) { done += end - begin; });
+        thread_pool.run(8, 1, [&](int begin, int end) { done += end - begin; });
     }
     EXPECT_EQ(done, 1500 * 8);
 }

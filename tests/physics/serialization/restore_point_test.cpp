@@ -262,7 +262,7 @@ TEST(RollbackMoments, the_number_of_threads_is_the_worlds_own) {
     World one = pyramid_scene(1), four = pyramid_scene(4);
     must(kept(one).restore(four));
     EXPECT_EQ(state_of(four).def.threads, 4);
-    EXPECT_EQ(state_of(four).team->size(), 4);
+    EXPECT_EQ(state_of(four).thread_pool->size(), 4);
 }
 
 TEST(RollbackMoments, gravity_and_substeps_come_back_with_the_moment) {

@@ -19,7 +19,7 @@ void DynamicTree::set_parent(Child child, std::int32_t parent) {
     (is_leaf(child) ? at(handle_of(child)).parent : above(child).parent) = parent;
 }
 
-std::int32_t DynamicTree::take_node() {
+std::int32_t DynamicTree::allocate_node() {
     if (free_node_ == null_node) {
         nodes_.emplace_back();
         above_.emplace_back();
@@ -31,7 +31,7 @@ std::int32_t DynamicTree::take_node() {
     return i;
 }
 
-void DynamicTree::give_back_node(std::int32_t i) {
+void DynamicTree::release_node(std::int32_t i) {
     above(i).parent = free_node_;
     free_node_ = i;
 }
@@ -102,7 +102,7 @@ void DynamicTree::link(std::int32_t leaf) {
         taken = n.box[side];
         sibling = n.child[side];
     }
-    const std::int32_t made = take_node();
+    const std::int32_t made = allocate_node();
     Node& n = node(made);
     n.child[0] = sibling;
     n.child[1] = child;
@@ -138,7 +138,7 @@ void DynamicTree::unlink(std::int32_t leaf) {
         node(grand).box[slot] = node(parent).box[other];
         node(grand).categories[slot] = node(parent).categories[other];
     }
-    give_back_node(parent);
+    release_node(parent);
     if (grand != null_node) refit_up(grand);
 }
 
@@ -283,7 +283,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
     // Where all middles coincide any half is as good.
     if (cut == 0 || cut == leaves.size()) cut = leaves.size() / 2;
 
-    const std::int32_t made = take_node();
+    const std::int32_t made = allocate_node();
     above(made).parent = parent;
     const Child first = build(leaves.first(cut), made), second = build(leaves.subspan(cut), made);
     Node& n = node(made);

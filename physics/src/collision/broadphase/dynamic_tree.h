@@ -233,8 +233,8 @@ private:
         return node(parent).child[0] == child ? 0 : 1;
     }
 
-    std::int32_t take_node();
-    void give_back_node(std::int32_t i);
+    std::int32_t allocate_node();
+    void release_node(std::int32_t i);
     void link(std::int32_t leaf);
     void unlink(std::int32_t leaf);
     void measure_height(std::int32_t i);

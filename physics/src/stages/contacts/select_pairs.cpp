@@ -47,7 +47,7 @@ void select_due_pairs(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<std::uint8_t>& due = scratch.due;
     due.resize(bounds.size());
-    step.team.run(static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
             due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
     });

@@ -40,7 +40,7 @@ Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return no_awake_bodies;
     select_pairs(step);
     std::vector<NarrowPhaseTask>& tasks = step.scratch.contacts.tasks;
-    step.team.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             NarrowPhaseTask& task = tasks[static_cast<std::size_t>(k)];
             prefetch_ahead(step.world, tasks, k, end);

@@ -73,7 +73,7 @@ private:
     void take(std::size_t count, ContactOf&& contact_of, EndsOf&& ends) {
         std::vector<std::uint8_t>& found = scratch_.ends;
         found.resize(count);
-        step_.team.run(static_cast<int>(count), tuning::bound_grain, [&](int begin, int end) {
+        step_.thread_pool.run(static_cast<int>(count), tuning::bound_grain, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
                 found[k] = ends(k);
         });

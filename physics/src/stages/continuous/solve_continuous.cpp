@@ -203,13 +203,13 @@ private:
         if (starting.empty()) return;
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
-        step_.team.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
+        step_.thread_pool.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 start(bodies_[k], sweep_candidates[starting[k]]);
                 note_manifolds(bodies_[k], step_.scratch.continuous.manifolds[starting[k]]);
             }
         });
-        step_.team.finish();  // the trees: finalize.cpp
+        step_.thread_pool.finish();  // the trees: finalize.cpp
         world_.shapes.statics->flush();
         for (ToiBody& t : bodies_)
             if (has_left_predicted_aabb(t)) candidates_.find(t.body, t.swept, t.candidates);
@@ -336,7 +336,7 @@ private:
             world_.profile.sweeps +=
                 static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
         }
-        step_.team.run(static_cast<int>(to_check_.size()), 1, [&](int begin, int end) {
+        step_.thread_pool.run(static_cast<int>(to_check_.size()), 1, [&](int begin, int end) {
             for (int k = begin; k < end; k++) find_impact(to_check_[static_cast<std::size_t>(k)]);
         });
         for (const std::size_t k : to_check_) queue(k);

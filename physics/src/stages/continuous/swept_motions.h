@@ -37,7 +37,7 @@ public:
             ASSERT(known[k] < index_.size() && index_[known[k]] == not_known);
             index_[known[k]] = static_cast<std::uint32_t>(k);
         }
-        step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
+        step.thread_pool.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 const Sweep& sweep = sweeps_[k] = sweep_of_body(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;

@@ -31,7 +31,7 @@ Skipped finalize(StepContext& step) {
     // Kinematic bodies were finalized with the free ones: contacts do not move them.
     const std::vector<std::uint32_t>& solved = solver.bodies.all;
     ASSERT(solved.empty() || solver.hot.size() == world.bodies.awake.size() + 1);
-    step.team.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
             finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
@@ -58,7 +58,7 @@ Skipped finalize(StepContext& step) {
     };
     // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
     if (moves.size() >= tuning::async_moves_min)
-        step.team.start(tell_trees);
+        step.thread_pool.start(tell_trees);
     else if (!moves.empty())
         tell_trees();
     return ran;

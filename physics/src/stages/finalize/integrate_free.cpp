@@ -63,7 +63,7 @@ void listen(StepContext& step, const SubstepInfo& substep_info, std::span<const 
     const std::size_t chunks = (moving.size() + chunk - 1) / chunk;
     auto& groups = step.scratch.solver.listened_free;
     if (groups.size() < chunks) groups.resize(chunks);
-    step.team.run_tasks(static_cast<int>(chunks), [&](int number) {
+    step.thread_pool.run_tasks(static_cast<int>(chunks), [&](int number) {
         const auto k = static_cast<std::size_t>(number);
         const std::size_t first = k * chunk, count = std::min(chunk, moving.size() - first);
         listen_to(step, substep_info, awake.subspan(first, count), moving.subspan(first, count), first,
@@ -97,14 +97,14 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     for (int n = 0; n < count; n++) {
         SubstepInfo substep_info{n, count, step.dt / count};
         if (listened) listen(step, substep_info, awake, moving);
-        step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+        step.thread_pool.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
                 advance(world, substep_info, moving[static_cast<std::size_t>(k)]);
         });
         substep_info.after = true;
         if (listened) listen(step, substep_info, awake, moving);
     }
-    step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const BodyWarm& now = moving[k];
             const Vec3 displacement = now.center - world.bodies.awake[awake[k]].center;
@@ -130,7 +130,7 @@ Skipped integrate_free(StepContext& step) {
     const bool by_substeps = has_substep_listeners(world.listeners) || !world.fields.empty();
     if (by_substeps) integrate_by_substeps(step, others);
     const std::vector<std::uint32_t>& free = by_substeps ? others : step.scratch.solver.free;
-    step.team.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = free[static_cast<std::size_t>(k)];
             ASSERT(i < world.bodies.awake.size());

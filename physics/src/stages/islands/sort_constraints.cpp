@@ -8,7 +8,7 @@ namespace jostle::physics {
 void sort_constraints(StepContext& step) {
     for (ColourSet& set : step.world.graph.solved()) {
         if (!is_shared(set)) continue;
-        step.team.run_tasks(overflow_colours, [&](int c) {
+        step.thread_pool.run_tasks(overflow_colours, [&](int c) {
             GraphColour& colour = set.colours[static_cast<std::size_t>(c)];
             if (!is_sorted(colour)) sort_contacts(step.world, colour, c);
         });

@@ -65,7 +65,7 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
     const std::size_t chunks = (moved.size() + chunk - 1) / chunk;
     if (parts.size() < chunks) parts.resize(chunks);
     for (NewPairs& part : parts) part.pairs.clear();
-    step.team.run(static_cast<int>(chunks), 1, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(chunks), 1, [&](int begin, int end) {
         for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
              part++)
             for (std::size_t k = part * chunk; k < std::min((part + 1) * chunk, moved.size()); k++)

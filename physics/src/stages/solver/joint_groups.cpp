@@ -360,7 +360,7 @@ void solve_joint_groups(StepContext& step) {
             next += body.pushed ? 1 : 0;
     }
     ASSERT(next == scratch.motions.size());
-    step.team.run_tasks(static_cast<int>(scratch.active.size()), [&](int k) {
+    step.thread_pool.run_tasks(static_cast<int>(scratch.active.size()), [&](int k) {
         const auto at = static_cast<std::size_t>(k);
         advance(step, scratch.active[at], std::span(scratch.motions).subspan(first[at]));
     });

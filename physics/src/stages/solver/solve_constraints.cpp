@@ -266,7 +266,7 @@ std::vector<SolverTask> make_tasks(const StepContext& step) {
     std::vector<SolverTask> tasks;
     // Listeners see the same groups of bodies whatever the threads. With a tolerance batches differ
     // in their sub-steps.
-    const bool any_together = step.team.size() == 1 || listens_on_one_thread(step.world.listeners);
+    const bool any_together = step.thread_pool.size() == 1 || listens_on_one_thread(step.world.listeners);
     const std::size_t together = any_together && !controls_error(step.world.def) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
@@ -302,7 +302,7 @@ bool reads_kinematic(const StepContext& step, const SolverTask& task) {
 template <class Work>
 void each_body(StepContext& step, const SolverTask& task, Work&& work) {
     const auto solved = step.scratch.solver.bodies.of(task.first, task.last);
-    step.team.run(
+    step.thread_pool.run(
         static_cast<int>(solved.size()), tuning::body_grain,
         [&](int begin, int end) {
             work(solved.subspan(static_cast<std::size_t>(begin),
@@ -331,7 +331,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     SolverScratch& scratch = step.scratch.solver;
     ASSERT(set.substeps >= 1);
     const double h = step.dt / set.substeps;
-    const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
+    const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.thread_pool};
     const Kernels& kernel = kernels();
     if (!scratch.jointed.of(task.first, task.last).empty()) apply_joint_impacts(step, contacts.runs);
     const bool bounces = begin_restitution(contacts);
@@ -400,7 +400,7 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
         shares_levels(joints) || std::any_of(colours.begin(), colours.end(),
                                              [](const ColourRun& run) { return run.shared; });
     ThreadPool alone(1);
-    StepContext substeps{world, step.scratch, shared ? step.team : alone, step.dt, step.contacts};
+    StepContext substeps{world, step.scratch, shared ? step.thread_pool : alone, step.dt, step.contacts};
     run_substeps(substeps, task, set, joints, kinematic);
 }
 
@@ -431,13 +431,13 @@ void solve_task(StepContext& step, const SolverTask& task,
 // until all are done. The threads share the colours of a heavier one.
 void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
     const std::vector<std::uint32_t>& kinematic = step.scratch.solver.kinematic;
-    if (step.team.size() == 1 || listens_on_one_thread(step.world.listeners)) {
+    if (step.thread_pool.size() == 1 || listens_on_one_thread(step.world.listeners)) {
         for (const SolverTask& task : tasks) solve_task(step, task, kinematic);
         return;
     }
     std::uint32_t weight = 0;
     for (const SolverTask& task : tasks) weight += task.weight;
-    const auto light_share = weight / (2 * static_cast<std::uint32_t>(step.team.size()));
+    const auto light_share = weight / (2 * static_cast<std::uint32_t>(step.thread_pool.size()));
     std::vector<SolverTask> single, shared;
     for (const SolverTask& task : tasks) {
         const bool light = task.weight <= std::max(tuning::light_task, light_share);
@@ -450,7 +450,7 @@ void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
     });
     for (const SolverTask& task : shared) solve_task(step, task, kinematic);
     ThreadPool alone(1);
-    step.team.run_tasks(static_cast<int>(single.size()), [&](int k) {
+    step.thread_pool.run_tasks(static_cast<int>(single.size()), [&](int k) {
         StepContext own{step.world, step.scratch, alone, step.dt, step.contacts};
         solve_task(own, single[static_cast<std::size_t>(k)], {});
     });

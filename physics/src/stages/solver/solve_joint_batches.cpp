@@ -13,7 +13,7 @@ template <class Visit>
 void each_batch(StepContext& step, const JointTask& task, Visit&& visit) {
     const auto batches = task.batches.batches();
     if (batches.empty()) return;
-    step.team.run(static_cast<int>(batches.size()), 1, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(batches.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; k++)
             visit(view_of(batches[static_cast<std::size_t>(k)], task.levels));
     });

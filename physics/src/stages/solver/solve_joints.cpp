@@ -106,7 +106,7 @@ void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
     const WorldState& world = step.world;
     std::vector<JointConstraintWideMeta>& metas = levels.metas;
     const int count = static_cast<int>(metas.size());
-    step.team.run(count, tuning::joint_grain * 2, [&](int begin, int end) {
+    step.thread_pool.run(count, tuning::joint_grain * 2, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             if (k + 2 < count)
                 prefetch_ahead(world.joints, world.bodies, metas[static_cast<std::size_t>(k + 2)]);
@@ -135,13 +135,13 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
         if (count < tuning::shared_joint_blocks)
             work(0, count);
         else
-            step.team.run(count, tuning::joint_grain, work);
+            step.thread_pool.run(count, tuning::joint_grain, work);
     }
 }
 
 void each_body(StepContext& step, const JointTask& task, void (*pass)(const BodyRange&)) {
     SolverScratch& scratch = step.scratch.solver;
-    step.team.run(
+    step.thread_pool.run(
         static_cast<int>(task.bodies.size()), tuning::body_grain, [&](int begin, int end) {
             pass({scratch.hot.data(), scratch.external.data(), task.bodies.data(), begin, end});
         });

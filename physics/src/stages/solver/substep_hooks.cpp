@@ -172,7 +172,7 @@ void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
     const BodyStore& bodies = world.bodies;
     SolverScratch& scratch = step.scratch.solver;
     const double time = world.time + substep_info.index * clock_pair.h;
-    step.team.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
+    step.thread_pool.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const std::uint32_t awake = hot[k] - 1;
             if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;

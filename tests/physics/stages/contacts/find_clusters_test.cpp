@@ -39,7 +39,7 @@ bool is_crowd(const Row& row) {
                     .restitution = row.restitution});
     WorldState& state = state_of(world);
     StepScratch scratch;
-    StepContext step{state, scratch, *state.team, 1 / row.hz, {}};
+    StepContext step{state, scratch, *state.thread_pool, 1 / row.hz, {}};
     update_pairs(step);
     scratch.contacts.had_contacts.assign(state.bodies.awake.size(), row.leans ? 1 : 0);
     for (std::uint32_t k = 0; k < state.contacts.contacts.size(); k++) {

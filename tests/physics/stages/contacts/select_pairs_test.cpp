@@ -22,7 +22,7 @@ struct Choice {
     WorldState& state = state_of(world);
     StepScratch scratch;
     explicit Choice(World& w) : world(w) {
-        StepContext step{state, scratch, *state.team, dt, {}};
+        StepContext step{state, scratch, *state.thread_pool, dt, {}};
         select_pairs(step);
     }
     ~Choice() {

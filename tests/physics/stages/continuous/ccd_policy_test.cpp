@@ -18,7 +18,7 @@ struct Scene {
     World world = make_world();
     WorldState& state = state_of(world);
     StepScratch scratch;
-    StepContext step{state, scratch, *state.team, 1.0 / 60, {}};
+    StepContext step{state, scratch, *state.thread_pool, 1.0 / 60, {}};
 
     std::uint32_t ball(double restitution = 0) {
         scratch.contacts.had_contacts.push_back(0);

@@ -32,7 +32,7 @@ struct Step {
     // By a velocity, straight on.
     void move(Vec3 v) { finalize(FreeMotion{v * dt, warm().rotation, v, {}}); }
     void finalize(const FreeMotion& motion) {
-        StepContext step{state, scratch, *state.team, dt, {}};
+        StepContext step{state, scratch, *state.thread_pool, dt, {}};
         begin_finalize(state.bodies, {}, scratch.finalize);
         finalize_body(step, 0, motion);
     }

@@ -73,7 +73,7 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
 // ---- patterns ----
 
 // Bodies by number. What joints cannot push couples nothing: it is a body of its own at each end.
-struct Numbering {
+struct BodyNumbering {
     std::vector<std::int32_t>& of_hot;  // -1: none yet
     std::vector<std::int32_t> hot;      // by number
     std::vector<std::uint8_t> pushed;
@@ -204,7 +204,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
             continue;
         const std::int64_t most = most_work_of(batches.size[root], options);
         if (most == 0) continue;
-        Numbering number{batches.first, {}, {}};
+        BodyNumbering number{batches.first, {}, {}};
         batches.key.clear();
         for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[as_index(k)])
             for (const std::int32_t hot : {levels.joints[as_index(k)].a, levels.joints[as_index(k)].b})

@@ -41,22 +41,22 @@ inline std::vector<std::string> golden_lines(int threads = 1,
 }
 
 // One of the ways to come to the same bits.
-struct GoldenWay {
+struct GoldenConfiguration {
     int threads;
     physics::InstructionSet set;
 };
 
-inline std::string to_string(const GoldenWay& way) {
+inline std::string to_string(const GoldenConfiguration& way) {
     return std::to_string(way.threads) + (way.threads == 1 ? " thread, " : " threads, ") +
            physics::instruction_set_name(way.set);
 }
 
 // One thread and the set that this machine would choose, then one thread more and the next set, and
 // so on; the slowest, one float at a time, takes one turn only.
-inline std::vector<GoldenWay> golden_ways(int count) {
+inline std::vector<GoldenConfiguration> golden_ways(int count) {
     const auto sets = physics::available_instruction_sets();
     const std::size_t fast = sets.size() > 1 ? sets.size() - 1 : 1;
-    std::vector<GoldenWay> ways;
+    std::vector<GoldenConfiguration> ways;
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); k++) {
         const bool slowest = k + 1 == sets.size();
         ways.push_back({static_cast<int>(k % 8) + 1,

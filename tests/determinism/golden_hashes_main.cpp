@@ -126,7 +126,7 @@ int check(const Options& options) {
     }
     const std::vector<NumberedLine> golden = wanted_lines(read_all(file.get()), options);
     std::string ways;
-    for (const GoldenWay& way : golden_ways(options.ways)) {
+    for (const GoldenConfiguration& way : golden_ways(options.ways)) {
         must(physics::use_instruction_set(way.set));
         const std::vector<std::string> here =
             golden_lines(way.threads, options.scenes, options.steps);

@@ -19,8 +19,8 @@ std::unique_ptr<BroadPhaseIndex> make() {
 }
 
 TEST(BenchBroadPhases, answer_as_a_loop_over_all_boxes_does) {
-    expect_answers_of_a_loop(make<bench::LooseOctree>);
-    expect_answers_of_a_loop(make<bench::KdTree>);
+    expect_matches_brute_force(make<bench::LooseOctree>);
+    expect_matches_brute_force(make<bench::KdTree>);
 }
 
 // Boxes on whole coordinates: sides that touch lie in the planes of cells. All move at once, as in

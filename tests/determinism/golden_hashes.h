@@ -53,16 +53,16 @@ inline std::string to_string(const GoldenConfiguration& way) {
 
 // One thread and the set that this machine would choose, then one thread more and the next set, and
 // so on; the slowest, one float at a time, takes one turn only.
-inline std::vector<GoldenConfiguration> golden_ways(int count) {
+inline std::vector<GoldenConfiguration> golden_configurations(int count) {
     const auto sets = physics::available_instruction_sets();
     const std::size_t fast = sets.size() > 1 ? sets.size() - 1 : 1;
-    std::vector<GoldenConfiguration> ways;
+    std::vector<GoldenConfiguration> configurations;
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); k++) {
         const bool slowest = k + 1 == sets.size();
-        ways.push_back({static_cast<int>(k % 8) + 1,
+        configurations.push_back({static_cast<int>(k % 8) + 1,
                         slowest ? sets.front() : sets[sets.size() - 1 - k % fast]});
     }
-    return ways;
+    return configurations;
 }
 
 }  // namespace jostle::test

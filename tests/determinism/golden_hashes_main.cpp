@@ -24,7 +24,7 @@ struct Options {
     bool check = false;
     std::vector<std::string> scenes;
     int steps = golden_steps;
-    int ways = 1;
+    int configurations = 1;
 };
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -76,8 +76,8 @@ std::optional<Options> read_options(int argc, char** argv) {
             if (options.steps < 0 || options.steps > golden_steps)
                 return refuse("--steps is 0 to " + std::to_string(golden_steps));
         } else if (name == "--ways") {
-            options.ways = std::atoi(value.c_str());
-            if (options.ways < 1 || options.ways > 8) return refuse("--ways is 1 to 8");
+            options.configurations = std::atoi(value.c_str());
+            if (options.configurations < 1 || options.configurations > 8) return refuse("--ways is 1 to 8");
         } else {
             return refuse("unknown option " + name);
         }
@@ -102,7 +102,7 @@ std::string read_all(std::FILE* file) {
 }
 
 // The lines of the file that the options ask for. "scene step hash"
-std::vector<NumberedLine> wanted_lines(const std::string& text, const Options& options) {
+std::vector<NumberedLine> expected_lines(const std::string& text, const Options& options) {
     std::vector<NumberedLine> wanted;
     int number = 0;
     for (const std::string& line : split(text, '\n')) {
@@ -124,9 +124,9 @@ int check(const Options& options) {
         std::fprintf(stderr, "golden_hashes: cannot read %s\n", options.file.c_str());
         return 1;
     }
-    const std::vector<NumberedLine> golden = wanted_lines(read_all(file.get()), options);
-    std::string ways;
-    for (const GoldenConfiguration& way : golden_ways(options.ways)) {
+    const std::vector<NumberedLine> golden = expected_lines(read_all(file.get()), options);
+    std::string configurations;
+    for (const GoldenConfiguration& way : golden_configurations(options.configurations)) {
         must(physics::use_instruction_set(way.set));
         const std::vector<std::string> here =
             golden_lines(way.threads, options.scenes, options.steps);
@@ -139,9 +139,9 @@ int check(const Options& options) {
                          to_string(way).c_str());
             return 1;
         }
-        ways += (ways.empty() ? "" : "; ") + to_string(way);
+        configurations += (configurations.empty() ? "" : "; ") + to_string(way);
     }
-    std::printf("%zu hashes equal (%s)\n", golden.size(), ways.c_str());
+    std::printf("%zu hashes equal (%s)\n", golden.size(), configurations.c_str());
     return 0;
 }
 

@@ -24,7 +24,7 @@ std::vector<std::string> golden() {
 // scripts/determinism-check goes on to eight.
 TEST(GoldenHashes, are_what_they_were_for_any_threads_and_instructions) {
     const physics::InstructionSet usual = physics::instruction_set();
-    for (const GoldenConfiguration& way : golden_ways(4)) {
+    for (const GoldenConfiguration& way : golden_configurations(4)) {
         must(physics::use_instruction_set(way.set));
         EXPECT_EQ(golden_lines(way.threads), golden()) << to_string(way);
     }

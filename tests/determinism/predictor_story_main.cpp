@@ -50,32 +50,32 @@ struct Body {
     double x, y, z;
 };
 
-const Numbers no_place{0, 0, 0, 0, 0, 0, 1};
+const Numbers no_position{0, 0, 0, 0, 0, 0, 1};
 const Numbers usual_touch{0.5, 0, 0, 0, 0, 0, 0, 1, 4, 1, 4294967295, 0, 0, 1000, 0};
 
 const std::vector<Body>& bodies() {
     static const std::vector<Body> all{
-        {1, 0, 0, joined({{3}, no_place, {50, 0.5, 50}}), 0, -0.5, 0},
-        {2, 2, 125, joined({{3}, no_place, {0.25, 0.25, 0.25}}), 0, 0.25, 0},
-        {3, 2, 125, joined({{3}, no_place, {0.25, 0.25, 0.25}}), 1.5, 0.25, 0},
-        {4, 2, 30, joined({{1}, no_place, {0.2}}), 0.9, 0.2, 0.9},
-        {5, 2, 40, joined({{2}, no_place, {0.15, 0.3}}), -0.9, 0.45, 0.4},
-        {6, 2, 40, joined({{5}, no_place, {0.2, 0.25}}), -0.8, 0.25, -0.9},
-        {7, 2, 20, joined({{6}, no_place, {0.25, 0.3}}), 0.7, 0.3, -1.2},
+        {1, 0, 0, joined({{3}, no_position, {50, 0.5, 50}}), 0, -0.5, 0},
+        {2, 2, 125, joined({{3}, no_position, {0.25, 0.25, 0.25}}), 0, 0.25, 0},
+        {3, 2, 125, joined({{3}, no_position, {0.25, 0.25, 0.25}}), 1.5, 0.25, 0},
+        {4, 2, 30, joined({{1}, no_position, {0.2}}), 0.9, 0.2, 0.9},
+        {5, 2, 40, joined({{2}, no_position, {0.15, 0.3}}), -0.9, 0.45, 0.4},
+        {6, 2, 40, joined({{5}, no_position, {0.2, 0.25}}), -0.8, 0.25, -0.9},
+        {7, 2, 20, joined({{6}, no_position, {0.25, 0.3}}), 0.7, 0.3, -1.2},
         {8, 2, 35,
          joined({{7},
-                 no_place,
+                 no_position,
                  {5, -0.3, -0.2, -0.3, 0.3, -0.2, -0.3, 0, -0.2, 0.4, 0, 0.4, 0, 0.1, -0.1, 0.1}}),
          1.6, 0.2, 1.4},
         {9, 2, 50,
          joined(
-             {{10}, no_place, {2, 3}, no_place, {0.3, 0.1, 0.1}, {1, 0.4, 0, 0, 0, 0, 0, 1, 0.15}}),
+             {{10}, no_position, {2, 3}, no_position, {0.3, 0.1, 0.1}, {1, 0.4, 0, 0, 0, 0, 0, 1, 0.15}}),
          -1.8, 0.2, -0.4},
-        {10, 0, 0, joined({{8}, no_place, {4,  -1,  0, -1, 1, 0, -1, 1, 0.6, 1,
+        {10, 0, 0, joined({{8}, no_position, {4,  -1,  0, -1, 1, 0, -1, 1, 0.6, 1,
                                            -1, 0.6, 1, 2,  0, 2, 1,  0, 3,   2}}),
          0, 0, 3},
-        {11, 0, 0, joined({{9}, no_place, {2, 2, 2, 2, 0, 0.2, 0.1, 0.3, 0}}), -3, 0, 0},
-        {12, 0, 0, joined({{4}, no_place, {0, 1, 0}}), 0, -2, 0},
+        {11, 0, 0, joined({{9}, no_position, {2, 2, 2, 2, 0, 0.2, 0.1, 0.3, 0}}), -3, 0, 0},
+        {12, 0, 0, joined({{4}, no_position, {0, 1, 0}}), 0, -2, 0},
     };
     return all;
 }
@@ -93,7 +93,7 @@ void add_bodies() {
 }
 
 // --- what happens ---
-void tell_frame(uint32_t number, double shift) {
+void send_frame(uint32_t number, double shift) {
     Numbers told;
     for (const Body& body : bodies())
         for (const double n : {double(body.entity), body.x + (body.entity == 2 ? shift : 0), body.y,
@@ -143,12 +143,12 @@ constexpr uint32_t car = 13;
 const Numbers chassis_half{0.8, 0.25, 2};
 constexpr double chassis_mass = 1500;
 
-void tell_car_body() {
+void send_car_body() {
     jostle_predictor_add_body(predictor, car, 2, chassis_mass);
     write_line("add_body", {double(car), 2, chassis_mass});
     jostle_predictor_set_body(predictor, car, 0.01, 0.02, 1, 0, 1);
     write_line("set_body", {double(car), 0.01, 0.02, 1, 0, 1});
-    const Numbers shapes = joined({{1, 3}, no_place, chassis_half, usual_touch});
+    const Numbers shapes = joined({{1, 3}, no_position, chassis_half, usual_touch});
     put(shapes);
     const auto count = static_cast<uint32_t>(shapes.size());
     const uint32_t understood = jostle_predictor_set_shapes(predictor, car, count);
@@ -156,7 +156,7 @@ void tell_car_body() {
 }
 
 // As a server tells of one that has driven for a second and a half.
-void tell_driven_car(uint32_t tick) {
+void send_controlled_car(uint32_t tick) {
     using namespace jostle;
     physics::World world;
     const physics::Box floor{{50, 0.5, 50}},
@@ -195,11 +195,11 @@ void steer(uint32_t sequence, uint32_t tick, const Numbers& axes, uint32_t butto
     write_line("steer", {double(sequence), double(tick), double(count), double(buttons)});
 }
 
-void tell_drive() {
-    tell_car_body();
+void send_control() {
+    send_car_body();
     jostle_predictor_follow(predictor, car);
     write_line("follow", {car});
-    tell_driven_car(300);
+    send_controlled_car(300);
     expect(310);
     steer(40, 311, {-0.7, 1}, 0);
     expect(330);
@@ -207,13 +207,13 @@ void tell_drive() {
     expect(370);
 }
 
-void tell_story() {
+void write_predictor_trace() {
     jostle_predictor_begin(predictor, 60, 0, -9.81, 0, 8);
     write_line("begin", {60, 0, -9.81, 0, 8});
     add_bodies();
     jostle_predictor_follow(predictor, 2);
     write_line("follow", {2});
-    tell_frame(1, 0);
+    send_frame(1, 0);
     expect(2);
     push(1, 3, 2, 625, 0, 0);  // 5 m/s, into the other box
     push_at(2, 4, 5);          // the capsule spins
@@ -228,10 +228,10 @@ void tell_story() {
     jostle_predictor_result(predictor, 34, 0, 0);  // it was refused: the hand still holds
     write_line("result", {34, 0, 0});
     expect(110);
-    tell_frame(100, 0.5);  // the server has them where they began, ours elsewhere
+    send_frame(100, 0.5);  // the server has them where they began, ours elsewhere
     expect(120);
     expect(150);
-    tell_drive();
+    send_control();
 }
 
 }  // namespace
@@ -241,7 +241,7 @@ void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t) {}
 int main() {
     predictor = jostle_predictor_create();
     std::printf("[");
-    tell_story();
+    write_predictor_trace();
     std::printf("\n]\n");
     jostle_predictor_destroy(predictor);
 }

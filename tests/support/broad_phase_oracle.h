@@ -15,7 +15,7 @@
 namespace jostle::test {
 
 // Inserts, moves, removes; after each round every question is compared with a loop over all boxes.
-inline void expect_answers_of_a_loop(std::unique_ptr<physics::BroadPhaseIndex> (*make)()) {
+inline void expect_matches_brute_force(std::unique_ptr<physics::BroadPhaseIndex> (*make)()) {
     using namespace physics;
     struct Item {
         Aabb box;

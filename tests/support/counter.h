@@ -20,19 +20,19 @@ public:
         v.field("steps", steps);
         v.field("every", every);
         v.field("until", until);
-        v.field("watched", watched);
+        v.field("watched", observed_body);
     }
     Status configure(physics::World&, const physics::ModuleSettings& settings) override {
         for (const auto& [name, number] : settings.numbers)
             (name == "every" ? every : until) = static_cast<std::uint32_t>(number);
-        for (const auto& [name, body] : settings.bodies) watched = body;
+        for (const auto& [name, body] : settings.bodies) observed_body = body;
         return {};
     }
     void after_step(physics::World&, double) override { steps++; }
     std::vector<physics::ChannelKind> channels() const override { return kinds; }
     void publish(const physics::World&, physics::ChannelWriter& channels) const override {
         for (std::size_t kind = 0; kind < kinds.size(); kind++) {
-            if ((until != 0 && count() >= until) || !channels.begin(kind, watched)) continue;
+            if ((until != 0 && count() >= until) || !channels.begin(kind, observed_body)) continue;
             channels.value(static_cast<std::int32_t>(count()));
             for (std::size_t k = 0; k < padding; k++) channels.value(0);
         }
@@ -43,7 +43,7 @@ public:
     std::uint32_t steps = 0;
     std::uint32_t every = 1;  // steps to a count
     std::uint32_t until = 0;  // the count at which it falls silent; 0: never
-    physics::BodyId watched;
+    physics::BodyId observed_body;
     std::size_t padding = 0;                         // values after the count
     std::vector<physics::ChannelKind> kinds = {{}};  // each tells the count
 
@@ -52,7 +52,7 @@ private:
 };
 
 // May be called by several tests of a program.
-inline void know_counter() {
+inline void register_counter() {
     static const Status known =
         physics::register_module("counter", [] { return std::make_unique<Counter>(); });
     known.expect();

@@ -54,7 +54,7 @@ std::string name_of(const Client& client, std::uint32_t entity) {
 class GrpcServerTest : public testing::Test {
 protected:
     void SetUp() override {
-        test::know_counter();
+        test::register_counter();
         static const Status known = physics::register_module(
             "still", [] { return std::make_unique<test::Counter>("still"); });
         ASSERT_TRUE(known.ok());

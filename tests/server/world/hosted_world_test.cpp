@@ -168,7 +168,7 @@ TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
 }
 
 TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
-    test::know_counter();
+    test::register_counter();
     scenes::SceneDescription scene = *scenes::find_scene("stack");
     scene.modules = {{.tag = "counter", .settings = {{"every", 2}}, .bodies = {{"watched", 3}}}};
     HostedWorld world = HostedWorld::create(scene, {}, 1).value();

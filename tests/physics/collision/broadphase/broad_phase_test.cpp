@@ -18,9 +18,9 @@ std::unique_ptr<BroadPhaseIndex> make() {
 }
 
 TEST(BroadPhase, of_every_kind_answers_as_a_loop_over_all_boxes_does) {
-    expect_answers_of_a_loop(make<BroadPhase::dynamic_tree>);
-    expect_answers_of_a_loop(make<BroadPhase::sort_and_sweep>);
-    expect_answers_of_a_loop(make<BroadPhase::uniform_grid>);
+    expect_matches_brute_force(make<BroadPhase::dynamic_tree>);
+    expect_matches_brute_force(make<BroadPhase::sort_and_sweep>);
+    expect_matches_brute_force(make<BroadPhase::uniform_grid>);
 }
 
 // The world that comes of it is the same to the last bit.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/joined.h"
+#include "tests/support/joint_fixture.h"
 #include "tests/support/near.h"
 
 namespace jostle::test {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/support/joined.h"
+#include "tests/support/joint_fixture.h"
 #include "tests/support/near.h"
 
 namespace jostle::test {

@@ -585,7 +585,7 @@ void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitut
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     WideImpulse sum;
     const Wide zero = splat(0);
-    Wide given[4] = {zero, zero, zero, zero};
+    Wide applied[4] = {zero, zero, zero, zero};
     Wide left_with = zero;
     // Several sweeps: the points of one face share the restitution_wide.
     for (int sweep = 0; sweep < 4; sweep++)
@@ -598,10 +598,10 @@ void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitut
                                  (approach < splat(-set.restitution_speed)) &
                                  (load<ContactConstraintWideMeta>(restitution) > zero);
             const Wide unclamped = -load<ContactConstraintWideMeta>(restitution) * approach;
-            const Wide now = max(given[i] + (unclamped - vn) / r.k, zero);
-            const Wide d = select(hit, now - given[i], zero);
-            given[i] = given[i] + d;
-            left_with = max(left_with, given[i]);
+            const Wide now = max(applied[i] + (unclamped - vn) / r.k, zero);
+            const Wide d = select(hit, now - applied[i], zero);
+            applied[i] = applied[i] + d;
+            left_with = max(left_with, applied[i]);
             u0 = fma(r.r0, d, u0);
             u1 = fma(r.r1, d, u1);
             u2 = fma(r.r2, d, u2);

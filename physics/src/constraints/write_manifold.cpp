@@ -49,14 +49,14 @@ struct Loads {
 // `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
 Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach, bool even) {
     Loads loads;
-    bool taken[4] = {}, given[4] = {};
+    bool taken[4] = {}, assigned[4] = {};
     const auto way2 = [&](int i, int j) {
         return length_squared(old.point[j] - (m.point[i] - center));
     };
     const auto give = [&](int i, int j) {
         loads.lambda[i] += old.lambda[j];
         loads.mean_impulse[i] += old.mean_impulse[j];
-        taken[j] = given[i] = true;
+        taken[j] = assigned[i] = true;
     };
     for (int i = 0; i < m.count; i++) {
         double nearest = reach * reach;
@@ -72,7 +72,7 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
         if (taken[j] || (old.lambda[j] == 0 && old.mean_impulse[j] == 0)) continue;
         int best = 0;
         for (int i = 1; i < m.count; i++)
-            if (given[i] == given[best] ? way2(i, j) < way2(best, j) : given[best]) best = i;
+            if (assigned[i] == assigned[best] ? way2(i, j) < way2(best, j) : assigned[best]) best = i;
         give(best, j);
     }
     if (even) {

@@ -197,7 +197,7 @@ namespace {
 
 // Vertices that some loop uses, and the loops in their numbers.
 Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
-    const std::vector<Vec3>& kept, const std::vector<std::vector<std::uint32_t>>& loops) {
+    const std::vector<Vec3>& retained, const std::vector<std::vector<std::uint32_t>>& loops) {
     std::vector<std::uint32_t> used;
     for (const auto& loop : loops) used.insert(used.end(), loop.begin(), loop.end());
     std::sort(used.begin(), used.end());
@@ -206,7 +206,7 @@ Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
         return hull_error("it has " + std::to_string(used.size()) + " vertices; at most " +
                           std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
     std::vector<Vec3> vertices;
-    for (const std::uint32_t p : used) vertices.push_back(kept[p]);
+    for (const std::uint32_t p : used) vertices.push_back(retained[p]);
     std::vector<std::vector<std::uint16_t>> faces;
     for (const auto& loop : loops) {
         if (loop.size() > max_face_vertices)
@@ -265,21 +265,21 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
         places.emplace(GridPoint{round(p.x), round(p.y), round(p.z)}, i);
     }
     std::vector<GridPoint> grid;
-    std::vector<Vec3> kept;
+    std::vector<Vec3> retained;
     for (const auto& [place, index] : places) {
         grid.push_back(place);
-        kept.push_back(points[index]);
+        retained.push_back(points[index]);
     }
     const auto triangles = hull_triangles(grid);
     if (!triangles) return hull_error("its points lie in one plane; it has no volume");
-    auto loops = FaceMerger(kept, *triangles, merge_fraction * size).run();
-    if (loops) drop_edge_vertices(*loops, kept.size());
+    auto loops = FaceMerger(retained, *triangles, merge_fraction * size).run();
+    if (loops) drop_edge_vertices(*loops, retained.size());
     // A region whose border is not simple, or a face with nothing left: keep the triangles.
     const auto broken = [](const auto& all) {
         return std::any_of(all.begin(), all.end(), [](const auto& l) { return l.size() < 3; });
     };
     if (loops && !broken(*loops)) {
-        auto merged = hull_of_loops(kept, *loops);
+        auto merged = hull_of_loops(retained, *loops);
         if (merged.ok() && is_flat_and_convex(**merged, size) &&
             (*merged)->inner_radius >= 1e-6 * size)
             return merged;
@@ -289,7 +289,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     }
     loops.emplace();
     for (const HullTriangle& t : *triangles) loops->push_back({t.begin(), t.end()});
-    auto hull = hull_of_loops(kept, *loops);
+    auto hull = hull_of_loops(retained, *loops);
     if (hull.ok() && ((*hull)->inner_radius < 1e-6 * size || !is_flat_and_convex(**hull, size)))
         return hull_error(
             "it is so thin, or its points so nearly in line, that its faces are not "

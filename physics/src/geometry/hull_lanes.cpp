@@ -31,7 +31,7 @@ Four splat(float f) {
 
 // A ball of a pair as floats, and what their rounding may take away.
 struct BallLanes {
-    Four x, y, z, squared, off, beside;
+    Four x, y, z, squared, off, lateral;
 };
 BallLanes lanes_of(const InnerBalls& balls, double sign) {
     const Vec3 d = balls.apart * sign;
@@ -64,8 +64,8 @@ Four root(Four a) {
 // Of what an arc's normals show.
 Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
     const Four at_ends = larger(along(arc.first, at, ball), along(arc.second, at, ball));
-    const FourMask between = (along(arc.after_first, at, ball) >= ball.beside) &
-                             (along(arc.before_second, at, ball) >= ball.beside);
+    const FourMask between = (along(arc.after_first, at, ball) >= ball.lateral) &
+                             (along(arc.before_second, at, ball) >= ball.lateral);
     // Of all directions square to the edge the ball's own, without its part along the edge, shows
     // most, when it is between the two.
     const Four part = along(arc.along, at, ball);

@@ -62,15 +62,15 @@ void report_stays(WorldState& world) {
     });
     sort_by_shapes(stays);
     // The manifolds of one pair are one contact: the point and normal are those of the hardest.
-    std::size_t kept = 0;
+    std::size_t retained = 0;
     for (std::size_t k = 0; k < stays.size(); k++) {
-        const bool same = kept > 0 && stays[kept - 1].shape_a == stays[k].shape_a &&
-                          stays[kept - 1].shape_b == stays[k].shape_b;
+        const bool same = retained > 0 && stays[retained - 1].shape_a == stays[k].shape_a &&
+                          stays[retained - 1].shape_b == stays[k].shape_b;
         if (!same) {
-            stays[kept++] = stays[k];
+            stays[retained++] = stays[k];
             continue;
         }
-        ContactStay& sum = stays[kept - 1];
+        ContactStay& sum = stays[retained - 1];
         if (stays[k].normal_impulse > sum.normal_impulse) {
             sum.point = stays[k].point;
             sum.normal = stays[k].normal;
@@ -79,7 +79,7 @@ void report_stays(WorldState& world) {
         sum.friction_impulse += stays[k].friction_impulse;
         sum.penetration = maximum(sum.penetration, stays[k].penetration);
     }
-    stays.resize(kept);
+    stays.resize(retained);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace jostle::physics {
 void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double slack,
                           const MotionBound& a, const MotionBound& b) {
     w.directed = direction != Vec3{};
-    const Vec3 kept = w.directed ? direction : apart;
-    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(kept[k]);
+    const Vec3 retained = w.directed ? direction : apart;
+    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(retained[k]);
     w.budget = slack + a.turned + b.turned - (w.directed ? dot(direction_of(w), apart) : 0);
 }
 
@@ -57,15 +57,15 @@ Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
     const double turned =
         world.bodies.motion[w.body_a].turned + world.bodies.motion[w.body_b].turned;
     const double turning = length(wa.w) * a.radius + length(wb.w) * b.radius;
-    const Vec3 kept = direction_of(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
+    const Vec3 retained = direction_of(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
     if (w.directed)
-        return {w.budget + dot(kept, apart) - turned,
-                dt * maximum(0, turning - dot(kept, velocity))};
+        return {w.budget + dot(retained, apart) - turned,
+                dt * maximum(0, turning - dot(retained, velocity))};
     const auto force = [](const BodyWarm& warm, const BodyCold& cold) {
         return warm.force == Vec3{} ? 0 : length(warm.force) * cold.inverse_mass;
     };
     const double pull = 2 * length(world.def.gravity) + force(wa, a) + force(wb, b);
-    return {w.budget - length(apart - kept) - turned,
+    return {w.budget - length(apart - retained) - turned,
             1.5 * dt * (length(velocity) + turning) + dt * dt * pull};
 }
 
@@ -106,9 +106,9 @@ bool stayed_apart(const WorldState& world, const SeparationBound& w, Vec3 before
     if (a.travel + b.travel < w.limit) return true;
     // Turning only ever uses up, and of an even motion the nearest moment is the first or the last.
     const double left = w.budget - a.turned - b.turned;
-    const Vec3 kept = direction_of(w);
-    if (w.directed) return left + minimum(dot(kept, before), dot(kept, now)) > 0;
-    return left > maximum(length(before - kept), length(now - kept));
+    const Vec3 retained = direction_of(w);
+    if (w.directed) return left + minimum(dot(retained, before), dot(retained, now)) > 0;
+    return left > maximum(length(before - retained), length(now - retained));
 }
 
 }  // namespace jostle::physics

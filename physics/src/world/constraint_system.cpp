@@ -188,7 +188,7 @@ struct ConstraintSystemBuilder {
     void add_contact(const ContactView& view, const ContactSettings& settings) {
         const Contact& contact = world.contacts.contacts[view.contact];
         const ContactInfo& info = view.info;
-        const ContactModifier answer = modifier_of(world, contact);
+        const ContactModifier result = modifier_of(world, contact);
         const Vec3 n = info.normal;
         const Vec3 t1 =
             world.def.planar
@@ -220,20 +220,20 @@ struct ConstraintSystemBuilder {
             const double beyond = minimum(info.gap[k] + tuning::contact_slop, 0);
             normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -question.position_correction * beyond / h;
             if (options.solver_softness && info.gap[k] <= 0) {
-                const double kept = double{settings.mass_scale};
-                normal.softness = response * double{settings.impulse_scale} / kept;
+                const double retained = double{settings.mass_scale};
+                normal.softness = response * double{settings.impulse_scale} / retained;
                 normal.bias = -double{settings.bias_rate} * beyond;
             }
             const int normal_row = static_cast<int>(system.rows.size());
             system.rows.push_back(normal);
             for (int t = 0; t < 2; t++) {
-                if (answer.friction == 0) continue;
+                if (result.friction == 0) continue;
                 ConstraintRow row = row_along(RowRole::tangent, t, tangents[t]);
                 if (!(response_of(row, system.bodies) > 0)) continue;
-                row.bias = -dot(answer.surface_velocity, tangents[t]);
-                row.friction = answer.friction;
+                row.bias = -dot(result.surface_velocity, tangents[t]);
+                row.friction = result.friction;
                 row.normal_row = normal_row;
-                row.upper = answer.friction * info.impulse[k];
+                row.upper = result.friction * info.impulse[k];
                 row.lower = -row.upper;
                 system.rows.push_back(row);
             }

@@ -296,16 +296,16 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
 // One answer per question, or the first error with the number of its question.
 template <class Answer, class Question, class Ask>
 Result<std::vector<Answer>> each(std::span<const Question> questions, const char* name, Ask&& ask) {
-    std::vector<Answer> answers;
-    answers.reserve(questions.size());
+    std::vector<Answer> results;
+    results.reserve(questions.size());
     for (std::size_t k = 0; k < questions.size(); k++) {
-        Result<Answer> answer = ask(questions[k]);
-        if (!answer.ok())
-            return Error{answer.error().code, std::string(name) + "[" + std::to_string(k) +
-                                                  "]: " + answer.error().message};
-        answers.push_back(*answer);
+        Result<Answer> result = ask(questions[k]);
+        if (!result.ok())
+            return Error{result.error().code, std::string(name) + "[" + std::to_string(k) +
+                                                  "]: " + result.error().message};
+        results.push_back(*result);
     }
-    return answers;
+    return results;
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ Feature local_feature(const Convex& shape, Vec3 d) {
 
 // The part of a polygon (or segment, or point) on the inner side of a plane.
 int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
-    UninitializedArray<Vec3, ContactPoints::capacity> kept;
+    UninitializedArray<Vec3, ContactPoints::capacity> retained;
     int made = 0;
     const double slack = 1e-12;
     const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
@@ -137,15 +137,15 @@ int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
     for (int k = 0; k < count; k++) {
         const Vec3 p = polygon[k];
         const double hp = height(p);
-        if (hp <= slack) kept[made++] = p;
+        if (hp <= slack) retained[made++] = p;
         if (count == 1 || (open && k == 1)) continue;
         const Vec3 q = polygon[k + 1 < count ? k + 1 : 0];
         const double hq = height(q);
         if ((hp < -slack && hq > slack) || (hp > slack && hq < -slack))
-            kept[made++] = p + (q - p) * (hp / (hp - hq));
+            retained[made++] = p + (q - p) * (hp / (hp - hq));
         if (made + 2 >= ContactPoints::capacity) break;
     }
-    for (int k = 0; k < made; k++) polygon[k] = kept[k];
+    for (int k = 0; k < made; k++) polygon[k] = retained[k];
     return made;
 }
 

@@ -125,20 +125,20 @@ Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
 
 // Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
 int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit) {
-    UninitializedArray<FacePoint, 16> kept;
+    UninitializedArray<FacePoint, 16> retained;
     int made = 0;
     const auto outside = [&](const FacePoint& p) { return sign * (along_v ? p.v : p.u) - limit; };
     for (int k = 0; k < count; k++) {
         const FacePoint &p = polygon[k], &q = polygon[k + 1 < count ? k + 1 : 0];
         const double op = outside(p), oq = outside(q);
-        if (op <= 0) kept[made++] = p;
+        if (op <= 0) retained[made++] = p;
         if ((op < 0 && oq > 0) || (op > 0 && oq < 0)) {
             const double t = op / (op - oq);
-            kept[made++] = {p.u + t * (q.u - p.u), p.v + t * (q.v - p.v),
+            retained[made++] = {p.u + t * (q.u - p.u), p.v + t * (q.v - p.v),
                             p.gap + t * (q.gap - p.gap)};
         }
     }
-    std::copy(kept.data(), kept.data() + made, polygon);
+    std::copy(retained.data(), retained.data() + made, polygon);
     return made;
 }
 

@@ -324,7 +324,7 @@ private:
     // A shape that is below the face without reaching up to it, as a plank under the edge of a
     // table, is not in it.
     void drop_outside(ContactPoints& points, Vec3 face) const {
-        int kept = 0;
+        int retained = 0;
         for (int k = 0; k < points.count; k++) {
             // Half way between the surfaces; the face's is half the gap up.
             const Convex above{.core = Core::point,
@@ -333,10 +333,10 @@ private:
             if (points.gap[k] < -0.02 * size_ &&
                 gjk(above, shape_, face).distance > shape_.radius + slack())
                 continue;
-            points.point[kept] = points.point[k];
-            points.gap[kept++] = points.gap[k];
+            points.point[retained] = points.point[k];
+            points.gap[retained++] = points.gap[k];
         }
-        points.count = kept;
+        points.count = retained;
     }
 
     void take(Patch& patch, const Vec3 corner[3]) {

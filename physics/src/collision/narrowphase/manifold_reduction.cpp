@@ -47,13 +47,13 @@ int best_four(FacePoint* points, int count, double scale) {
             right = k;
         }
     }
-    FacePoint kept[4];
+    FacePoint retained[4];
     int made = 0;
-    kept[made++] = p0;
-    kept[made++] = p1;
-    if (left >= 0) kept[made++] = points[left];
-    if (right >= 0) kept[made++] = points[right];
-    std::copy(kept, kept + made, points);
+    retained[made++] = p0;
+    retained[made++] = p1;
+    if (left >= 0) retained[made++] = points[left];
+    if (right >= 0) retained[made++] = points[right];
+    std::copy(retained, retained + made, points);
     return made;
 }
 

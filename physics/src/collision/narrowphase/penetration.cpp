@@ -194,10 +194,10 @@ private:
         return true;
     }
     void compact() {
-        int kept = 0;
+        int retained = 0;
         for (int k = 0; k < facet_count_; k++)
-            if (facets_[k].alive) facets_[kept++] = facets_[k];
-        facet_count_ = kept;
+            if (facets_[k].alive) facets_[retained++] = facets_[k];
+        facet_count_ = retained;
     }
 
     int nearest() const {

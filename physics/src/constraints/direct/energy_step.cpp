@@ -130,7 +130,7 @@ void DirectGroup::begin_energy_step(double h) {
 void DirectGroup::add_known_pushes(double h) {
     for (DirectJoint& joint : joints)
         for (FreeAxis& free_axis : joint.free_axes) {
-            free_axis.given = 0;
+            free_axis.applied = 0;
             double push = free_axis.push();
             DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             if (free_axis.bound && free_axis.rate > 0) {
@@ -138,11 +138,11 @@ void DirectGroup::add_known_pushes(double h) {
                 push -= free_axis.stiffness * stretch_of(free_axis, free_axis.start + 0.5 * gone);
             }
             if (push == 0) continue;
-            free_axis.given = h * push;
-            a.sum -= free_axis.linear * free_axis.given;
-            a.twist += free_axis.angular_a * free_axis.given;
-            b.sum += free_axis.linear * free_axis.given;
-            b.twist += free_axis.angular_b * free_axis.given;
+            free_axis.applied = h * push;
+            a.sum -= free_axis.linear * free_axis.applied;
+            a.twist += free_axis.angular_a * free_axis.applied;
+            b.sum += free_axis.linear * free_axis.applied;
+            b.twist += free_axis.angular_b * free_axis.applied;
         }
 }
 
@@ -288,9 +288,9 @@ bool DirectGroup::step_energy(double h, double tolerance) {
         record(joint, joint.impulse);
         for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
         for (const FreeAxis& free_axis : joint.free_axes) {
-            if (free_axis.given == 0) continue;
-            joint.force_sum += free_axis.linear * free_axis.given;
-            if (!free_axis.is_linear()) joint.torque_sum += free_axis.angular_b * free_axis.given;
+            if (free_axis.applied == 0) continue;
+            joint.force_sum += free_axis.linear * free_axis.applied;
+            if (!free_axis.is_linear()) joint.torque_sum += free_axis.angular_b * free_axis.applied;
         }
     }
     commit();

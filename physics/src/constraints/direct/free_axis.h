@@ -41,7 +41,7 @@ struct FreeAxis {
     double start = 0;      // as the step began
     double stiffness = 0;  // of the spring as the step began, N m / rad or N/m
     double damper = 0;     // impulse per speed of half a step
-    double given = 0;      // impulse of the energy-momentum step that is no row's
+    double applied = 0;      // impulse of the energy-momentum step that is no row's
     bool overrun = false;  // the limit, as the step began: the row's push leaves no speed
     int at_limit = 0;      // 1: on the lower one, -1: on the upper one, 0: between
     // 2 p: between steps, p of them at less speed; 2 p + 1: at the speed of step p; or at_rest: a

@@ -33,16 +33,16 @@ JOSTLE_INLINE void substitute(const BatchView& batch) {
 // Impulses of the batch's joints into their blocks: as they are kept, and as they acted.
 JOSTLE_INLINE void store_batch_impulse(const BatchView& batch, BatchJoint& joint, WideQuat carried,
                                 Wide3 impulse, bool acted) {
-    alignas(32) float kept[3][8], world[3][8];
+    alignas(32) float stored[3][8], world[3][8];
     const Wide3 own = rotate(conjugate(carried), impulse);
     store3(joint.impulse, load3(joint.impulse) + own);
-    store3(kept, own);
+    store3(stored, own);
     store3(world, impulse);
     for (int lane = 0; lane < batch.groups; lane++) {
         JointConstraintWide& to = batch.blocks[joint.block[lane]];
         const int at = joint.lane[lane];
         for (int axis = 0; axis < 3; axis++) {
-            to.point[axis][at] += kept[axis][lane];
+            to.point[axis][at] += stored[axis][lane];
             if (acted) to.force[axis][at] += world[axis][lane];
         }
     }

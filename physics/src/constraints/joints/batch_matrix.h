@@ -121,12 +121,12 @@ JOSTLE_INLINE void load_levers(BatchJoint& joint, const BatchBody& a, const Batc
 
 // The column is kept beside; L = column D^-1 takes its place.
 JOSTLE_INLINE void eliminate(const BatchView& batch, int k) {
-    WideValue* const kept = batch.inverse + 6 * k;
+    WideValue* const stored = batch.inverse + 6 * k;
     const WideSymmetric inverse =
         inverse_of(load9(batch.values + batch.diagonal[k]),
-                   {load(kept[0].lane), load(kept[1].lane), load(kept[2].lane)});
+                   {load(stored[0].lane), load(stored[1].lane), load(stored[2].lane)});
     const Wide parts[6] = {inverse.xx, inverse.yy, inverse.zz, inverse.xy, inverse.xz, inverse.yz};
-    for (int i = 0; i < 6; i++) store(kept[i].lane, parts[i]);
+    for (int i = 0; i < 6; i++) store(stored[i].lane, parts[i]);
     const BlockLdl::Below* const below = batch.below + batch.first_below[k];
     const int count = batch.first_below[k + 1] - batch.first_below[k];
     for (int i = 0; i < count; i++) {
@@ -245,8 +245,8 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
         if (batch.compliance > 0)
             for (int n = 0; n < 9; n += 4)
                 store(diagonal[n].lane, load(diagonal[n].lane) * splat(1 + batch.compliance));
-        WideValue* const kept = batch.inverse + 6 * k;
-        kept[0] = diagonal[0], kept[1] = diagonal[4], kept[2] = diagonal[8];
+        WideValue* const stored = batch.inverse + 6 * k;
+        stored[0] = diagonal[0], stored[1] = diagonal[4], stored[2] = diagonal[8];
     }
     for (int k = 0; k < batch.joint_count; k++) eliminate(batch, k);
 }

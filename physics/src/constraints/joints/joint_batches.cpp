@@ -12,7 +12,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr std::size_t kept_patterns = 64;
+constexpr std::size_t retained_patterns = 64;
 constexpr int rows = 3;
 // In float rows of a net that depend on others are not told from those that hardly do. All give
 // way a little, and each solve takes away what the one before it left (J. Carpentier et al.,
@@ -135,7 +135,7 @@ JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
 }
 
 void clear_patterns(JointBatches& batches) {
-    if (batches.patterns.size() <= kept_patterns) return;
+    if (batches.patterns.size() <= retained_patterns) return;
     std::erase_if(batches.patterns,
                   [&](const auto& entry) { return entry.second->used != batches.count; });
 }

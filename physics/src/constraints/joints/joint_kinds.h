@@ -216,12 +216,12 @@ struct JointKernel<ConeTwistJoint> {
 template <bool kRelax>
 JOSTLE_INLINE WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) {
     const WideSoft spring = spring_of<kRelax>(row), stiff = rigid<kRelax>(step);
-    const WideMask given = load(row.impulse_scale) > splat(0);
-    return {select(given, spring.position_rate, stiff.position_rate),
-            select(given, spring.velocity_scale, stiff.velocity_scale),
-            select(given, spring.impulse_scale, stiff.impulse_scale),
-            select(given, spring.push_speed, stiff.push_speed),
-            select(given, spring.push_spin, stiff.push_spin)};
+    const WideMask applied = load(row.impulse_scale) > splat(0);
+    return {select(applied, spring.position_rate, stiff.position_rate),
+            select(applied, spring.velocity_scale, stiff.velocity_scale),
+            select(applied, spring.impulse_scale, stiff.impulse_scale),
+            select(applied, spring.push_speed, stiff.push_speed),
+            select(applied, spring.push_spin, stiff.push_spin)};
 }
 
 template <>

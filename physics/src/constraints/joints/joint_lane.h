@@ -52,7 +52,7 @@ inline double strongest(double most, double h) {
 }
 
 // What is switched off keeps no impulse.
-inline double kept(bool enabled, double impulse) {
+inline double stored(bool enabled, double impulse) {
     return enabled ? impulse : 0;
 }
 

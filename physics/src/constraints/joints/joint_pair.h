@@ -327,27 +327,27 @@ struct HeldRow {
 // direction is that in which the impulse, which is kept, may push (>= 0).
 template <bool kRelax, class Row>
 JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& row, float sign,
-                             Wide left, float* kept) {
+                             Wide left, float* stored) {
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
     const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
     const WideMask over = push < -most_push(s, most), soft = ~free & ~over;
-    const Wide before = load(kept);
+    const Wide before = load(stored);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide want = toward * select(soft, s.velocity_scale, splat(1)) +
                       select(free, left * splat(step.inverse_h), select(over, -most, push));
     const Wide now = max(
         before - want * row.response - select(soft, s.impulse_scale, splat(0)) * before, splat(0));
     row.apply(pair, (now - before) * splat(sign));
-    store(kept, now);
+    store(stored, now);
 }
 
 // Pulls the row's value `error` to zero with at most `strongest` per sub-step.
 template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
-                              Wide error, Wide strongest, float* kept) {
-    const Wide before = load(kept);
+                              Wide error, Wide strongest, float* stored) {
+    const Wide before = load(stored);
     const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
     const WideMask over = absolute(push) > most_push(s, most);
     const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
@@ -355,30 +355,30 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
     const Wide wished = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
     const Wide now = max(min(before + wished, strongest), -strongest);
     const Wide d = select(absolute(before + wished) > strongest, now - before, wished);
-    store(kept, now);
+    store(stored, now);
     row.apply(pair, d);
 }
 
 // The same of a row whose point answers: as stiff as it would be without.
 JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSoft& s, Wide error,
-                              Wide strongest, float* kept) {
-    const Wide before = load(kept);
+                              Wide strongest, float* stored) {
+    const Wide before = load(stored);
     const Wide soft = row.own * s.impulse_scale;
     const Wide want = row.speed(pair) * s.velocity_scale + error * s.position_rate + soft * before;
     const Wide held = inverse_above(row.response, splat(0));
     const Wide wished = before - want * inverse_above(held * s.velocity_scale + soft, splat(0));
     const Wide now = max(min(wished, strongest), -strongest);
-    store(kept, now);
+    store(stored, now);
     row.apply(pair, now - before);
 }
 
 // Drives the row's speed to the target with at most `most` per sub-step.
 template <class Row>
-JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most, float* kept) {
-    const Wide before = load(kept);
+JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most, float* stored) {
+    const Wide before = load(stored);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
     row.apply(pair, now - before);
-    store(kept, now);
+    store(stored, now);
 }
 
 }  // namespace jostle::physics::JOSTLE_ISA

@@ -30,17 +30,17 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
                driven = axis.free && axis.motor.enabled, friction_limit = axis.free && axis.friction > 0;
     lane.put(to.lower_at, limited ? axis.limit.lower : double{-never});
     lane.put(to.upper_at, limited ? axis.limit.upper : double{never});
-    lane.put(to.lower, kept(limited, impulses[AxisImpulses::lower]));
-    lane.put(to.upper, kept(limited, impulses[AxisImpulses::upper]));
+    lane.put(to.lower, stored(limited, impulses[AxisImpulses::lower]));
+    lane.put(to.upper, stored(limited, impulses[AxisImpulses::upper]));
     lane.put(to.soft, sprung ? spring_or(axis.spring, h, {}) : switched_off);
     lane.put(to.spring_at, axis.spring_at);
     lane.put(to.spring_most, strongest(axis.spring_most, h));
-    lane.put(to.spring, kept(sprung, impulses[AxisImpulses::spring_impulse]));
+    lane.put(to.spring, stored(sprung, impulses[AxisImpulses::spring_impulse]));
     lane.put(to.motor_speed, axis.motor.speed);
     lane.put(to.motor_most, driven ? axis.motor.most * h : 0);
-    lane.put(to.motor, kept(driven, impulses[AxisImpulses::motor]));
+    lane.put(to.motor, stored(driven, impulses[AxisImpulses::motor]));
     lane.put(to.friction_most, friction_limit ? axis.friction * h : 0);
-    lane.put(to.friction, kept(friction_limit, impulses[AxisImpulses::friction]));
+    lane.put(to.friction, stored(friction_limit, impulses[AxisImpulses::friction]));
     if (limited) uses |= uses_limit;
     if (sprung) uses |= uses_spring;
     if (driven) uses |= uses_motor;
@@ -74,7 +74,7 @@ std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& 
     for (std::size_t k = 0; k < 6; k++) {
         const bool locked = !layout.axes[k].free;
         lane.put(to.locked[k], locked ? 1 : 0);
-        if (k >= 3) lane.put(to.turns[k - 3], kept(locked, turns[k - 3]));
+        if (k >= 3) lane.put(to.turns[k - 3], stored(locked, turns[k - 3]));
         if (layout.slots[k] >= 0)
             uses |= write_axis(layout.axes[k], &joint.memory[first_impulse(layout.slots[k])], h,
                                to.axes[k], lane)

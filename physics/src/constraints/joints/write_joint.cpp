@@ -24,20 +24,20 @@ struct JointWriteContext {
 
     void limit(bool enabled, double lower, double upper) {
         lane.put_limit(t, enabled ? lower : double{-never}, enabled ? upper : double{never});
-        lane.put(t.lower, kept(enabled, joint.lower));
-        lane.put(t.upper, kept(enabled, joint.upper));
+        lane.put(t.lower, stored(enabled, joint.lower));
+        lane.put(t.upper, stored(enabled, joint.upper));
         if (enabled) uses |= uses_limit;
     }
     void spring(bool enabled, const Softness& softness, double at) {
         lane.put(t.spring_soft, enabled ? softness : switched_off);
         lane.put(t.spring_at, at);
-        lane.put(t.spring, kept(enabled, joint.spring));
+        lane.put(t.spring, stored(enabled, joint.spring));
         if (enabled) uses |= uses_spring;
     }
     void motor(bool enabled, double speed, double most) {
         lane.put(t.motor_speed, speed);
         lane.put(t.motor_most, enabled ? most * h : 0);
-        lane.put(t.motor, kept(enabled, joint.motor));
+        lane.put(t.motor, stored(enabled, joint.motor));
         if (enabled) uses |= uses_motor;
     }
     void frames() {

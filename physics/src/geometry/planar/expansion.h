@@ -37,14 +37,14 @@ class Expansion {
 public:
     // At most `capacity` numbers that are not zero.
     void add(double x) {
-        int kept = 0;
+        int retained = 0;
         for (int k = 0; k < count_; k++) {
             const Rounded sum = two_sum(x, parts_[at(k)]);
             x = sum.value;
-            if (sum.error != 0) parts_[at(kept++)] = sum.error;
+            if (sum.error != 0) parts_[at(retained++)] = sum.error;
         }
-        if (x != 0) parts_[at(kept++)] = x;
-        count_ = kept;
+        if (x != 0) parts_[at(retained++)] = x;
+        count_ = retained;
     }
     void add(Rounded both) {
         add(both.error);

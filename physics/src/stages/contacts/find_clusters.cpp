@@ -115,9 +115,9 @@ public:
         for (const auto& [a, b] : scratch.cluster_edges) first_[a]++, first_[b]++;
         std::uint32_t sum = 0;
         for (std::uint32_t& end : first_) end = sum += end;
-        beside_.resize(sum);
+        neighbours_.resize(sum);
         for (const auto& [a, b] : scratch.cluster_edges)
-            beside_[--first_[a]] = b, beside_[--first_[b]] = a;
+            neighbours_[--first_[a]] = b, neighbours_[--first_[b]] = a;
     }
 
     int longest_from(std::uint32_t body) {
@@ -138,9 +138,9 @@ private:
         steps_[body] = 0;
         for (std::size_t k = 0; k < seen_.size(); k++)
             for (std::uint32_t n = first_[seen_[k]]; n < first_[seen_[k] + 1]; n++) {
-                if (steps_[beside_[n]] != not_seen) continue;
-                steps_[beside_[n]] = steps_[seen_[k]] + 1;
-                seen_.push_back(beside_[n]);
+                if (steps_[neighbours_[n]] != not_seen) continue;
+                steps_[neighbours_[n]] = steps_[seen_[k]] + 1;
+                seen_.push_back(neighbours_[n]);
             }
         return steps_[seen_.back()];
     }
@@ -152,7 +152,7 @@ private:
         return best;
     }
 
-    std::vector<std::uint32_t> first_, beside_;  // by awake body: where its neighbours begin; those
+    std::vector<std::uint32_t> first_, neighbours_;  // by awake body: where its neighbours begin; those
     std::vector<int> steps_;                     // by awake body, of the walk
     std::vector<std::uint32_t> seen_;            // in the order of the walk
 };

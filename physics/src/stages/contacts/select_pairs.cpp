@@ -51,19 +51,19 @@ void select_due_pairs(StepContext& step) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
             due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
     });
-    std::size_t kept = 0;
+    std::size_t retained = 0;
     for (std::size_t k = 0; k < bounds.size(); k++) {
         if (k + 8 < bounds.size() && due[k + 8] != 0)
             prefetch(world.contacts.contacts[bounds[k + 8].contact]);
         if (due[k] == 0) {
-            bounds[kept++] = bounds[k];
+            bounds[retained++] = bounds[k];
             continue;
         }
         ASSERT(world.contacts.contacts[bounds[k].contact].has_bound);
         world.contacts.contacts[bounds[k].contact].has_bound = false;
         queue(world.contacts, scratch, bounds[k].contact);
     }
-    bounds.resize(kept);
+    bounds.resize(retained);
 }
 
 // A composite pair is looked at as a whole when any of its parts needs it.

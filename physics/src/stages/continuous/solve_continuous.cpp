@@ -626,7 +626,7 @@ private:
         std::vector<ImpactPoint> points = std::move(bodies_[index].points);
         ASSERT(!points.empty());
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
-        const ContactModifier modifier = answer_for(own, other, a, b, points);
+        const ContactModifier modifier = modifier_for(own, other, a, b, points);
         if (!modifier.enabled) {
             passes_.push_back(pair_key(own, other));
             std::sort(passes_.begin(), passes_.end());
@@ -660,7 +660,7 @@ private:
     }
 
     // How two shapes touch that meet between sub-steps, and whether they do.
-    ContactModifier answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
+    ContactModifier modifier_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
                              const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
         const ContactModifier modifier = material_modifier(world_, own, other);
         if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return modifier;

@@ -294,12 +294,12 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
 }
 
 // One answer per question, or the first error with the number of its question.
-template <class Answer, class Question, class Ask>
-Result<std::vector<Answer>> each(std::span<const Question> questions, const char* name, Ask&& ask) {
-    std::vector<Answer> results;
+template <class Hit, class Question, class Ask>
+Result<std::vector<Hit>> each(std::span<const Question> questions, const char* name, Ask&& ask) {
+    std::vector<Hit> results;
     results.reserve(questions.size());
     for (std::size_t k = 0; k < questions.size(); k++) {
-        Result<Answer> result = ask(questions[k]);
+        Result<Hit> result = ask(questions[k]);
         if (!result.ok())
             return Error{result.error().code, std::string(name) + "[" + std::to_string(k) +
                                                   "]: " + result.error().message};

@@ -294,8 +294,8 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
 }
 
 // One answer per question, or the first error with the number of its question.
-template <class Hit, class Query, class Ask>
-Result<std::vector<Hit>> each(std::span<const Query> questions, const char* name, Ask&& ask) {
+template <class Hit, class Query, class Evaluate>
+Result<std::vector<Hit>> each(std::span<const Query> questions, const char* name, Evaluate&& ask) {
     std::vector<Hit> results;
     results.reserve(questions.size());
     for (std::size_t k = 0; k < questions.size(); k++) {

@@ -79,7 +79,7 @@ struct alignas(32) JointAxesWide {
 struct alignas(32) JointGearWide {
     std::int32_t body[4][8];    // hot indices; 0: none, or does not move
     float arm[2][4][3][8];      // of each end, from each slot's centre as the step starts
-    float part[2][4][8];        // what of an end's motion the slot's is: 1, -1 or 0
+    float sign[2][4][8];        // what of an end's motion the slot's is: 1, -1 or 0
     float axis[2][3][8];        // along or about which, as the step starts; a rope: to its end
     float travel[2][8];            // a rope's length to its end, as the step starts, m
     float scale[2][8];          // of each end's way in the row

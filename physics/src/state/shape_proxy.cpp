@@ -106,12 +106,12 @@ AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, do
     const Aabb box =
         grow(bounds_of(transformed_shape(shape, warm)), tuning::fat_margin_reserve * fat_margin_of(radius));
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
-    const Vec3 ahead = warm.v * dt;
+    const Vec3 lookahead = warm.v * dt;
     const auto least = [](Vec3 a, Vec3 b) {
         const Vec3 m = min(a, b);
         return minimum(m.x, minimum(m.y, m.z));
     };
-    return {least(low, high), least(low + min(ahead, Vec3{}), high - max(ahead, Vec3{}))};
+    return {least(low, high), least(low + min(lookahead, Vec3{}), high - max(lookahead, Vec3{}))};
 }
 
 bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius, double dt) {

@@ -295,11 +295,11 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
 
 // One answer per question, or the first error with the number of its question.
 template <class Hit, class Query, class Evaluate>
-Result<std::vector<Hit>> each(std::span<const Query> questions, const char* name, Evaluate&& ask) {
+Result<std::vector<Hit>> each(std::span<const Query> queries, const char* name, Evaluate&& evaluate) {
     std::vector<Hit> results;
-    results.reserve(questions.size());
-    for (std::size_t k = 0; k < questions.size(); k++) {
-        Result<Hit> result = ask(questions[k]);
+    results.reserve(queries.size());
+    for (std::size_t k = 0; k < queries.size(); k++) {
+        Result<Hit> result = evaluate(queries[k]);
         if (!result.ok())
             return Error{result.error().code, std::string(name) + "[" + std::to_string(k) +
                                                   "]: " + result.error().message};

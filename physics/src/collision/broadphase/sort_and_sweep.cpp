@@ -8,30 +8,30 @@ namespace jostle::physics {
 std::int32_t SortAndSweep::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
     std::int32_t handle;
     if (free_.empty()) {
-        handle = static_cast<std::int32_t>(place_.size());
-        place_.push_back(-1);
+        handle = static_cast<std::int32_t>(rank_.size());
+        rank_.push_back(-1);
     } else {
         handle = free_.back();
         free_.pop_back();
     }
-    place_[static_cast<std::size_t>(handle)] = static_cast<std::int32_t>(entries_.size());
+    rank_[static_cast<std::size_t>(handle)] = static_cast<std::int32_t>(entries_.size());
     entries_.push_back({box, item, category, handle});
     sorted_ = false;
     return handle;
 }
 
 void SortAndSweep::remove(std::int32_t handle) {
-    const auto at = static_cast<std::size_t>(place_[static_cast<std::size_t>(handle)]);
+    const auto at = static_cast<std::size_t>(rank_[static_cast<std::size_t>(handle)]);
     entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
     for (std::size_t k = at; k < entries_.size(); k++)
-        place_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
-    place_[static_cast<std::size_t>(handle)] = -1;
+        rank_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
+    rank_[static_cast<std::size_t>(handle)] = -1;
     free_.push_back(handle);
     sorted_ = false;  // the reaches are to be made anew
 }
 
 void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
-    entries_[static_cast<std::size_t>(place_[static_cast<std::size_t>(handle)])].box = box;
+    entries_[static_cast<std::size_t>(rank_[static_cast<std::size_t>(handle)])].box = box;
     sorted_ = false;
 }
 
@@ -53,7 +53,7 @@ void SortAndSweep::flush() {
                          [](const Entry& a, const Entry& b) { return a.box.low.x < b.box.low.x; });
     reach_.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
-        place_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
+        rank_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
         reach_[k] =
             k == 0 ? entries_[k].box.high.x : maximum(reach_[k - 1], entries_[k].box.high.x);
     }

@@ -32,7 +32,7 @@ private:
 
     std::vector<Entry> entries_;       // by box.low.x when sorted_
     std::vector<double> reach_;        // [k]: largest box.high.x of entries_[0..k]
-    std::vector<std::int32_t> place_;  // by handle; -1: free
+    std::vector<std::int32_t> rank_;  // by handle; -1: free
     std::vector<std::int32_t> free_;
     bool sorted_ = true;
 };

@@ -34,7 +34,7 @@ bool does_something(const JointAxis& axis) {
            (axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled || axis.friction > 0);
 }
 
-FreeAxis way_of(AxisKind kind, const JointAxis& axis, int slot) {
+FreeAxis make_free_axis(AxisKind kind, const JointAxis& axis, int slot) {
     FreeAxis free_axis{.kind = kind, .slot = slot};
     limit(free_axis, axis.limit);
     spring(free_axis, axis.spring, axis.spring_at);
@@ -79,7 +79,7 @@ void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
         if (!axis.free) {
             j.across[j.points++] = axes[k];
         } else if (does_something(axis)) {
-            j.free_axes.push_back(way_of(AxisKind::travel, axis, layout.slots[k]));
+            j.free_axes.push_back(make_free_axis(AxisKind::travel, axis, layout.slots[k]));
             j.free_axes.back().axis_a = axes[k];
         }
     }
@@ -100,7 +100,7 @@ void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const
     constexpr AxisKind kinds[] = {AxisKind::first, AxisKind::middle, AxisKind::last};
     for (std::size_t k = 3; k < 6; k++) {
         if (!does_something(layout.axes[k])) continue;
-        FreeAxis free_axis = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
+        FreeAxis free_axis = make_free_axis(kinds[k - 3], layout.axes[k], layout.slots[k]);
         free_axis.frame_a = j.frame_a;
         free_axis.frame_b = j.frame_b;
         if (j.turns == 2 && last)

@@ -88,9 +88,9 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
         End& row = rows[end];
         for (int k = 0; k < 4; k++) {
             if (slots[k] != k) continue;
-            double part = k == end ? 1 : 0;
-            if (pulley == nullptr && slots[end + 2] == k) part -= 1;
-            row.part[k] = part;
+            double sign = k == end ? 1 : 0;
+            if (pulley == nullptr && slots[end + 2] == k) sign -= 1;
+            row.sign[k] = sign;
             row.arm[k] = lane_ref_of(*ends[end]) - centers[k];
         }
         if (pulley == nullptr) {
@@ -123,7 +123,7 @@ void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const 
         for (int k = 0; k < 4; k++) {
             if (!terms.participates[k]) continue;
             if (end == 0) to.body[k][lane.at] = hot[k] < 0 ? -hot[k] : hot[k];
-            lane.put(to.part[end][k], row.part[k]);
+            lane.put(to.sign[end][k], row.sign[k]);
             lane.put(to.arm[end][k], row.arm[k]);
         }
         lane.put(to.axis[end], row.axis);

@@ -34,7 +34,7 @@ struct GearTerms {
         Vec3 axis;            // world
         double travel = 0;       // rad or m
         double length = 0;    // m, of a rope
-        double part[4] = {};  // how its way changes with each body's
+        double sign[4] = {};  // how its way changes with each body's
         Vec3 arm[4];          // m, of the end from each body's centre of mass
     };
     End ends[2];

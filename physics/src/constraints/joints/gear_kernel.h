@@ -21,9 +21,9 @@ struct GearKernel {
             for (int k = 0; k < 4; k++) {
                 JointSide& side = sides[end][k];
                 side.load_from(bodies, t.body[k], t.arm[end][k]);
-                const Wide part = load(t.part[end][k]);
-                moved = moved + (side.dp + side.swept) * part;
-                turned = turned + side.turned * part;
+                const Wide sign = load(t.sign[end][k]);
+                moved = moved + (side.dp + side.swept) * sign;
+                turned = turned + side.turned * sign;
             }
             // A rope's direction is where its end is now; an axis turns with its body.
             const WideMask rope = load(t.rope) > splat(0), turns = load(t.turns[end]) > splat(0);
@@ -46,7 +46,7 @@ struct GearKernel {
         const Wide3 zero{splat(0), splat(0), splat(0)};
         Slot row{zero, zero};
         for (int end = 0; end < 2; end++) {
-            const Wide3 v = axis[end] * (load(t.part[end][k]) * load(t.scale[end]));
+            const Wide3 v = axis[end] * (load(t.sign[end][k]) * load(t.scale[end]));
             const WideMask turns = load(t.turns[end]) > splat(0);
             row.linear = row.linear + select(turns, zero, v);
             row.angular = row.angular + select(turns, v, cross(sides[end][k].arm, v));

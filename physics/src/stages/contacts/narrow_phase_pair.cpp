@@ -234,7 +234,7 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
     const double dt = step.dt;
     const double displacement = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
-    const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
+    const double predicted = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
         const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
@@ -250,19 +250,19 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     if (c.colour < 0 || swept) {
         // Most of what moves much against each other flies past: that is cheaper to see than
         // points.
-        const Manifold now = within(ahead, pair);
+        const Manifold now = within(predicted, pair);
         near = {now.normal, smallest_gap(now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
-        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= ahead) return now;
+        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted) return now;
         const std::optional<double> pre_solve_contact =
             swept ? time_to_contact(world, c, dt) : std::optional(0.0);
         if (!pre_solve_contact) return now;
         if (*pre_solve_contact > 0)
-            return within(ahead, PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
+            return within(predicted, PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
-    const double margin = ahead + closing_reach(world.bodies, c, displacement);
+    const double margin = predicted + closing_reach(world.bodies, c, displacement);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
         return within(margin, PredictedPair(world, c, minimum(dt, (near.gap + past) / closing)));

@@ -36,9 +36,9 @@ void CcdCandidates::set_swept_aabb(std::uint32_t body, const Aabb& swept_box) {
 void CcdCandidates::insert(std::uint32_t body, std::vector<std::uint32_t>& near) const {
     for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
          s = world_.shapes.shapes[s].next) {
-        const auto place = std::lower_bound(near.begin(), near.end(), s);
-        const bool known = place != near.end() && *place == s;
-        if (!known && !world_.shapes.shapes[s].trigger) near.insert(place, s);
+        const auto position = std::lower_bound(near.begin(), near.end(), s);
+        const bool known = position != near.end() && *position == s;
+        if (!known && !world_.shapes.shapes[s].trigger) near.insert(position, s);
     }
 }
 
@@ -58,8 +58,8 @@ void CcdCandidates::note_fast() {
     for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
     swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
-        ASSERT(cold.at < before_.size() && before_[cold.at].body == body);
-        const Vec3 from = before_[cold.at].center, to = world_.bodies.awake[cold.at].center;
+        ASSERT(cold.at < previous_.size() && previous_[cold.at].body == body);
+        const Vec3 from = previous_[cold.at].center, to = world_.bodies.awake[cold.at].center;
         return grow({min(from, to), max(from, to)}, cold.radius + tuning::swept_margin);
     });
 }

@@ -17,9 +17,9 @@ class CcdCandidates {
 public:
     // `before`: bodies before the step, by awake index. `fast`: awake indices of the fast bodies.
     // Both outlive this.
-    CcdCandidates(const WorldState& world, const std::vector<BodyWarm>& before,
+    CcdCandidates(const WorldState& world, const std::vector<BodyWarm>& previous,
                   const std::vector<std::uint32_t>& fast)
-        : world_(world), before_(before), fast_(fast) {}
+        : world_(world), previous_(previous), fast_(fast) {}
 
     // All shapes that may be in the box of a body's way, in order and once each: of two that are
     // met at the same moment the first counts.
@@ -40,7 +40,7 @@ private:
     void note_fast();  // once, when first needed
 
     const WorldState& world_;
-    const std::vector<BodyWarm>& before_;
+    const std::vector<BodyWarm>& previous_;
     const std::vector<std::uint32_t>& fast_;
     SweptAabbTree swept_;
     bool some_slow_ = true;             // not all that may move were fast

@@ -128,14 +128,14 @@ public:
     // False if something is left. Ends that are far apart may not come together in so few rounds:
     // then nobody moves.
     bool close() {
-        const std::vector<ProjectedBody> before = bodies_;
+        const std::vector<ProjectedBody> previous = bodies_;
         const double left = widest();
         for (int round = 0; round < rounds; round++) {
             take_back();
             if (widest() < close_enough()) break;
         }
         clamp_displacements();
-        if (widest() > left) bodies_ = before;
+        if (widest() > left) bodies_ = previous;
         return widest() < close_enough();
     }
     // What the others could not do those do that impacts have placed.
@@ -145,7 +145,7 @@ public:
         if (prepare()) close();
     }
 
-    void place(WorldState& world, double dt) const {
+    void apply_poses(WorldState& world, double dt) const {
         for (const ProjectedBody& body : bodies_)
             if (length(body.center - body.start) >= close_enough())
                 move_body_to(world, body.body, body.center, body.rotation, dt);
@@ -252,7 +252,7 @@ void project_joints(StepContext& step, std::span<const std::uint32_t> transforme
         group.find(body, transformed_shape);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
         if (!group.close()) group.project_with_placed();
-        group.place(world, step.dt);
+        group.apply_poses(world, step.dt);
     }
 }
 

@@ -77,11 +77,11 @@ private:
     // hardest first: so a row of balls hands a push on from one to the next.
     struct Event {
         double at = 0, closing = 0;  // fraction of the step, m/s
-        std::size_t who = 0;
+        std::size_t toi_index = 0;
         friend bool operator>(const Event& x, const Event& y) {
             if (x.at != y.at) return x.at > y.at;
             if (x.closing != y.closing) return x.closing < y.closing;
-            return x.who > y.who;
+            return x.toi_index > y.toi_index;
         }
     };
 
@@ -131,8 +131,8 @@ private:
             if (!leaves || !c.touching) return;
             const bool is_a = c.body_a == body;
             const Vec3 u = speed_of(is_a ? c.body_b : c.body_a, at).v - v;
-            const ContactLaneRef place = lane_ref_of(world_, c);
-            leaves = dot(normal_of(place), u) * (is_a ? 1 : -1) > least;
+            const ContactLaneRef lane_ref = lane_ref_of(world_, c);
+            leaves = dot(normal_of(lane_ref), u) * (is_a ? 1 : -1) > least;
         });
         return leaves;
     }
@@ -152,11 +152,11 @@ private:
     }
     // The TOI body to which something happens first; of several the first.
     std::size_t next_to_come() {
-        while (!queue_.empty() && queue_.front().at != next_[queue_.front().who]) {
+        while (!queue_.empty() && queue_.front().at != next_[queue_.front().toi_index]) {
             std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
             queue_.pop_back();
         }
-        return queue_.empty() ? 0 : queue_.front().who;
+        return queue_.empty() ? 0 : queue_.front().toi_index;
     }
     // Whether it is a body that a TOI body meets next, as far as is known.
     bool hits_next(std::size_t k, std::uint32_t body) const {
@@ -188,7 +188,7 @@ private:
         return finalize_.fast[awake] != 0 && finalize_.not_finite[awake] == 0;
     }
     Sweep known_sweep(std::uint32_t awake) const {
-        return even_sweep(finalize_.before[awake], world_.bodies.awake[awake], step_.dt);
+        return even_sweep(finalize_.previous[awake], world_.bodies.awake[awake], step_.dt);
     }
 
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
@@ -247,7 +247,7 @@ private:
     }
 
     void start(ToiBody& t, const std::vector<std::uint32_t>& hit_body) {
-        begin_toi(world_, t, finalize_.before[world_.bodies.cold[t.body].at], step_.dt);
+        begin_toi(world_, t, finalize_.previous[world_.bodies.cold[t.body].at], step_.dt);
         t.swept = swept_aabb_of(t);
         if (has_left_predicted_aabb(t)) return;
         t.candidates = hit_body;
@@ -770,7 +770,7 @@ private:
     const FinalizeScratch& finalize_;  // how this step moved the awake bodies
     std::vector<std::uint32_t> fast_;  // awake indices, rising
     SweptMotions motions_;             // in the whole step
-    CcdCandidates candidates_{world_, finalize_.before, fast_};
+    CcdCandidates candidates_{world_, finalize_.previous, fast_};
     ToiDependents dependents_;      // of TOI bodies, by whom they meet next
     std::vector<std::size_t> hit_bodies_;  // scratch
     std::vector<ToiBody> bodies_;

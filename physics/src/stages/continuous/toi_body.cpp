@@ -53,10 +53,10 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
 
 }  // namespace
 
-Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
-    ASSERT(before.body == now.body);
-    const Vec3 turn = rotation_vector_between(before.rotation, now.rotation, now.w * dt);
-    return {0, before.center, before.rotation, now.center - before.center, turn};
+Sweep even_sweep(const BodyWarm& previous, const BodyWarm& now, double dt) {
+    ASSERT(previous.body == now.body);
+    const Vec3 turn = rotation_vector_between(previous.rotation, now.rotation, now.w * dt);
+    return {0, previous.center, previous.rotation, now.center - previous.center, turn};
 }
 
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt) {
@@ -75,11 +75,11 @@ Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt)
     return scaled(world.def.gravity * (cold.gravity_scale * dt), free_directions(cold));
 }
 
-void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
+void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, double dt) {
     const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
-    t.sweep = even_sweep(before, now, dt);
+    t.sweep = even_sweep(previous, now, dt);
     t.end_rotation = now.rotation;
     t.end_spin = now.w;
     t.velocity = now.v;
@@ -89,13 +89,13 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
     // Contacts that did nothing let it fly.
     const Vec3 fall = gain_in_free_fall(world, cold, dt);
     const double least = 1e-3;  // m/s
-    t.held = cold.constraints > 0 && length(now.v - before.v - fall) > least + 0.05 * length(fall);
+    t.held = cold.constraints > 0 && length(now.v - previous.v - fall) > least + 0.05 * length(fall);
     if (t.held) return;
-    t.velocity = before.v;
-    t.gain = now.v - before.v;
+    t.velocity = previous.v;
+    t.gain = now.v - previous.v;
     t.spin_at = 0;
-    t.spin = before.w;
-    t.spin_rotation = before.rotation;
+    t.spin = previous.w;
+    t.spin_rotation = previous.rotation;
     aim(world, t, dt);
 }
 
@@ -158,8 +158,8 @@ void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotat
     update_motion_bound(world, body, dt);
     // The solver moved their gaps along another way.
     for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
-        const ContactLaneRef place = lane_ref_of(world, world.contacts.contacts[contact]);
-        place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
+        const ContactLaneRef lane_ref = lane_ref_of(world, world.contacts.contacts[contact]);
+        lane_ref.meta->set(LaneFlag::needs_rebuild, lane_ref.lane, true);
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         if (!fits_fat_aabb(world.shapes.shapes[s], warm, cold.radius, dt))

@@ -59,7 +59,7 @@ struct ToiBody {
 };
 
 // From where a step found a body to where it took it.
-Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt);
+Sweep even_sweep(const BodyWarm& previous, const BodyWarm& now, double dt);
 
 struct Speed {
     Vec3 v, w;  // m/s, rad/s
@@ -71,7 +71,7 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
 Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
 
 // A fast body from the beginning of the step, where it was `before`: as the step took it.
-void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt);
+void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, double dt);
 // From the end of a leg on.
 void next_leg(const WorldState& world, ToiBody& t, double dt);
 

@@ -94,7 +94,7 @@ void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& b
         scratch.bouncing[cold.at] = 1;
     }
     scratch.any_fast = 0;
-    if (scratch.before.size() < bodies.awake.size()) scratch.before.resize(bodies.awake.size());
+    if (scratch.previous.size() < bodies.awake.size()) scratch.previous.resize(bodies.awake.size());
 }
 
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
@@ -125,11 +125,11 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double displacement = length(motion.displacement) + turned;
     const bool bounces = scratch.bouncing[awake_index] != 0;
     if (cold.continuous && (bounces || displacement > tuning::sweep_fraction * cold.inner_radius)) {
-        scratch.before[awake_index] = warm;
+        scratch.previous[awake_index] = warm;
         scratch.fast[awake_index] = 1;
         scratch.any_fast = 1;
     } else if (bounces || was_deflected(motion, turn, cold, step.dt)) {
-        scratch.before[awake_index] = warm;
+        scratch.previous[awake_index] = warm;
         scratch.deflected[awake_index] = 1;
     }
     warm.center = center;

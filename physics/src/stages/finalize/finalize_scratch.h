@@ -24,7 +24,7 @@ struct FinalizeScratch {
     std::vector<std::uint8_t> deflected;
     std::vector<std::uint8_t> bouncing;  // ContactScratch::bouncing, by awake body
     // By awake body: its record before the step, if it is fast or was thrown.
-    std::vector<BodyWarm> before;
+    std::vector<BodyWarm> previous;
 
     std::atomic<int> any_fast = 0;
     // Free bodies that are moved sub-step by sub-step: how they move now, and who they are.

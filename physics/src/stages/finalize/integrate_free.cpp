@@ -80,14 +80,14 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     std::vector<std::uint32_t>& awake = scratch.moving_awake;
     moving.clear();
     awake.clear();
-    solver.free_place.assign(world.bodies.awake.size(), none);
+    solver.free_index.assign(world.bodies.awake.size(), none);
     for (const std::uint32_t i : solver.free) {
         if (!is_dynamic(world, world.bodies.awake[i].body)) {
             others.push_back(i);
             continue;
         }
         ASSERT(world.bodies.cold[world.bodies.awake[i].body].constraints == 0);
-        solver.free_place[i] = static_cast<std::uint32_t>(awake.size());
+        solver.free_index[i] = static_cast<std::uint32_t>(awake.size());
         awake.push_back(i);
         moving.push_back(world.bodies.awake[i]);
     }

@@ -85,7 +85,7 @@ struct SolverScratch {
     // Groups of bodies whose sub-steps listeners are called for: by the first set; of free bodies.
     std::array<ListenedGroup, solved_set_count> listened;
     std::vector<ListenedGroup> listened_free;
-    std::vector<std::uint32_t> free_place;  // by awake body: its place among dynamic free ones
+    std::vector<std::uint32_t> free_index;  // by awake body: its place among dynamic free ones
 };
 
 }  // namespace jostle::physics

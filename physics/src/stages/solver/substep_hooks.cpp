@@ -99,30 +99,30 @@ class FreeSubstep final : public Substep {
 public:
     FreeSubstep(StepContext& step, const SubstepInfo& substep_info,
                 std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
-                std::uint32_t first_place, std::vector<BodyId>& ids)
-        : Substep(step, substep_info, awake, ids), moving_(moving), first_place_(first_place) {}
+                std::uint32_t first_free_index, std::vector<BodyId>& ids)
+        : Substep(step, substep_info, awake, ids), moving_(moving), first_free_index_(first_free_index) {}
 
-    bool contains(BodyId id) const override { return place(id) != none; }
+    bool contains(BodyId id) const override { return moving_index(id) != none; }
 
 private:
-    std::uint32_t place(BodyId id) const {
+    std::uint32_t moving_index(BodyId id) const {
         const std::uint32_t at = awake_index(id);
-        ASSERT(at == none || at < step_.scratch.solver.free_place.size());
-        const std::uint32_t place = at == none ? none : step_.scratch.solver.free_place[at];
+        ASSERT(at == none || at < step_.scratch.solver.free_index.size());
+        const std::uint32_t moving_index = at == none ? none : step_.scratch.solver.free_index[at];
         const bool inside =
-            place != none && place >= first_place_ && place - first_place_ < moving_.size();
-        return inside ? place - first_place_ : none;
+            moving_index != none && moving_index >= first_free_index_ && moving_index - first_free_index_ < moving_.size();
+        return inside ? moving_index - first_free_index_ : none;
     }
-    BodyWarm motion(BodyId id) const override { return moving_[place(id)]; }
+    BodyWarm motion(BodyId id) const override { return moving_[moving_index(id)]; }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
-        BodyWarm& now = moving_[place(id)];
+        BodyWarm& now = moving_[moving_index(id)];
         const BodyCold& cold = step_.world.bodies.cold[id.index];
         now.v += scaled(impulse, free_directions(cold)) * cold.inverse_mass;
         now.w += world_inverse_inertia(now, cold) * angular_impulse;
     }
 
     std::span<BodyWarm> moving_;
-    std::uint32_t first_place_;
+    std::uint32_t first_free_index_;
 };
 
 void call(const ListenerStore& listeners, const SubstepInfo& substep_info, SubstepContext& context) {
@@ -149,9 +149,9 @@ void call_listeners(StepContext& step, const SubstepInfo& substep_info,
 
 void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
-                    std::uint32_t first_place, ListenedGroup& group) {
+                    std::uint32_t first_free_index, ListenedGroup& group) {
     ASSERT(awake.size() == moving.size());
-    FreeSubstep context(step, substep_info, awake, moving, first_place, group.bodies);
+    FreeSubstep context(step, substep_info, awake, moving, first_free_index, group.bodies);
     call(step.world.listeners, substep_info, context);
 }
 

@@ -39,7 +39,7 @@ void call_listeners(StepContext& step, const SubstepInfo& substep_info,
 // ones.
 void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
-                    std::uint32_t first_place, ListenedGroup& group);
+                    std::uint32_t first_free_index, ListenedGroup& group);
 
 // Adds to `found` those whom a field may reach within the step, by their velocity as it begins.
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,

@@ -63,7 +63,7 @@ TEST(FinalizeBody, fast_is_what_moves_by_half_its_thickness) {
     fast.move({15.1, 0, 0});
     EXPECT_EQ(fast.found().fast[0], 1);
     EXPECT_EQ(fast.found().any_fast, 1);
-    EXPECT_EQ(fast.found().before[0].center, Vec3{}) << "where it was is kept";
+    EXPECT_EQ(fast.found().previous[0].center, Vec3{}) << "where it was is kept";
 }
 
 // It went 5 cm forth and is said to move back at 6 m/s: contacts turned it round on the way.

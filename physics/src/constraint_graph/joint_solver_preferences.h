@@ -29,10 +29,10 @@ inline JointSolver solver_of(JointSolverPreferences preferences, JointSolver of_
 }
 
 // Multiplications of one factorisation that each joint of a group may take that asks for `direct`,
-// where the world has so many joints: all groups together stay within tuning::most_direct_work,
+// where the world has so many joints: all groups together stay within tuning::max_direct_work,
 // whoever made the scene. What a group may take does not depend on which others there are just now.
 inline std::int64_t direct_budget(std::size_t joints_of_world) {
-    return tuning::most_direct_work /
+    return tuning::max_direct_work /
            static_cast<std::int64_t>(joints_of_world == 0 ? 1 : joints_of_world);
 }
 // ... and that a group may take: `cubes`, of the joints' rows. `budget`: 0 for those that do not

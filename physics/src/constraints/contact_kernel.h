@@ -338,7 +338,7 @@ inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_r
         size[k] = __builtin_bit_cast(float, upper << 16);
     }
     const auto scale = [](Wide s) {
-        return min(s * splat(static_cast<float>(1 / tuning::least_usual_size)),
+        return min(s * splat(static_cast<float>(1 / tuning::min_usual_size)),
                    max(s * splat(static_cast<float>(1 / tuning::most_usual_size)), splat(1)));
     };
     const WideMask some = size > splat(0);
@@ -513,7 +513,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             max_displacement = max_displacement * scale.speed;
         }
         const Wide lever =
-            max(load(m.friction_radius), splat(tuning::least_turn_radius) * turn_radius);
+            max(load(m.friction_radius), splat(tuning::min_turn_radius) * turn_radius);
         const Wide displacement = root(dot(motion.moved, motion.moved)) +
                          lever * root(dot(motion.rotated, motion.rotated)) +
                          splat(tuning::common_turn_radius) * turn_radius *

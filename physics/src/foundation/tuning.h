@@ -14,7 +14,7 @@ namespace jostle::physics::tuning {
 // --- sizes ---
 // Lengths and speeds below are for bodies of usual size: the ball around a body has a radius in
 // this range. Of smaller and larger ones they are a part or a multiple (foundation/size_scale.h).
-inline constexpr double least_usual_size = 0.05, most_usual_size = 5;  // m
+inline constexpr double min_usual_size = 0.05, most_usual_size = 5;  // m
 inline constexpr double usual_gravity = 9.81;                          // m/s^2
 
 // --- broad phase ---
@@ -138,7 +138,7 @@ inline constexpr int budget_interval = 8;
 // Islands of one tier are dealt out among batches that threads solve side by side, none of less
 // bodies and manifolds than this, when one has so many times its share; looked at in every so many
 // steps. To move a contact from set to set costs as much as two or three steps of it.
-inline constexpr int least_batch = 800;
+inline constexpr int min_batch = 800;
 inline constexpr double batch_unequal = 1.15;
 inline constexpr int batch_interval = 16;
 // Threads share the colours of a set with so many contacts. Those of a smaller one are so short
@@ -175,7 +175,7 @@ inline constexpr double touch_gap = 0.002;  // m
 // Reuse of a manifold: what counts as motion besides slip. A turn against each other by the mean
 // distance of the points, at least this, m (a long body may come down beside its only point), and
 // the common turn by this, m: the normal does not follow it.
-inline constexpr float least_turn_radius = 0.3f;
+inline constexpr float min_turn_radius = 0.3f;
 inline constexpr float common_turn_radius = 0.3f;
 // An arm follows the bodies while they moved against each other by less than this part of its
 // square: what has moved further no longer meets there.
@@ -207,9 +207,9 @@ inline constexpr double direct_joint_correction = 0.5;
 inline constexpr int direct_work = 64;
 // Where a group asks to be solved directly: multiplications of one factorisation of all joints of a
 // world.
-inline constexpr std::int64_t most_direct_work = 20'000'000;
+inline constexpr std::int64_t max_direct_work = 20'000'000;
 // A net of more joints is not even looked at: to find out what it costs would take long.
-inline constexpr int most_net_joints = 2048;
+inline constexpr int max_net_joints = 2048;
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.
 inline constexpr double joint_push_speed = 10;  // m/s
@@ -238,7 +238,7 @@ inline constexpr double held_core = 0.7;
 // An even turn may miss a gyroscopic body's by this; else its way is cut into legs.
 inline constexpr double leg_error = 0.01;  // rad
 // ... of a body's step so many at most, then the rest is one leg: 17,000 rad/s at 60 Hz.
-inline constexpr int most_legs = 1000;
+inline constexpr int max_legs = 1000;
 // Gaps need not be exact to advance safely: a direction that separates by all but this part will
 // do.
 inline constexpr double loose_gap = 0.1;

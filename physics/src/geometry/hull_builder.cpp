@@ -266,8 +266,8 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     }
     std::vector<GridPoint> grid;
     std::vector<Vec3> retained;
-    for (const auto& [place, index] : places) {
-        grid.push_back(place);
+    for (const auto& [slot, index] : places) {
+        grid.push_back(slot);
         retained.push_back(points[index]);
     }
     const auto triangles = hull_triangles(grid);

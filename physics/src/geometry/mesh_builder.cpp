@@ -37,7 +37,7 @@ std::vector<std::uint32_t> same_places(const std::vector<Vec3>& vertices) {
 }
 
 void find_neighbours(TriangleMesh& mesh) {
-    const std::vector<std::uint32_t> place = same_places(mesh.vertices);
+    const std::vector<std::uint32_t> slot = same_places(mesh.vertices);
     struct Side {
         std::uint32_t low, high;  // places of its two ends
         std::uint32_t triangle, edge;
@@ -46,8 +46,8 @@ void find_neighbours(TriangleMesh& mesh) {
     sides.reserve(3 * mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)
         for (std::uint32_t e = 0; e < 3; e++) {
-            const std::uint32_t a = place[mesh.triangles[t][e]],
-                                b = place[mesh.triangles[t][(e + 1) % 3]];
+            const std::uint32_t a = slot[mesh.triangles[t][e]],
+                                b = slot[mesh.triangles[t][(e + 1) % 3]];
             sides.push_back({std::min(a, b), std::max(a, b), t, e});
         }
     std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {

@@ -33,11 +33,11 @@ TEST(JointSolverPreferences, share_one_ceiling) {
         const std::int64_t budget = direct_budget(joints);
         const auto cubes = static_cast<std::int64_t>(27 * joints);
         EXPECT_LE(most_work(cubes, joints, budget),
-                  std::max(tuning::most_direct_work, tuning::direct_work * cubes));
+                  std::max(tuning::max_direct_work, tuning::direct_work * cubes));
         EXPECT_EQ(most_work(cubes, joints, 0), tuning::direct_work * cubes);
         EXPECT_GE(most_work(cubes, joints, budget), most_work(cubes, joints, 0));
     }
-    EXPECT_EQ(direct_budget(0), tuning::most_direct_work);
+    EXPECT_EQ(direct_budget(0), tuning::max_direct_work);
 }
 
 }  // namespace

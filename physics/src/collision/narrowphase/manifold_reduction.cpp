@@ -34,12 +34,12 @@ int best_four(FacePoint* points, int count, double scale) {
     const FacePoint p1 = points[furthest];
 
     int left = -1, right = -1;
-    double most_left = 1e-9 * scale * scale, most_right = -most_left;
+    double max_left = 1e-9 * scale * scale, most_right = -most_left;
     for (int k = 0; k < count; k++) {
         const double area =
             (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);
-        if (area > most_left) {
-            most_left = area;
+        if (area > max_left) {
+            max_left = area;
             left = k;
         }
         if (area < most_right) {
@@ -70,7 +70,7 @@ int reduce_to_four(FacePoint* points, int count, double size) {
     };
     // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
     // which the body rocks: the wider, the better. The rest comes last.
-    const double scale = minimum(1, size / tuning::least_usual_size);
+    const double scale = minimum(1, size / tuning::min_usual_size);
     const int deep = nearer(0, -tuning::bearing_overlap * scale),
               close = nearer(deep, tuning::reuse_distance * scale);
     if (deep >= 4) return best_four(points, deep, scale);

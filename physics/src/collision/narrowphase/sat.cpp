@@ -196,11 +196,11 @@ struct EdgeArc {
     Vec3 first, second, along;
 };
 
-constexpr std::size_t most_faces = 2 * max_hull_vertices, most_edges = 3 * max_hull_vertices;
+constexpr std::size_t max_faces = 2 * max_hull_vertices, max_edges = 3 * max_hull_vertices;
 
 Best edge_axes(const Pair& p, const AxisFilter& filter) {
-    alignas(16) float most[most_edges + 8];
-    UninitializedArray<EdgeArc, most_edges> arcs;
+    alignas(16) float most[max_edges + 8];
+    UninitializedArray<EdgeArc, max_edges> arcs;
     std::size_t count = 0;
     show_arcs(p.a, filter.in_a(), 1, most);
     for (std::uint32_t i = 0; i < p.a.edges.size(); i++) {
@@ -281,7 +281,7 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     // normal of a resting contact must not flicker.
     const double tie = 2e-5 * p.size;
     AxisFilter filter(p, old);
-    alignas(16) float most[most_faces + 8];
+    alignas(16) float most[max_faces + 8];
     show_normals(p.a, filter.in_a(), 1, most);
     Best best = best_face(p.a.faces.size(), most, enough, filter,
                           [&](std::uint32_t face) { return face_axis_a(p, face); });
@@ -308,14 +308,14 @@ Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction) {
     PolyhedronParts parts_a, parts_b;
     Pair p;
     make_pair(p, a, b, parts_a, parts_b);
-    const auto most_along = [](std::span<const HullFace> faces, Vec3 d) {
+    const auto max_along = [](std::span<const HullFace> faces, Vec3 d) {
         std::uint32_t best = 0;
         for (std::uint32_t f = 1; f < faces.size(); f++)
             if (dot(faces[f].normal, d) > dot(faces[best].normal, d)) best = f;
         return best;
     };
-    const Best of_a = face_axis_a(p, most_along(p.a.faces, transposed_times(a.axes, direction)));
-    const Best of_b = face_axis_b(p, most_along(p.b.faces, -transposed_times(b.axes, direction)));
+    const Best of_a = face_axis_a(p, max_along(p.a.faces, transposed_times(a.axes, direction)));
+    const Best of_b = face_axis_b(p, max_along(p.b.faces, -transposed_times(b.axes, direction)));
     return in_world(a, of_b.distance > of_a.distance ? of_b : of_a);
 }
 

@@ -8,15 +8,15 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most_block_rows = BlockLdl::most_rows;
+constexpr int max_block_rows = BlockLdl::most_rows;
 // A pivot of which no more than this is left of its diagonal depends on the rows before it.
 constexpr double dependent_pivot = 1e-10;
 
 // The inverse of a pivot block of n rows by its own L D L^T; `kept` is its diagonal before the
 // elimination. Returns how many rows depend on others.
 int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
-    double lower[most_block_rows][most_block_rows] = {}, pivot[most_block_rows],
-           reciprocal[most_block_rows], x[most_block_rows][most_block_rows] = {};
+    double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
+           reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
     int skipped_rows = 0;
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
@@ -157,7 +157,7 @@ void BlockLdl::solve_columns(double* x) const {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         const double* const inverse = inverse_.data() + as_index(k) * most_values;
         double* const xk = x + begin_[as_index(k)];
-        double y[most_block_rows];
+        double y[max_block_rows];
         for (int r = 0; r < nk; r++) {
             double s = 0;
             for (int t = 0; t < nk; t++) s += inverse[r * nk + t] * xk[t];

@@ -31,7 +31,7 @@ void DirectGroup::set_springs() {
             const double response =
                 response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             // Along what is locked it pushes nobody.
-            const double mass = response > FreeAxis::least_response ? 1 / response : 0;
+            const double mass = response > FreeAxis::min_response ? 1 / response : 0;
             free_axis.stiffness = free_axis.rate * free_axis.rate * mass;
             if (free_axis.damping_ratio == 0) continue;
             const double left = decay(2 * free_axis.damping_ratio * free_axis.rate * step_);

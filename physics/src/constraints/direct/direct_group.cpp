@@ -15,7 +15,7 @@ constexpr double followed_turn = 1;  // rad
 // In a part of a composition: a thousand swings then stay within 0.04 rad of the true ones.
 constexpr double followed_spring = 0.35;  // rad
 constexpr int most_spring_parts = 64, springs_followed = 8;
-constexpr int most_halvings = 6, most_steps = 1024;
+constexpr int max_halvings = 6, most_steps = 1024;
 constexpr double burst = 0.01;  // of the energy that there is
 // After so many sub-steps a longer one is tried again.
 constexpr int steps_at_halvings = 4;
@@ -124,7 +124,7 @@ void DirectGroup::step(double h, int depth) {
     }
     if (step_energy(h, tolerance(h)) && !has_burst(h, saved_[as_index(depth)])) return;
     restore(depth);
-    if (depth == most_halvings || (depth > 1 && (count_.skipped_rows > 0 || degenerate_))) {
+    if (depth == max_halvings || (depth > 1 && (count_.skipped_rows > 0 || degenerate_))) {
         resorting_ = true;
         return resort_to_velocities(h);
     }

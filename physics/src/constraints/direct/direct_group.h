@@ -75,7 +75,7 @@ private:
     bool find_pattern(std::int64_t most_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
     void regularize();
-    double least_response(const DirectJoint& joint) const;
+    double min_response(const DirectJoint& joint) const;
     void drop_locked();
     void soften(double h);  // the rows of springs, in the energy-momentum step or at velocities
 

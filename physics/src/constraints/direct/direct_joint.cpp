@@ -59,7 +59,7 @@ void measure_at(DirectJoint& j, Vec3 xa, const Mat3& a, Vec3 xb, const Mat3& b, 
     for (int k = 0; k < j.turns; k++) error[j.points + k] = dot(a * j.turn_a[k], b * j.turn_b[k]);
 }
 
-constexpr double least_stiffness = 1e-30;  // N/m or N m / rad
+constexpr double min_stiffness = 1e-30;  // N/m or N m / rad
 
 // The share of the end's stretch in the mean that pulls. Half keeps energy; what is damped and not
 // resolved by h goes to rest instead.
@@ -89,7 +89,7 @@ double bounded_excess(const FreeAxis& free_axis, double most) {
 }
 
 double spring_pull(const FreeAxis& free_axis, double h) {
-    return maximum(free_axis.stiffness, least_stiffness) * h * end_share(free_axis, h);
+    return maximum(free_axis.stiffness, min_stiffness) * h * end_share(free_axis, h);
 }
 
 void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {

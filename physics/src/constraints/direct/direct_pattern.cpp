@@ -10,9 +10,9 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double least_damper = 1e-30;  // N s/m or N m s
+constexpr double min_damper = 1e-30;  // N s/m or N m s
 // m: of bodies that do not turn, held at their centres.
-constexpr double least_reach = 0.01;
+constexpr double min_reach = 0.01;
 
 // m: at this distance all its mass would be as hard to turn.
 double gyration_of(const DirectBody& body) {
@@ -44,7 +44,7 @@ void DirectGroup::list_what_acts() {
             // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
             if (free_axis.kind != FreeAxis::Kind::swing &&
                 response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
-                    least_response(joint))
+                    min_response(joint))
                 nothing_along(free_axis);
             limited_ |= free_axis.has_limit();
             actuated_ |= free_axis.steps > 0;
@@ -62,7 +62,7 @@ void DirectGroup::list_what_acts() {
     for (const DirectBody& body : bodies)
         if (body.pushed) most = maximum(most, body.spring_square);
     spring_rate_ = square_root(most);
-    reach_ = maximum(least_reach, arms / static_cast<double>(joints.size()));
+    reach_ = maximum(min_reach, arms / static_cast<double>(joints.size()));
 }
 
 bool DirectGroup::prepare(std::int64_t most_work) {
@@ -155,7 +155,7 @@ void DirectGroup::regularize() {
 }
 
 // What is no more than the rounding of axes across those that may move, 1/kg.
-double DirectGroup::least_response(const DirectJoint& joint) const {
+double DirectGroup::min_response(const DirectJoint& joint) const {
     double sum = 0;
     for (const int index : {joint.a, joint.b}) {
         const DirectBody& body = bodies[as_index(index)];
@@ -172,7 +172,7 @@ void DirectGroup::drop_locked() {
         DirectJoint& joint = joints[k];
         const int node = static_cast<int>(k), rows = joint.rows();
         double* const block = values + matrix_.block_at(node, node);
-        const double least = least_response(joint);
+        const double least = min_response(joint);
         for (int r = 0; r < rows; r++) {
             double& diagonal = block[r * (rows + 1)];
             joint.blocked[as_index(r)] = diagonal <= least && !joint.off[as_index(r)];
@@ -191,7 +191,7 @@ void DirectGroup::soften(double h) {
             const FreeAxis& free_axis = joint.free_axes[i];
             if (free_axis.rate == 0 || free_axis.at_limit != 0 || free_axis.is_held()) continue;
             const double compliance = free_axis.implicit ? 1 / (spring_pull(free_axis, h) * h)
-                                                   : 1 / maximum(free_axis.damper, least_damper);
+                                                   : 1 / maximum(free_axis.damper, min_damper);
             if (!free_axis.implicit && !free_axis.is_damped()) continue;
             const int row = joint.first_free_axis() + static_cast<int>(i), node = static_cast<int>(k);
             values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;

@@ -12,17 +12,17 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most_energy_corrections = 16;
+constexpr int max_energy_corrections = 16;
 // The matrix is made anew when an error keeps more of itself.
 constexpr double slow_contraction = 0.35;
 // What the first guess, the pull of the step before, misses by is about what the step gets wrong:
 // of that a small part may be left, as W. E. Milne's device has it ("Numerical solution of
 // differential equations", 1953), but no more than this, m.
 // Limits and what grips are judged by their impulses, and want them found.
-constexpr double small_part = 0.02, most_left = 1e-5;
+constexpr double small_part = 0.02, max_left = 1e-5;
 
 double enough_of(double first, double tolerance) {
-    return maximum(tolerance, minimum(most_left, small_part * first));
+    return maximum(tolerance, minimum(max_left, small_part * first));
 }
 
 // A force on a body at an arm pulls it straight, or topples it: minus the derivative of its torque.
@@ -251,7 +251,7 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
             enough = actuated_ || limited_ ? tolerance : enough_of(first, tolerance);
         }
         if (error < enough) return true;
-        if (round == most_energy_corrections || !(error < 1e6))
+        if (round == max_energy_corrections || !(error < 1e6))
             return error < 30 * tolerance ||
                    (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         again = round < 1 || error > slow_contraction * before;

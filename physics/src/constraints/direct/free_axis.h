@@ -20,7 +20,7 @@ namespace jostle::physics {
 struct FreeAxis {
     enum class Kind : std::uint8_t { hinge, first, middle, last, travel, distance, twist, swing };
     static constexpr double never = 1e300;
-    static constexpr double least_response = 1e-30;  // 1/kg or 1/(kg m^2): below it, none
+    static constexpr double min_response = 1e-30;  // 1/kg or 1/(kg m^2): below it, none
 
     Kind kind = Kind::hinge;
     int slot = 0;                          // of the joint's impulses that are kept

@@ -6,7 +6,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double least_cosine = 0.05;  // of the middle angle, where rows divide by it
+constexpr double min_cosine = 0.05;  // of the middle angle, where rows divide by it
 
 // Turns the axes x, y, z to y, z, x once for each count.
 constexpr Quat cycled(int count) {
@@ -28,7 +28,7 @@ GimbalRows gimbal_rows(Quat frame_a, Quat frame_b) {
     const Vec3 across = cross(last, first);
     const double cosine = length(across);
     const Vec3 middle = cosine > 1e-12 ? across * (1 / cosine) : rotate(frame_a, Vec3{0, 1, 0});
-    const double share = 1 / maximum(cosine, least_cosine);
+    const double share = 1 / maximum(cosine, min_cosine);
     return {cross(middle, last) * share, middle, cross(first, middle) * share};
 }
 

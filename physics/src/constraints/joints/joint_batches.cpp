@@ -110,7 +110,7 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
         const auto updates = matrix.updates(at);
         pattern.below.insert(pattern.below.end(), below.begin(), below.end());
         pattern.updates.insert(pattern.updates.end(), updates.begin(), updates.end());
-        pattern.most_below = std::max(pattern.most_below, static_cast<int>(below.size()));
+        pattern.max_below = std::max(pattern.max_below, static_cast<int>(below.size()));
     }
     pattern.first_below.push_back(static_cast<int>(pattern.below.size()));
     pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
@@ -149,7 +149,7 @@ std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOpti
     const bool target = solver == JointSolver::direct;
     // A single point is solved exactly by the sweeps, too.
     if (group.joints < 2 && !target) return 0;
-    if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::most_net_joints))
+    if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::max_net_joints))
         return 0;
     return most_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
                      target ? options.budget : 0);
@@ -171,7 +171,7 @@ JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
     batch.joints.resize(pattern.joints.size());
     batch.bodies.resize(pattern.pushed.size());
     batch.values.resize(as_index(pattern.values));
-    batch.column.resize(as_index(pattern.most_below) * rows * rows);
+    batch.column.resize(as_index(pattern.max_below) * rows * rows);
     batch.inverse.resize(pattern.joints.size() * 6);
     for (BatchJoint& joint : batch.joints) {
         joint = {};

@@ -33,7 +33,7 @@ struct JointPattern {
     std::vector<int> node, diagonal, first_below, first_update;
     std::vector<BlockLdl::Below> below;
     std::vector<BlockLdl::Update> updates;
-    int values = 0, most_below = 0;
+    int values = 0, max_below = 0;
     bool too_dense = false;      // then there is no more than that
     std::int64_t most_work = 0;  // for which
     std::int64_t work = 0;

@@ -35,7 +35,7 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
     const double from = t.sweep.from, left = 1 - from;
     t.swept_shapes.known = false;
     t.sweep.until = 1;
-    if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{} && t.legs < tuning::most_legs) {
+    if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{} && t.legs < tuning::max_legs) {
         // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);

@@ -52,7 +52,7 @@ std::array<Work, tier_count> weigh_islands(const BodyStore& bodies, const Island
 // As many as are worth it; as many for each of two threads.
 std::uint32_t batches_for(std::uint32_t weight) {
     std::uint32_t batches = 1;
-    while (batches < batch_count && weight >= 2 * batches * tuning::least_batch) batches *= 2;
+    while (batches < batch_count && weight >= 2 * batches * tuning::min_batch) batches *= 2;
     return batches;
 }
 

@@ -96,17 +96,17 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
 // else what most of its bodies do.
 SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
                        std::span<const std::uint32_t> coupled, Vec3 up) {
-    SolverTier most = SolverTier::flat, most_low = SolverTier::flat;
+    SolverTier most = SolverTier::flat, max_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : coupled) {
         const SolverTier need = need_of(world, extents, i, up);
         most = std::max(most, need);
-        if (need <= SolverTier::pile) most_low = std::max(most_low, need);
+        if (need <= SolverTier::pile) max_low = std::max(max_low, need);
         (need <= SolverTier::pile ? low : slender) += world.islands.islands[i].bodies;
         extents[i].tier_chosen = true;
     }
     if (most > SolverTier::slender) return most;
-    return slender > low ? SolverTier::slender : most_low;
+    return slender > low ? SolverTier::slender : max_low;
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.

@@ -15,8 +15,8 @@ namespace {
 
 // Exact both ways.
 constexpr float longer = 2, shorter = 0.5f;
-constexpr double most_error = 1e6;     // m: what is not a number, too
-constexpr double least_error = 1e-12;  // m: 0 says that nothing is known
+constexpr double max_error = 1e6;     // m: what is not a number, too
+constexpr double min_error = 1e-12;  // m: 0 says that nothing is known
 
 // With contacts, always in the same order.
 template <class Visit>
@@ -103,7 +103,7 @@ double second_error(double shift, double change, double dt, ErrorLife life) {
 
 void note_error(Island& island, double error) {
     // A maximum that takes what is not a number for the most.
-    const double known = error < most_error ? maximum(error, least_error) : most_error;
+    const double known = error < max_error ? maximum(error, min_error) : max_error;
     island.error.estimate = island.error.fresh ? maximum(island.error.estimate, known) : known;
     island.error.fresh = true;
 }

@@ -239,7 +239,7 @@ bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
     list_joints(world, world.islands.islands[island], group);
     if (is_net(static_cast<int>(group.joints.size()),
                static_cast<int>(world.islands.islands[island].bodies)) &&
-        (budget == 0 || group.joints.size() > tuning::most_net_joints))
+        (budget == 0 || group.joints.size() > tuning::max_net_joints))
         return false;
     list_bodies(world, group, scratch.number_of);
     group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set)].substeps;

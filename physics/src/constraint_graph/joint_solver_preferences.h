@@ -37,7 +37,7 @@ inline std::int64_t direct_budget(std::size_t joints_of_world) {
 }
 // ... and that a group may take: `cubes`, of the joints' rows. `budget`: 0 for those that do not
 // ask.
-inline std::int64_t most_work(std::int64_t cubes, std::size_t joints, std::int64_t budget) {
+inline std::int64_t max_work(std::int64_t cubes, std::size_t joints, std::int64_t budget) {
     const std::int64_t affordable = tuning::direct_work * cubes;
     const std::int64_t granted = budget * static_cast<std::int64_t>(joints);
     return granted > affordable ? granted : affordable;

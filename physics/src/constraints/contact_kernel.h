@@ -339,7 +339,7 @@ inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_r
     }
     const auto scale = [](Wide s) {
         return min(s * splat(static_cast<float>(1 / tuning::min_usual_size)),
-                   max(s * splat(static_cast<float>(1 / tuning::most_usual_size)), splat(1)));
+                   max(s * splat(static_cast<float>(1 / tuning::max_usual_size)), splat(1)));
     };
     const WideMask some = size > splat(0);
     return {select(some, scale(size), splat(1)),

@@ -15,7 +15,7 @@ namespace jostle::physics {
 // 1 of what is usual, else how many times it is as large. What has no size counts as usual.
 inline double size_scale(double size) {
     if (size >= tuning::min_usual_size)
-        return size <= tuning::most_usual_size ? 1 : size / tuning::most_usual_size;
+        return size <= tuning::max_usual_size ? 1 : size / tuning::max_usual_size;
     return size > 0 ? size / tuning::min_usual_size : 1;
 }
 
@@ -29,7 +29,7 @@ inline double gravity_ratio_squared(Vec3 gravity) {
 inline double speed_scale(double size, double gravity_ratio_squared) {
     if (size <= 0) return 1;
     constexpr double low_rate = 1 / tuning::min_usual_size,
-                     high_rate = 1 / tuning::most_usual_size;
+                     high_rate = 1 / tuning::max_usual_size;
     const double low = size * low_rate, high = size * high_rate;
     const double fourth =
         minimum(low * low * gravity_ratio_squared, maximum(1, high * high * gravity_ratio_squared));

@@ -14,7 +14,7 @@ namespace jostle::physics::tuning {
 // --- sizes ---
 // Lengths and speeds below are for bodies of usual size: the ball around a body has a radius in
 // this range. Of smaller and larger ones they are a part or a multiple (foundation/size_scale.h).
-inline constexpr double min_usual_size = 0.05, most_usual_size = 5;  // m
+inline constexpr double min_usual_size = 0.05, max_usual_size = 5;  // m
 inline constexpr double usual_gravity = 9.81;                          // m/s^2
 
 // --- broad phase ---

@@ -32,10 +32,10 @@ TEST(JointSolverPreferences, share_one_ceiling) {
     for (const std::size_t joints : {1u, 100u, 3000u, 200000u}) {
         const std::int64_t budget = direct_budget(joints);
         const auto cubes = static_cast<std::int64_t>(27 * joints);
-        EXPECT_LE(most_work(cubes, joints, budget),
+        EXPECT_LE(max_work(cubes, joints, budget),
                   std::max(tuning::max_direct_work, tuning::direct_work * cubes));
-        EXPECT_EQ(most_work(cubes, joints, 0), tuning::direct_work * cubes);
-        EXPECT_GE(most_work(cubes, joints, budget), most_work(cubes, joints, 0));
+        EXPECT_EQ(max_work(cubes, joints, 0), tuning::direct_work * cubes);
+        EXPECT_GE(max_work(cubes, joints, budget), max_work(cubes, joints, 0));
     }
     EXPECT_EQ(direct_budget(0), tuning::max_direct_work);
 }

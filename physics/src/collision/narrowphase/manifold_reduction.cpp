@@ -34,7 +34,7 @@ int best_four(FacePoint* points, int count, double scale) {
     const FacePoint p1 = points[furthest];
 
     int left = -1, right = -1;
-    double max_left = 1e-9 * scale * scale, most_right = -most_left;
+    double max_left = 1e-9 * scale * scale, max_right = -most_left;
     for (int k = 0; k < count; k++) {
         const double area =
             (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);
@@ -42,8 +42,8 @@ int best_four(FacePoint* points, int count, double scale) {
             max_left = area;
             left = k;
         }
-        if (area < most_right) {
-            most_right = area;
+        if (area < max_right) {
+            max_right = area;
             right = k;
         }
     }

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_block_rows = BlockLdl::most_rows;
+constexpr int max_block_rows = BlockLdl::max_rows;
 // A pivot of which no more than this is left of its diagonal depends on the rows before it.
 constexpr double dependent_pivot = 1e-10;
 
@@ -78,7 +78,7 @@ int BlockLdl::factor_columns() {
     for (int k = 0; k < n; k++) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         double* const pivot = values_.data() + diagonal_[as_index(k)];
-        double* const inverse = inverse_.data() + as_index(k) * most_values;
+        double* const inverse = inverse_.data() + as_index(k) * max_values;
         const double* const kept = kept_.data() + begin_[as_index(k)];
         if (kRows != 3 || !invert_three(pivot, kept, inverse))
             skipped_rows += invert_pivot(pivot, nk, kept, inverse);
@@ -155,7 +155,7 @@ void BlockLdl::solve_columns(double* x) const {
     }
     for (int k = n - 1; k >= 0; k--) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
-        const double* const inverse = inverse_.data() + as_index(k) * most_values;
+        const double* const inverse = inverse_.data() + as_index(k) * max_values;
         double* const xk = x + begin_[as_index(k)];
         double y[max_block_rows];
         for (int r = 0; r < nk; r++) {

@@ -47,13 +47,13 @@ inline std::int64_t clique_work(std::size_t nodes, int rows) {
 
 class BlockLdl {
 public:
-    static constexpr int most_rows = 8;  // of a node
+    static constexpr int max_rows = 8;  // of a node
     using Edge = std::pair<int, int>;
 
     // By minimum degree; ties by number. Edges may occur more than once, in either direction.
-    // False, and of no use, if a factor would take more multiplications than `most_work`.
+    // False, and of no use, if a factor would take more multiplications than `max_work`.
     bool analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                 std::int64_t most_work = std::numeric_limits<std::int64_t>::max());
+                 std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
 
     int nodes() const { return static_cast<int>(rows_.size()); }
     int rows() const { return begin_.empty() ? 0 : begin_.back(); }
@@ -90,7 +90,7 @@ public:
     void solve(std::span<double> x) const;
 
 private:
-    static constexpr std::size_t most_values = most_rows * most_rows;  // of a block
+    static constexpr std::size_t max_values = max_rows * max_rows;  // of a block
 
     template <class T>
     static std::span<const T> column(const std::vector<T>& all, const std::vector<int>& first,
@@ -100,7 +100,7 @@ private:
     }
     int find(int row, int column) const;  // by elimination order
     std::vector<int> order_by_degree(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                                     std::int64_t most_work) const;
+                                     std::int64_t max_work) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
     void count_work();
     void lay_out();

@@ -28,11 +28,11 @@ std::int64_t work_of(std::int64_t rows, std::span<const int> nodes_below,
 
 }  // namespace
 
-// Ends early, with some of the nodes, when they alone take more than `most_work`: the factor has
+// Ends early, with some of the nodes, when they alone take more than `max_work`: the factor has
 // below each what is still near it.
 std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
                                            std::span<const Edge> edges,
-                                           std::int64_t most_work) const {
+                                           std::int64_t max_work) const {
     const std::size_t n = position_.size();
     std::vector<std::vector<int>> near(n);  // sorted
     for (const auto& [a, b] : edges)
@@ -46,7 +46,7 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
     std::vector<int> order, others, merged;
     order.reserve(n);
     std::int64_t work = 0;
-    while (!queue.empty() && work <= most_work) {
+    while (!queue.empty() && work <= max_work) {
         const int node = queue.begin()->second;
         queue.erase(queue.begin());
         order.push_back(node);
@@ -129,15 +129,15 @@ void BlockLdl::lay_out() {
     }
     first_update_[n] = static_cast<int>(updates_.size());
     values_.assign(as_index(size), 0);
-    inverse_.assign(n * most_values, 0);
+    inverse_.assign(n * max_values, 0);
     kept_.assign(as_index(rows()), 0);
 }
 
 bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                       std::int64_t most_work) {
+                       std::int64_t max_work) {
     const std::size_t n = rows_of_node.size();
     position_.assign(n, 0);
-    const std::vector<int> order = order_by_degree(rows_of_node, edges, most_work);
+    const std::vector<int> order = order_by_degree(rows_of_node, edges, max_work);
     if (order.size() < n) return false;
     fill(edges, order);
     rows_.resize(n);
@@ -145,12 +145,12 @@ bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
     same_rows_ = n == 0 ? 0 : rows_of_node[0];
     for (std::size_t p = 0; p < n; p++) {
         rows_[p] = rows_of_node[as_index(order[p])];
-        ASSERT(rows_[p] >= 1 && rows_[p] <= most_rows);
+        ASSERT(rows_[p] >= 1 && rows_[p] <= max_rows);
         begin_[p + 1] = begin_[p] + rows_[p];
         if (rows_[p] != same_rows_) same_rows_ = 0;
     }
     count_work();
-    if (work_ > most_work) return false;
+    if (work_ > max_work) return false;
     lay_out();
     return true;
 }

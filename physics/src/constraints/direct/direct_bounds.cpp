@@ -148,7 +148,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
 bool DirectGroup::reach_limits(double h, double time) {
     bool changed = false;
     const double most = tuning::joint_push_speed * absolute(h);
-    const double most_turn = tuning::joint_push_spin * absolute(h);
+    const double max_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
         for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
             FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
@@ -157,7 +157,7 @@ bool DirectGroup::reach_limits(double h, double time) {
                 trial_value(joint, free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             free_axis.at_limit = value < free_axis.lower ? 1 : (value > free_axis.upper ? -1 : 0);
             if (free_axis.at_limit == 0) continue;
-            const double excess = bounded_excess(free_axis, free_axis.is_linear() ? most : most_turn);
+            const double excess = bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);
             const double beyond = value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper) - excess;
             if (beyond * free_axis.at_limit >= 0) {  // comes back faster by itself
                 free_axis.at_limit = 0;

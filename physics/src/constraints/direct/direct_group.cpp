@@ -14,8 +14,8 @@ constexpr double followed_swing = 0.7;  // rad
 constexpr double followed_turn = 1;  // rad
 // In a part of a composition: a thousand swings then stay within 0.04 rad of the true ones.
 constexpr double followed_spring = 0.35;  // rad
-constexpr int most_spring_parts = 64, springs_followed = 8;
-constexpr int max_halvings = 6, most_steps = 1024;
+constexpr int max_spring_parts = 64, springs_followed = 8;
+constexpr int max_halvings = 6, max_steps = 1024;
 constexpr double burst = 0.01;  // of the energy that there is
 // After so many sub-steps a longer one is tried again.
 constexpr int steps_at_halvings = 4;
@@ -151,7 +151,7 @@ void DirectGroup::advance(double dt, int substeps) {
     degenerate_ = false;
     const double turn = fastest_turn() * dt;
     if (turn > followed_turn * substeps)
-        substeps = static_cast<int>(minimum(turn / followed_turn, most_steps - 1)) + 1;
+        substeps = static_cast<int>(minimum(turn / followed_turn, max_steps - 1)) + 1;
     int parts = parts_of(dt, substeps);
     if (turn * longest_stage > followed_turn * parts) parts = 0;
     // Ends that are far apart come together step by step, forward in time.
@@ -181,7 +181,7 @@ int DirectGroup::parts_of(double dt, int substeps) {
     const double wanted = spring_rate_ * dt / followed_spring;
     // Of a large group that would cost more than its swings are worth.
     const double many = maximum(1, static_cast<double>(joints.size()) / springs_followed);
-    if (wanted * many > most_spring_parts) return 0;
+    if (wanted * many > max_spring_parts) return 0;
     return static_cast<int>(maximum(substeps / 5, wanted + 1));
 }
 

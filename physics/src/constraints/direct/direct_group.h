@@ -46,8 +46,8 @@ public:
     };
 
     // Once bodies and joints are there: their pattern, unless it is that of before. False, and of
-    // no use, if a factor would take more multiplications than `most_work`.
-    bool prepare(std::int64_t most_work = std::numeric_limits<std::int64_t>::max());
+    // no use, if a factor would take more multiplications than `max_work`.
+    bool prepare(std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
     // By dt, in about so many sub-steps.
     void advance(double dt, int substeps);
     const Count& count() const { return count_; }
@@ -59,7 +59,7 @@ private:
     };
     struct SavedJoint {
         Vec3 force_sum, torque_sum;
-        double force[DirectJoint::most_rows];
+        double force[DirectJoint::max_rows];
     };
     struct SavedFreeAxis {
         int at_limit, actuation;
@@ -72,7 +72,7 @@ private:
 
     // ---- direct_pattern.cpp ----
     void list_what_acts();
-    bool find_pattern(std::int64_t most_work);
+    bool find_pattern(std::int64_t max_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
     void regularize();
     double min_response(const DirectJoint& joint) const;

@@ -18,7 +18,7 @@ namespace jostle::physics {
 
 // Bodies by number in the group.
 struct DirectJoint {
-    static constexpr int most_rows = 8;
+    static constexpr int max_rows = 8;
     // ball: the ends stay together, three rows along the world's axes; rod: at a distance, one row;
     // across: b's end stays on a line or in a plane of a's, or is free.
     enum class Points : std::uint8_t { ball, rod, across };
@@ -49,19 +49,19 @@ struct DirectJoint {
     // Where the two bodies are.
     Vec3 apart;  // of the ends, b's from a's, m
     // Not of balls: theirs are the axes of the world.
-    Vec3 linear[most_rows];
-    Vec3 angular_a[most_rows], angular_b[most_rows];
+    Vec3 linear[max_rows];
+    Vec3 angular_a[max_rows], angular_b[max_rows];
     // Rows that are switched off just now (a limit that is not reached, a motor at its most) have
     // no vectors and no multiplier.
-    std::array<bool, most_rows> off{};
+    std::array<bool, max_rows> off{};
     // ... and rows along which locked axes let nothing move: what is wrong there stays wrong.
-    std::array<bool, most_rows> blocked{};
+    std::array<bool, max_rows> blocked{};
 
-    double start[most_rows] = {};    // errors as the step began; not of ways
-    double target[most_rows] = {};   // what is to be left of them
-    double error[most_rows] = {};    // of where the step tries to go: m and rad
-    double impulse[most_rows] = {};  // unknowns of the step under way
-    double force[most_rows] = {};    // half of what acts on b, N and N m: from step to step
+    double start[max_rows] = {};    // errors as the step began; not of ways
+    double target[max_rows] = {};   // what is to be left of them
+    double error[max_rows] = {};    // of where the step tries to go: m and rad
+    double impulse[max_rows] = {};  // unknowns of the step under way
+    double force[max_rows] = {};    // half of what acts on b, N and N m: from step to step
     Vec3 force_sum, torque_sum;      // impulses on b over the whole step, N s and N m s
 };
 

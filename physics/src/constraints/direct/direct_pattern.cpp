@@ -65,7 +65,7 @@ void DirectGroup::list_what_acts() {
     reach_ = maximum(min_reach, arms / static_cast<double>(joints.size()));
 }
 
-bool DirectGroup::prepare(std::int64_t most_work) {
+bool DirectGroup::prepare(std::int64_t max_work) {
     count_ = {};
     factored_ = false;
     energy_ = false;
@@ -76,14 +76,14 @@ bool DirectGroup::prepare(std::int64_t most_work) {
     for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
     for (const DirectJoint& joint : joints)
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
-    if (pattern == pattern_) return matrix_.work() <= most_work;
+    if (pattern == pattern_) return matrix_.work() <= max_work;
     pattern_.clear();
-    if (!find_pattern(most_work)) return false;
+    if (!find_pattern(max_work)) return false;
     pattern_ = std::move(pattern);
     return true;
 }
 
-bool DirectGroup::find_pattern(std::int64_t most_work) {
+bool DirectGroup::find_pattern(std::int64_t max_work) {
     std::vector<JointEnds> ends;
     std::vector<int> rows;
     std::vector<std::uint8_t> pushed;
@@ -92,7 +92,7 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
         rows.push_back(joint.rows());
     }
     for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
-    if (!find_joint_system_blocks(ends, rows, pushed, most_work, matrix_, system_blocks_)) return false;
+    if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_)) return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
     // Blocks are then summed up one after the other.
     std::sort(system_blocks_.begin(), system_blocks_.end(),

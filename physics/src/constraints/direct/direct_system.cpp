@@ -112,7 +112,7 @@ double DirectGroup::error_of_holding() const {
 bool DirectGroup::set_targets(double h) {
     bool left_over = false;
     const double most = tuning::joint_push_speed * absolute(h);
-    const double most_turn = tuning::joint_push_spin * absolute(h);
+    const double max_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
         measure_start(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
         std::fill(std::begin(joint.target), std::end(joint.target), 0.0);
@@ -120,13 +120,13 @@ bool DirectGroup::set_targets(double h) {
         for (int k = 0; k < joint.points; k++) apart += joint.start[k] * joint.start[k];
         for (int k = joint.points; k < joint.first_free_axis(); k++)
             turned += joint.start[k] * joint.start[k];
-        left_over |= apart > most * most || turned > most_turn * most_turn;
+        left_over |= apart > most * most || turned > max_turn * max_turn;
         if (apart > most * most) {
             const double left = 1 - most / square_root(apart);
             for (int k = 0; k < joint.points; k++) joint.target[k] = joint.start[k] * left;
         }
-        if (turned > most_turn * most_turn) {
-            const double left = 1 - most_turn / square_root(turned);
+        if (turned > max_turn * max_turn) {
+            const double left = 1 - max_turn / square_root(turned);
             for (int k = joint.points; k < joint.first_free_axis(); k++)
                 joint.target[k] = joint.start[k] * left;
         }
@@ -135,7 +135,7 @@ bool DirectGroup::set_targets(double h) {
             if (free_axis.at_limit == 0) continue;
             free_axis.overrun = is_overrun(free_axis);
             joint.target[joint.first_free_axis() + static_cast<int>(k)] =
-                bounded_excess(free_axis, free_axis.is_linear() ? most : most_turn);
+                bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);
         }
     }
     return left_over;

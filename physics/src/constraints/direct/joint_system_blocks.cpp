@@ -8,7 +8,7 @@
 namespace jostle::physics {
 
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
-                   std::span<const std::uint8_t> pushed, std::int64_t most_work, BlockLdl& matrix,
+                   std::span<const std::uint8_t> pushed, std::int64_t max_work, BlockLdl& matrix,
                    std::vector<JointSystemBlock>& system_blocks) {
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
@@ -17,15 +17,15 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
             if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
     system_blocks.clear();
     for (const std::vector<int>& list : of_body) {
-        int least = BlockLdl::most_rows;
+        int least = BlockLdl::max_rows;
         for (const int joint : list) least = std::min(least, rows[as_index(joint)]);
-        if (clique_work(list.size(), least) > most_work) return false;
+        if (clique_work(list.size(), least) > max_work) return false;
     }
     std::vector<BlockLdl::Edge> edges;
     for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-    if (!matrix.analyze(rows, edges, most_work)) return false;
+    if (!matrix.analyze(rows, edges, max_work)) return false;
     for (std::size_t n = 0; n < of_body.size(); n++) {
         const std::vector<int>& list = of_body[n];
         const int body = static_cast<int>(n);

@@ -94,7 +94,7 @@ struct GearKernel {
         const Wide most =
             select(lengths, s.push_speed, s.push_spin) * max(absolute(scale_a), absolute(scale_b));
         const Wide push = error * s.position_rate;
-        const WideMask over = absolute(push) > most_push(s, most);
+        const WideMask over = absolute(push) > max_push(s, most);
         const WideMask stiff = ~(~slack & ~over);
         const Wide want = rate * select(stiff, one, s.velocity_scale) +
                           select(slack, error * splat(step.inverse_h),

@@ -91,7 +91,7 @@ struct BodyNumbering {
 void find_matrix(JointPattern& pattern, std::int64_t most) {
     const std::size_t joints = pattern.joints.size();
     BlockLdl matrix;
-    pattern.most_work = most;
+    pattern.max_work = most;
     const auto pushed = std::count(pattern.pushed.begin(), pattern.pushed.end(), 1);
     pattern.compliance = is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_compliance : 0;
     pattern.too_dense = !find_joint_system_blocks(pattern.joints, std::vector<int>(joints, rows),
@@ -130,7 +130,7 @@ JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
         find_matrix(*found, most);
     }
     found->used = batches.count;
-    if (found->too_dense && most > found->most_work) find_matrix(*found, most);
+    if (found->too_dense && most > found->max_work) find_matrix(*found, most);
     return found->too_dense || found->work > most ? nullptr : found.get();
 }
 
@@ -151,7 +151,7 @@ std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOpti
     if (group.joints < 2 && !target) return 0;
     if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::max_net_joints))
         return 0;
-    return most_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
+    return max_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
                      target ? options.budget : 0);
 }
 

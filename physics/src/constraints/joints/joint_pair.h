@@ -216,7 +216,7 @@ JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
             load(row.impulse_scale) * part, any, any};
 }
 // The most that an error may add to a row's speed.
-JOSTLE_INLINE Wide most_push(const WideSoft& s, Wide most) {
+JOSTLE_INLINE Wide max_push(const WideSoft& s, Wide most) {
     return most * max(s.velocity_scale, splat(1e-6f));
 }
 // What an error adds to a row's speed. Where that would be more than `most`, it is that, and the
@@ -227,7 +227,7 @@ struct PositionCorrection {
 };
 JOSTLE_INLINE PositionCorrection position_correction(Wide3 error, const WideSoft& s, Wide most) {
     const Wide3 push = error * s.position_rate;
-    const Wide size2 = dot(push, push), limit = most_push(s, most);
+    const Wide size2 = dot(push, push), limit = max_push(s, most);
     const WideMask over = size2 > limit * limit;
     if (lane_bits(over) == 0) return {push, s.velocity_scale, s.impulse_scale};  // mostly
     const Wide part = select(over, most / root(max(size2, splat(1e-30f))), splat(1));
@@ -349,7 +349,7 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
                               Wide error, Wide strongest, float* stored) {
     const Wide before = load(stored);
     const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
-    const WideMask over = absolute(push) > most_push(s, most);
+    const WideMask over = absolute(push) > max_push(s, most);
     const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
                       select(over, max(min(push, most), -most), push);
     const Wide wished = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;

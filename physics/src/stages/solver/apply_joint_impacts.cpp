@@ -14,7 +14,7 @@ namespace jostle::physics {
 namespace {
 
 // A push runs along a row of so many pairs in a step, and the rest of it in the next.
-constexpr int most_rounds = 64;
+constexpr int max_rounds = 64;
 
 struct JointImpact {
     const ContactConstraintWide* block;
@@ -123,7 +123,7 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
     if (pairs.empty()) return;
     SolverBodies& hot = step.scratch.solver.hot;
     std::vector<JointImpact> closing;
-    for (int round = 0; round < most_rounds; round++) {
+    for (int round = 0; round < max_rounds; round++) {
         closing.clear();
         for (JointImpact& s : pairs) {
             s.closing = joint_impact_points(hot, s, step.dt).closing;

@@ -255,7 +255,7 @@ bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
     std::int64_t cubes = 0;
     for (const DirectJoint& joint : group.solver.joints)
         cubes += std::int64_t{joint.rows()} * joint.rows() * joint.rows();
-    return group.solver.prepare(most_work(cubes, group.joints.size(), budget));
+    return group.solver.prepare(max_work(cubes, group.joints.size(), budget));
 }
 
 // ---- scatter ----

@@ -37,7 +37,7 @@ struct Choice {
 };
 using Contacts = std::vector<std::uint32_t>;
 
-TEST(ChooseChecks, new_pairs_are_looked_at_and_what_rests_is_not) {
+TEST(SelectPairs, new_pairs_are_looked_at_and_what_rests_is_not) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}});
@@ -56,7 +56,7 @@ TEST(ChooseChecks, new_pairs_are_looked_at_and_what_rests_is_not) {
     EXPECT_EQ(at_rest.scratch.contacts.had_contacts, std::vector<std::uint8_t>{1});
 }
 
-TEST(ChooseChecks, a_manifold_that_moved_too_far_is_looked_at_once) {
+TEST(SelectPairs, a_manifold_that_moved_too_far_is_looked_at_once) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     for (int k = 0; k < 3; k++) add(world, {.position = {3.0 * k, 0.5, 0}});
@@ -69,7 +69,7 @@ TEST(ChooseChecks, a_manifold_that_moved_too_far_is_looked_at_once) {
 }
 
 // A dumbbell on the floor has two manifolds; both moved too far, and the pair is looked at as one.
-TEST(ChooseChecks, a_pair_of_many_parts_is_looked_at_as_a_whole) {
+TEST(SelectPairs, a_pair_of_many_parts_is_looked_at_as_a_whole) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const Geometry dumbbell = Compound{must(build_compound(
@@ -94,7 +94,7 @@ TEST(ChooseChecks, a_pair_of_many_parts_is_looked_at_as_a_whole) {
 }
 
 // What sleeps on both sides needs no bound; its limit is kept for when it wakes.
-TEST(ChooseChecks, dormant_pairs_leave_the_list) {
+TEST(SelectPairs, dormant_pairs_leave_the_list) {
     World world = make_world();
     add(world, {.position = {0, 0, 0}});
     add(world, {.position = {9, 0, 0}});

@@ -42,7 +42,7 @@ World make_mixed_world(double tolerance, std::int64_t budget = 0, int threads = 
         {.tolerance = tolerance, .substep_budget = budget, .threads = threads, .sleeping = false});
 }
 
-TEST(Rungs,
+TEST(SubstepLevels,
      boxes_at_rest_take_two_substeps_and_a_chain_that_swings_beside_them_as_many_as_it_needs) {
     World world = make_mixed_world(1e-3);
     add_floor(world);
@@ -61,7 +61,7 @@ TEST(Rungs,
     EXPECT_EQ(of(efforts, link).joints, 10);
 }
 
-TEST(Rungs, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
+TEST(SubstepLevels, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
     // v^2 / (2 mu g) = 4.247 m, after 1.7 s. Floats leave 2 mm of it, with 64 sub-steps all along.
     double substeps_before = 0;
     for (const double tolerance : {5e-2, 1e-2, 2e-3}) {
@@ -83,7 +83,7 @@ TEST(Rungs, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
     }
 }
 
-TEST(Rungs, a_stack_of_ten_does_not_sway_at_any_tolerance) {
+TEST(SubstepLevels, a_stack_of_ten_does_not_sway_at_any_tolerance) {
     // With two sub-steps it did, from nothing, within two seconds: nobody saw it coming.
     for (const double tolerance : {1.0, 1e-2, 1e-3}) {
         World world = make_mixed_world(tolerance);
@@ -98,7 +98,7 @@ TEST(Rungs, a_stack_of_ten_does_not_sway_at_any_tolerance) {
     }
 }
 
-TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
+TEST(SubstepLevels, within_a_budget_those_give_in_whom_it_harms_least) {
     World world = make_mixed_world(1e-4, 400);
     add_floor(world);
     const BodyId heavy = add_chain(world, 10, 10, 100).front();
@@ -116,7 +116,7 @@ TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
     for (const IslandSubsteps& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
 }
 
-TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {
+TEST(SubstepLevels, without_a_tolerance_nothing_is_tried_and_nothing_known) {
     World world = make_world({.substep_budget = 5, .sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}});
@@ -141,7 +141,7 @@ World make_busy_world(int threads) {
     return world;
 }
 
-TEST(Rungs, have_the_same_bits_at_one_two_and_four_threads) {
+TEST(SubstepLevels, have_the_same_bits_at_one_two_and_four_threads) {
     std::uint64_t hashes[3] = {};
     const int threads[3] = {1, 2, 4};
     for (int k = 0; k < 3; k++) {
@@ -153,7 +153,7 @@ TEST(Rungs, have_the_same_bits_at_one_two_and_four_threads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST(Rungs, a_world_saved_between_two_looks_goes_on_as_if_it_had_not_been) {
+TEST(SubstepLevels, a_world_saved_between_two_looks_goes_on_as_if_it_had_not_been) {
     World world = make_busy_world(1);
     run(world, 0.5);
     World copy = must(load(save(world)));

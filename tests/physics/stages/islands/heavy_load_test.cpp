@@ -29,7 +29,7 @@ int steps_until_heavy(World& world, BodyId load, BodyId light) {
     return -1;
 }
 
-TEST(Overload, is_seen_in_the_step_after_the_touch) {
+TEST(HeavyLoad, is_seen_in_the_step_after_the_touch) {
     for (int delay = 0; delay < 8; delay++) {
         World world = make_world({.sleeping = false});
         add_floor(world);
@@ -40,7 +40,7 @@ TEST(Overload, is_seen_in_the_step_after_the_touch) {
     }
 }
 
-TEST(Overload, is_none_of_what_is_fifty_times_heavier) {
+TEST(HeavyLoad, is_none_of_what_is_fifty_times_heavier) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId light = add(world, {.position = {0, 0.5, 0}});
@@ -48,7 +48,7 @@ TEST(Overload, is_none_of_what_is_fifty_times_heavier) {
     EXPECT_EQ(steps_until_heavy(world, load, light), -1);
 }
 
-TEST(Overload, is_none_of_what_stands_on_the_floor_beside_light_ones) {
+TEST(HeavyLoad, is_none_of_what_stands_on_the_floor_beside_light_ones) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId light = add(world, {.position = {1.01, 0.5, 0}, .velocity = {-0.5, 0, 0}});

@@ -202,7 +202,7 @@ TEST(Pulley, breaks_at_its_force) {
     EXPECT_TRUE(it.world.joints().empty());
 }
 
-TEST(Couples, go_on_after_a_load_and_with_any_threads) {
+TEST(GearJoints, go_on_after_a_load_and_with_any_threads) {
     const auto make = [](int threads) {
         World world = make_world({.threads = threads});
         const BodyId pinion = wheel_at(world, {0, 0, 0}, {.motor = {true, 3, 500}});

@@ -216,7 +216,7 @@ TEST(Listeners, one_that_may_not_be_called_at_once_speaks_for_all) {
 
 // ---- answers about new contacts ----
 
-TEST(PreSolveAnswers, a_one_way_platform_lets_through_from_below_and_carries_from_above) {
+TEST(ContactModifiers, a_one_way_platform_lets_through_from_below_and_carries_from_above) {
     for (const double thickness : {0.1, 0.002}) {
         for (const double speed : {9.0, 60.0}) {  // the faster one is swept
             World world;
@@ -246,7 +246,7 @@ TEST(PreSolveAnswers, a_one_way_platform_lets_through_from_below_and_carries_fro
     }
 }
 
-TEST(PreSolveAnswers, friction_and_restitution_are_obeyed_for_as_long_as_they_touch) {
+TEST(ContactModifiers, friction_and_restitution_are_obeyed_for_as_long_as_they_touch) {
     World world = make_world({.gravity = leaning_gravity(0.3, 0)});
     add_floor(world, 0.5);
     const BodyId holds = add(world, {.position = {0, 0.5, 0}});
@@ -273,7 +273,7 @@ TEST(PreSolveAnswers, friction_and_restitution_are_obeyed_for_as_long_as_they_to
 
 // A box falls asleep 1 cm beside a plate that creeps by: their manifold ends, and another begins
 // when the plate comes. Each is asked about, and the world can be saved and loaded.
-TEST(PreSolveAnswers, are_forgotten_when_a_manifold_ends_with_sleep) {
+TEST(ContactModifiers, are_forgotten_when_a_manifold_ends_with_sleep) {
     World world;
     add_floor(world);
     Listener slippery;
@@ -293,7 +293,7 @@ TEST(PreSolveAnswers, are_forgotten_when_a_manifold_ends_with_sleep) {
     EXPECT_TRUE(load(save(world)).ok());
 }
 
-TEST(PreSolveAnswers, a_surface_velocity_carries_like_a_belt) {
+TEST(ContactModifiers, a_surface_velocity_carries_like_a_belt) {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId crate = add(world, {.position = {0, 0.5, 0}});

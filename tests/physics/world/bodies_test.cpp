@@ -65,7 +65,7 @@ TEST(CopyAwakeBodies, are_those_that_a_step_can_move) {
     EXPECT_FALSE(must(world.body(sleeper)).awake);
 }
 
-TEST(ChangesAtRest, tell_when_a_call_moved_what_no_step_moves) {
+TEST(StaticRevision, tell_when_a_call_moved_what_no_step_moves) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});

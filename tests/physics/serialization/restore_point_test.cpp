@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(kinds, RollbackBroadPhase,
                          testing::Values(BroadPhase::dynamic_tree, BroadPhase::sort_and_sweep,
                                          BroadPhase::uniform_grid));
 
-TEST(RollbackMoments, an_empty_point_is_refused_and_changes_nothing) {
+TEST(RestorePointDetails, an_empty_point_is_refused_and_changes_nothing) {
     World world = pyramid_scene();
     run(world, 0.5);
     const std::uint64_t before = state_hash(world);
@@ -185,7 +185,7 @@ TEST(RollbackMoments, an_empty_point_is_refused_and_changes_nothing) {
     EXPECT_FALSE(taken.empty());
 }
 
-TEST(RollbackMoments, ids_of_the_future_name_nothing_and_those_of_the_past_do_again) {
+TEST(RestorePointDetails, ids_of_the_future_name_nothing_and_those_of_the_past_do_again) {
     World world = make_world();
     const BodyId old = add(world, {});
     const RestorePoint point = kept(world);
@@ -199,7 +199,7 @@ TEST(RollbackMoments, ids_of_the_future_name_nothing_and_those_of_the_past_do_ag
     EXPECT_EQ(add(world, {}), second);  // the lowest free id: `first` took the place of `old`
 }
 
-TEST(RollbackMoments, sleepers_sleep_again) {
+TEST(RestorePointDetails, sleepers_sleep_again) {
     World world = make_world();
     add_floor(world);
     for (int i = 0; i < 4; i++) add(world, {.position = {0, 0.5 + i, 0}});
@@ -218,7 +218,7 @@ TEST(RollbackMoments, sleepers_sleep_again) {
     EXPECT_EQ(shoot(), first);
 }
 
-TEST(RollbackMoments, no_events_of_the_future_and_those_of_the_past_again) {
+TEST(RestorePointDetails, no_events_of_the_future_and_those_of_the_past_again) {
     World world = make_world();
     add_floor(world);
     const BodyId lower = add(world, {.position = {0, 0.5, 0}});
@@ -237,7 +237,7 @@ TEST(RollbackMoments, no_events_of_the_future_and_those_of_the_past_again) {
 }
 
 // One hull of 14 corners for 50 bodies: each body of the world and of the point refers to it.
-TEST(RollbackMoments, geometry_is_shared_not_copied) {
+TEST(RestorePointDetails, geometry_is_shared_not_copied) {
     Random random(3);
     std::vector<Vec3> corners;
     for (int i = 0; i < 14; i++) corners.push_back(random.direction());
@@ -258,14 +258,14 @@ TEST(RollbackMoments, geometry_is_shared_not_copied) {
     EXPECT_EQ(world.bodies().size(), 50u);
 }
 
-TEST(RollbackMoments, the_number_of_threads_is_the_worlds_own) {
+TEST(RestorePointDetails, the_number_of_threads_is_the_worlds_own) {
     World one = pyramid_scene(1), four = pyramid_scene(4);
     must(kept(one).restore(four));
     EXPECT_EQ(state_of(four).def.threads, 4);
     EXPECT_EQ(state_of(four).thread_pool->size(), 4);
 }
 
-TEST(RollbackMoments, gravity_and_substeps_come_back_with_the_moment) {
+TEST(RestorePointDetails, gravity_and_substeps_come_back_with_the_moment) {
     const World source = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     World world = make_world();
     must(kept(source).restore(world));

@@ -59,7 +59,7 @@ TEST_P(SaveLoad, a_copy_loaded_every_step_keeps_up) {
 INSTANTIATE_TEST_SUITE_P(scenes, SaveLoad, testing::ValuesIn(test_scenes()),
                          [](const auto& scene) { return scene.param.name; });
 
-TEST(SaveLoadMoments, in_the_middle_of_an_impact) {
+TEST(SaveLoadStates, in_the_middle_of_an_impact) {
     World world = make_world();
     add_floor(world, 0.5, 0.6);
     add(world, {.position = {0, 2, 0}, .rotation = Random(1).rotation(), .restitution = 0.6});
@@ -70,7 +70,7 @@ TEST(SaveLoadMoments, in_the_middle_of_an_impact) {
     EXPECT_EQ(state_hash(world), state_hash(copy)) << first_difference(world, copy).value_or("");
 }
 
-TEST(SaveLoadMoments, while_frozen_bodies_thaw) {
+TEST(SaveLoadStates, while_frozen_bodies_thaw) {
     World original = guarded_scene(), copy = guarded_scene();
     int thawed = 0;
     for (int step = 0; step < 330; step++) {
@@ -86,7 +86,7 @@ TEST(SaveLoadMoments, while_frozen_bodies_thaw) {
     EXPECT_GT(thawed, 200);
 }
 
-TEST(SaveLoadMoments, asleep_and_then_woken) {
+TEST(SaveLoadStates, asleep_and_then_woken) {
     World world = make_world();
     add_floor(world);
     for (int i = 0; i < 4; i++) add(world, {.position = {0, 0.5 + i, 0}});
@@ -101,7 +101,7 @@ TEST(SaveLoadMoments, asleep_and_then_woken) {
     EXPECT_EQ(state_hash(world), state_hash(copy)) << first_difference(world, copy).value_or("");
 }
 
-TEST(SaveLoadMoments, pending_forces_are_saved) {
+TEST(SaveLoadStates, pending_forces_are_saved) {
     World world = make_world({.gravity = {}});
     const BodyId box = add(world, {});
     must(world.apply_force(box, {6000, 0, 0}, {0, 0.1, 0}));
@@ -112,7 +112,7 @@ TEST(SaveLoadMoments, pending_forces_are_saved) {
     EXPECT_EQ(state_hash(world), state_hash(copy));
 }
 
-TEST(SaveLoadMoments, ids_and_user_data_survive) {
+TEST(SaveLoadStates, ids_and_user_data_survive) {
     World world = make_world();
     const BodyId gone = add(world, {});
     const BodyId kept = must(world.create_body({.user_data = 0xfeedfacecafef00dull}, ShapeDef{}));
@@ -123,7 +123,7 @@ TEST(SaveLoadMoments, ids_and_user_data_survive) {
     EXPECT_EQ(add(copy, {}), add(world, {}));  // the next id is the same, too
 }
 
-TEST(SaveLoadMoments, queries_answer_the_same) {
+TEST(SaveLoadStates, queries_answer_the_same) {
     World world = pile_scene();
     run(world, 3);
     const World copy = again(world);
@@ -138,7 +138,7 @@ TEST(SaveLoadMoments, queries_answer_the_same) {
     }
 }
 
-TEST(SaveLoadMoments, an_empty_world) {
+TEST(SaveLoadStates, an_empty_world) {
     World world = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     const World copy = again(world);
     EXPECT_EQ(copy.gravity(), (Vec3{1, 2, 3}));

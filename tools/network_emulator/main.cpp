@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-relay: a bad link between clients and a server on one machine.
+// jostle-netem: a bad link between clients and a server on one machine.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -23,8 +23,8 @@ With --between it makes two network devices instead, prints "ready", and hands o
 lost each way: put each device into a network namespace, and what runs there loses packets, be it TCP or UDP. Needs root (scripts/bad-links).
 
 Examples:
-  jostle-relay --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-every 5 --stall-ms 300
-  jostle-relay --between here0 there0 --loss 2 --delay-ms 20
+  jostle-netem --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-every 5 --stall-ms 300
+  jostle-netem --between here0 there0 --loss 2 --delay-ms 20
 
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
@@ -32,7 +32,7 @@ int relay_packets(const std::vector<std::string>& devices,
                   const jostle::relay::NetworkConditions& link) {
     jostle::relay::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
     if (const auto status = relay.open(); !status.ok()) {
-        std::fprintf(stderr, "jostle-relay: %s\n", status.error().message.c_str());
+        std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
     }
     std::printf("ready\n");
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     if (!between.empty()) return relay_packets(between, settings.down);
     jostle::relay::LinkRelay relay(settings);
     if (const auto status = relay.listen(listen); !status.ok()) {
-        std::fprintf(stderr, "jostle-relay: %s\n", status.error().message.c_str());
+        std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
     }
     std::printf("%d\n", relay.port());

@@ -19,12 +19,12 @@ constexpr const char* footer = R"(
 Prints the port it listens at, then runs until it is interrupted. Up, towards the server, has the same delay and jitter, no stalls
 and no limit. Times are kept within a millisecond. The same seed gives the same link to the n-th connection.
 
-With --tun-devices it makes two network devices instead, prints "ready", and hands on whole IP packets between them, of which --loss percent are
+With --tun-devices it makes two network devices instead, prints "ready", and hands on whole IP packets between them, of which --loss-percent percent are
 lost each way: put each device into a network namespace, and what runs there loses packets, be it TCP or UDP. Needs root (scripts/bad-links).
 
 Examples:
   jostle-netem --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-every 5 --stall-ms 300
-  jostle-netem --tun-devices here0 there0 --loss 2 --delay-ms 20
+  jostle-netem --tun-devices here0 there0 --loss-percent 2 --delay-ms 20
 
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
         ->check(range(1e7));
     CLI::Option* devices =
         app.add_option("--tun-devices", between, "Names of two network devices to make")->expected(2);
-    app.add_option("--loss", loss_percent, "Percent of packets that are lost, each way")
+    app.add_option("--loss-percent", loss_percent, "Percent of packets that are lost, each way")
         ->needs(devices)
         ->check(range(100));
     app.add_option("--queue-bytes", settings.queue_bytes,

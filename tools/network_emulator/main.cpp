@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
     app.add_option("--stall-ms", settings.down.stall_ms, "How long a stall is")
         ->capture_default_str()
         ->check(range(1e5));
-    app.add_option("--kbit", settings.down.kbit_per_second,
+    app.add_option("--kbit-per-second", settings.down.kbit_per_second,
                    "Limit of each connection, kbit/s; 0: none")
         ->check(range(1e7));
     CLI::Option* devices =

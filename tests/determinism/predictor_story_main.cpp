@@ -2,9 +2,9 @@
 //
 // A story told to the predictor by its calls: bodies of every kind of shape, pushes, a hand, a
 // frame that disagrees, a car that somebody drives. Writes each call and what it answered as JSON,
-// so that a predictor in another program (clients/web/src/predictor_story.test.ts) can be told the
+// so that a predictor in another program (clients/web/src/predictor_golden.test.ts) can be told the
 // same and be held to the same bits.
-//     predictor_story > tests/determinism/predictor_story.json
+//     predictor_golden > tests/determinism/predictor_golden.json
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 import { predictorModule } from '../testing/yard';
 import { instantiate, type Calls } from './predictor';
 
-const story = JSON.parse(readFileSync(new URL('../../../../tests/determinism/predictor_story.json', import.meta.url), 'utf8')) as [string, ...number[]][];
+const story = JSON.parse(readFileSync(new URL('../../../../tests/determinism/predictor_golden.json', import.meta.url), 'utf8')) as [string, ...number[]][];
 
 /** Calls whose last number is their answer. */
 const ANSWERS = ['set_shapes', 'frame', 'drive'];

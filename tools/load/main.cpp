@@ -88,7 +88,7 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));
     app.add_option(
-           "--sight", load.sight,
+           "--interest-radius", load.sight,
            "Metres that each client sees about a point of its own; all of the world when not given")
         ->check(CLI::Range(1.0, 1e6));
     app.add_option("--max-kbps", load.max_kbps,

@@ -21,7 +21,7 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-Each row is a process that sends to sinks (jostle-load --sink) over loopback, sixty messages a second to each. A message costs
+Each row is a process that sends to sinks (jostle-load --passive) over loopback, sixty messages a second to each. A message costs
 what the process takes with all clients, less what it takes with one, for each snapshot that arrived: physics and encoding are
 not in it, acks that are read are. What did not send sixty a second, in three attempts, is not compared: something else
 has the processor, or that is the limit. The floors send the same bytes to all and do nothing else: raw over bare sockets, grpc-floor

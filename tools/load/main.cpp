@@ -20,7 +20,7 @@ using namespace jostle::load;
 std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
-Clients are those of the C++ library: each decodes all that it gets. With --sink they are sockets that speak the transport by
+Clients are those of the C++ library: each decodes all that it gets. With --passive they are sockets that speak the transport by
 hand, a few microseconds a message: thousands fit into one process, and the server is what is measured. Sinks only watch,
 unless a script is given; --target is then the gRPC port, or with --websocket that of HTTP. Without TLS.
 
@@ -34,9 +34,9 @@ the server is on this machine. Runs of more than 10 s show the age in pieces of 
 
 Examples:
   jostle-load --clients 100 --seconds 20 --max-age-p99-ms 50
-  jostle-load --sink --clients 1000 --ramp 5 --seconds 30
-  jostle-load --sink --websocket --target localhost:8080 --clients 500
-  jostle-load --sink --clients 4 --read-rate 20 --seconds 120
+  jostle-load --passive --clients 1000 --ramp 5 --seconds 30
+  jostle-load --passive --websocket --target localhost:8080 --clients 500
+  jostle-load --passive --clients 4 --read-rate 20 --seconds 120
 
 Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
 
@@ -72,7 +72,7 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--script", flags.script, "What clients do (jostle-bot --help has the format)");
     CLI::Option* datagrams = app.add_flag("--datagrams", load.datagrams,
                                           "Clients take snapshots as datagrams where offered");
-    CLI::Option* sink = app.add_flag("--sink", flags.sink, "Clients that only count: see below");
+    CLI::Option* sink = app.add_flag("--passive", flags.sink, "Clients that only count: see below");
     sink->excludes(datagrams);
     app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(sink);
     app.add_option("--ack-every", load.ack_every,
@@ -116,7 +116,7 @@ jostle::Status finish(Flags& flags) {
     if (!security.ok()) return security.error();
     load.security = std::move(*security);
     if (flags.sink && load.security.tls)
-        return jostle::invalid_argument("--sink does not speak TLS; leave one of the two out");
+        return jostle::invalid_argument("--passive does not speak TLS; leave one of the two out");
     if (flags.websocket) load.transport = Transport::websocket;
     if (!allow_sockets(load.clients))
         return jostle::invalid_argument(

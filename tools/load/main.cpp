@@ -83,7 +83,7 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Messages a second that each sink reads; as they come when not given")
         ->needs(sink)
         ->check(CLI::Range(0.1, 1000.0));
-    app.add_option("--decode", load.decode_share, "Share of the sinks that decode")
+    app.add_option("--decode-ratio", load.decode_share, "Share of the sinks that decode")
         ->needs(sink)
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));

@@ -113,7 +113,7 @@ Program Experiment::start_clients() const {
         std::ofstream(script) << usual_script;
     }
     return start("jostle-load",
-                 {"--target", server_.grpc_address(), "--world", world_, "--clients",
+                 {"--server", server_.grpc_address(), "--world", world_, "--clients",
                   std::to_string(request_.clients), "--ramp", std::to_string(ramp_seconds),
                   "--seconds", std::to_string(seconds_without_end), "--script", script, "--json",
                   server_.file("load.json")});

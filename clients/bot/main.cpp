@@ -165,7 +165,7 @@ int play(const Flags& flags, const jostle::client::Security& security,
 int main(int argc, char** argv) {
     CLI::App app{"Headless players for a Jostle server."};
     Flags flags;
-    app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", flags.target, "Server, HOST:PORT")->capture_default_str();
     jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", flags.world, "World by name or id; the first when not given");
     app.add_option("--count", flags.count, "How many bots")

@@ -22,7 +22,7 @@ std::atomic<bool> stop{false};
 constexpr const char* footer = R"(
 Clients are those of the C++ library: each decodes all that it gets. With --passive they are sockets that speak the transport by
 hand, a few microseconds a message: thousands fit into one process, and the server is what is measured. Sinks only watch,
-unless a script is given; --target is then the gRPC port, or with --websocket that of HTTP. Without TLS.
+unless a script is given; --server is then the gRPC port, or with --websocket that of HTTP. Without TLS.
 
 The report, taken when all have joined and --settle has passed: clients, connected (to the end), inputs_sent, inputs_accepted
 (applied by the server), snapshots, kbit_per_second_per_client, snapshots_per_second_per_client, decoded_share (of the snapshots:
@@ -35,7 +35,7 @@ the server is on this machine. Runs of more than 10 s show the age in pieces of 
 Examples:
   jostle-load --clients 100 --seconds 20 --max-age-p99-ms 50
   jostle-load --passive --clients 1000 --ramp 5 --seconds 30
-  jostle-load --passive --websocket --target localhost:8080 --clients 500
+  jostle-load --passive --websocket --server localhost:8080 --clients 500
   jostle-load --passive --clients 4 --read-rate 20 --seconds 120
 
 Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
@@ -51,7 +51,7 @@ struct Flags {
 
 void add_flags(CLI::App& app, Flags& flags) {
     LoadPlan& load = flags.load;
-    app.add_option("--target", load.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", load.target, "Server, HOST:PORT")->capture_default_str();
     jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", load.world, "World by name or id; the first when not given");
     app.add_option("--clients", load.clients, "How many clients")

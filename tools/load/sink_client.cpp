@@ -44,14 +44,14 @@ std::unique_ptr<Framing> make_framing(const LoadPlan& plan) {
 Result<SinkAddress> resolve(const std::string& target) {
     const std::size_t colon = target.rfind(':');
     if (colon == std::string::npos)
-        return invalid_argument("--target is " + target + "; it must be HOST:PORT");
+        return invalid_argument("--server is " + target + "; it must be HOST:PORT");
     std::string host = target.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
     addrinfo hints{}, *found = nullptr;
     hints.ai_socktype = SOCK_STREAM;
     if (const int error = getaddrinfo(host.c_str(), target.c_str() + colon + 1, &hints, &found);
         error != 0)
-        return invalid_argument("--target is " + target + ": " + gai_strerror(error));
+        return invalid_argument("--server is " + target + ": " + gai_strerror(error));
     SinkAddress address;
     std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
     address.size = found->ai_addrlen;
@@ -102,7 +102,7 @@ void SinkClient::tick(Clock::time_point now) {
 std::string SinkClient::why_closed() const {
     std::string why = "the server closed the connection";
     if (conversation_.joined()) return why;
-    why += " before it said welcome; is --target the port of ";
+    why += " before it said welcome; is --server the port of ";
     why += plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?";
     return why;
 }

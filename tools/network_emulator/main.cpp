@@ -23,7 +23,7 @@ With --tun-devices it makes two network devices instead, prints "ready", and han
 lost each way: put each device into a network namespace, and what runs there loses packets, be it TCP or UDP. Needs root (scripts/bad-links).
 
 Examples:
-  jostle-netem --target 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-interval-seconds 5 --stall-ms 300
+  jostle-netem --server 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-interval-seconds 5 --stall-ms 300
   jostle-netem --tun-devices here0 there0 --loss-percent 2 --delay-ms 20
 
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> between;
     double loss_percent = 0;
     const auto range = [](double most) { return CLI::Range(0.0, most); };
-    app.add_option("--target", settings.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", settings.target, "Server, HOST:PORT")->capture_default_str();
     app.add_option("--listen", listen, "Where clients connect, HOST:PORT")->capture_default_str();
     app.add_option("--delay-ms", settings.down.delay_ms, "One way")->check(range(1e5));
     app.add_option("--jitter-ms", settings.down.jitter_ms, "Up to so much more, uniformly")

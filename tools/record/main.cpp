@@ -46,7 +46,7 @@ struct Flags {
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("file", flags.file, "The recording to write")->required();
-    app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", flags.target, "Server, HOST:PORT")->capture_default_str();
     jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", flags.world, "World by name or id; the first when not given");
     app.add_option("--ticket", flags.ticket, "To get in, where the server asks for one");

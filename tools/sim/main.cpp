@@ -155,7 +155,7 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
     only_there(app.add_option("--at", flags.at, "After this step of the world")
                    ->capture_default_str()
                    ->check(CLI::Range(0, 100000000)));
-    only_there(app.add_option("--mend", flags.position_correction,
+    only_there(app.add_option("--position-correction", flags.position_correction,
                               "Share of each error of position that is to be gone after a sub-step")
                    ->capture_default_str()
                    ->check(between(0, 1)));

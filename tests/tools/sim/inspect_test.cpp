@@ -109,7 +109,7 @@ TEST_F(Sim, refuses_to_inspect_what_is_not_there) {
     refused("pyramid --inspect 5", 1, "more than 1500 rows");
     refused("machines --inspect --plot " + file("p.svg"), 1, "--plot draws one group");
     refused("stack --at 3", 2, "--inspect");
-    refused("stack --inspect --mend 2", 2, "2 is not a number from 0 to 1");
+    refused("stack --inspect --position-correction 2", 2, "2 is not a number from 0 to 1");
     refused("stack --inspect --converge", 2, "--converge");
     refused("stack --inspect --seconds 3", 2, "--seconds");
     refused("stack --inspect --json /nowhere/r.json", 1, "cannot write /nowhere/r.json");

@@ -136,7 +136,7 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
                    ->capture_default_str()
                    ->check(between(0.1, 1e6)));
     for (const char* other :
-         {"--error-tolerance", "--substep-budget", "--step-budget", "--efforts", "--threads",
+         {"--error-tolerance", "--substep-budget", "--step-budget", "--substep-report", "--threads",
           "--trace", "--trace-every", "--save", "--load", "--write-scene"})
         converge->excludes(app.get_option(other));
 }
@@ -192,7 +192,7 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Work of a step, in units of about 0.1 microseconds: after one of more the next "
                    "gives something up; 0: any amount; default: the scene's")
         ->check(between(0, 4294967295.0));
-    app.add_option("--efforts", flags.efforts,
+    app.add_option("--substep-report", flags.efforts,
                    "Writes here, as JSON, what each island took in the end; - shows it as text");
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
         ->capture_default_str()

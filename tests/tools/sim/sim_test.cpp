@@ -67,7 +67,7 @@ TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_an
 }
 
 TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
-    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --efforts " + file("e.json")), 0)
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-report " + file("e.json")), 0)
         << output();
     const auto efforts = nlohmann::json::parse(read(file("e.json")));
     ASSERT_GE(efforts.size(), 4u) << "car, wheels, gears, lift, gimbal";
@@ -76,11 +76,11 @@ TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
         EXPECT_GE(island["substeps"].get<int>(), 2);
         EXPECT_GT(island["joints"].get<int>() + island["contacts"].get<int>(), 0);
     }
-    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --efforts -"),
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --substep-report -"),
               0);
     EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
     EXPECT_NE(output().find("wants more"), std::string::npos) << output();
-    ASSERT_EQ(run("stack --seconds 3 --efforts -"), 0);
+    ASSERT_EQ(run("stack --seconds 3 --substep-report -"), 0);
     EXPECT_NE(output().find("none with contacts or joints is awake"), std::string::npos);
     EXPECT_EQ(run("machines --converge --error-tolerance 1e-3"), 2) << "which chooses for itself";
     EXPECT_EQ(run("machines --seconds 1 --error-tolerance -1"), 2);

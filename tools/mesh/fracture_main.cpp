@@ -28,7 +28,7 @@ into a world (docs/modules.md, "Destruction").
 Patterns: uniform, everywhere alike (stone); radial, rings and spokes about --center, across the shortest side (glass);
 grid, even blocks (masonry); clustered, small chunks near --center, large ones around.
 
-A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--parts, --excess), each
+A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--max-hulls, --excess), each
 part is cut by the same seeds, and bonds hold the parts together where they touch. So there are more chunks than seeds.
 
 --anchor names the side by which the ground holds it: -y is the foot. What hangs together with an anchored chunk does not move.
@@ -202,7 +202,7 @@ void add_solid(CLI::App& app, Flags& flags) {
     app.add_option("--scale", flags.solid.scale, "Metres to a unit of the file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
-    app.add_option("--parts", flags.solid.decomposition.parts_max,
+    app.add_option("--max-hulls", flags.solid.decomposition.parts_max,
                    "Convex parts of a mesh, at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

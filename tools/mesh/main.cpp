@@ -19,14 +19,14 @@ using namespace jostle::physics;
 
 constexpr const char* footer = R"(
 The mesh must be closed: every edge has a triangle on each side. It is cut across its axes into parts, each of which gets
-its convex hull, until the hulls together hold no more than --excess too much, or there are --parts of them. What came of
+its convex hull, until the hulls together hold no more than --excess too much, or there are --max-hulls of them. What came of
 it is said: how many hulls, how much more than the mesh they hold, and how far they reach beyond it.
 
 The scene has a ground and the body, which falls on it; put its shape into a scene of your own.
 
 Examples:
   jostle-convert teapot.obj --scene teapot.json
-  jostle-convert teapot.obj --parts 64 --excess 0.01
+  jostle-convert teapot.obj --max-hulls 64 --excess 0.01
   jostle-convert chair.obj --scale 0.01 --scene chair.json && jostle-sim chair.json --seconds 3
 
 Exit status: 0 done, 1 the mesh is no solid or a file could not be read or written, 2 wrong flags.)";
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     app.add_option("file", flags.file, "A Wavefront OBJ file")
         ->required()
         ->check(CLI::ExistingFile);
-    app.add_option("--parts", flags.options.parts_max, "Hulls at most")
+    app.add_option("--max-hulls", flags.options.parts_max, "Hulls at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     app.add_option("--excess", flags.options.excess, "Of the volume, that hulls may hold too much")

@@ -28,7 +28,7 @@ into a world (docs/modules.md, "Destruction").
 Patterns: uniform, everywhere alike (stone); radial, rings and spokes about --center, across the shortest side (glass);
 grid, even blocks (masonry); clustered, small chunks near --center, large ones around.
 
-A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--max-hulls, --excess), each
+A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--max-hulls, --max-volume-error), each
 part is cut by the same seeds, and bonds hold the parts together where they touch. So there are more chunks than seeds.
 
 --anchor names the side by which the ground holds it: -y is the foot. What hangs together with an anchored chunk does not move.
@@ -206,7 +206,7 @@ void add_solid(CLI::App& app, Flags& flags) {
                    "Convex parts of a mesh, at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_option("--excess", flags.solid.decomposition.excess,
+    app.add_option("--max-volume-error", flags.solid.decomposition.excess,
                    "Of a mesh's volume, that its parts may hold too much")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

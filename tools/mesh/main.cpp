@@ -19,14 +19,14 @@ using namespace jostle::physics;
 
 constexpr const char* footer = R"(
 The mesh must be closed: every edge has a triangle on each side. It is cut across its axes into parts, each of which gets
-its convex hull, until the hulls together hold no more than --excess too much, or there are --max-hulls of them. What came of
+its convex hull, until the hulls together hold no more than --max-volume-error too much, or there are --max-hulls of them. What came of
 it is said: how many hulls, how much more than the mesh they hold, and how far they reach beyond it.
 
 The scene has a ground and the body, which falls on it; put its shape into a scene of your own.
 
 Examples:
   jostle-convert teapot.obj --scene teapot.json
-  jostle-convert teapot.obj --max-hulls 64 --excess 0.01
+  jostle-convert teapot.obj --max-hulls 64 --max-volume-error 0.01
   jostle-convert chair.obj --scale 0.01 --scene chair.json && jostle-sim chair.json --seconds 3
 
 Exit status: 0 done, 1 the mesh is no solid or a file could not be read or written, 2 wrong flags.)";
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     app.add_option("--max-hulls", flags.options.parts_max, "Hulls at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_option("--excess", flags.options.excess, "Of the volume, that hulls may hold too much")
+    app.add_option("--max-volume-error", flags.options.excess, "Of the volume, that hulls may hold too much")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
     app.add_option("--planes", flags.options.planes_an_axis, "Cuts that are tried across each axis")

@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     app.add_option("--max-volume-error", flags.options.excess, "Of the volume, that hulls may hold too much")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
-    app.add_option("--planes", flags.options.planes_an_axis, "Cuts that are tried across each axis")
+    app.add_option("--planes-per-axis", flags.options.planes_an_axis, "Cuts that are tried across each axis")
         ->check(CLI::Range(1, 127))
         ->capture_default_str();
     app.add_option("--scale", flags.scale, "Metres to a unit of the file")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes what fuzzing begins with, from the tests' own data and from what the server itself says:
-// FOLDER/TARGET/NAME for each target, and FOLDER/dictionaries. scripts/fuzz --renew makes the
+// FOLDER/TARGET/NAME for each target, and FOLDER/dictionaries. scripts/fuzz --update-corpus makes the
 // committed corpora of them.
 #include <google/protobuf/util/json_util.h>
 

@@ -304,7 +304,7 @@ std::string Conversation::hello() {
     hello.set_codec(options_.codec);
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
-    hello.set_datagrams(options_.datagrams && !options_.link.bad());
+    hello.set_datagrams(options_.datagrams && !options_.link.impaired());
     if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {

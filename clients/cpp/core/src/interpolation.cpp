@@ -78,10 +78,10 @@ std::vector<InterpolationBuffer::Drawn> InterpolationBuffer::right_at(
         if (width == 0 || from == old.size() || old[from].id != state.id) continue;
         const wire::Pose before = wire::dequantize(old[from], spec);
         if (is_jump(before, to, width)) {
-            if (t < 1) drawn.shown.pose = before;
+            if (t < 1) drawn.smooth_pose.pose = before;
             continue;
         }
-        drawn.shown.pose = blend(before, to, t);
+        drawn.smooth_pose.pose = blend(before, to, t);
         drawn.pace = pace_between(before, to, width);
     }
     return out;
@@ -106,10 +106,10 @@ void InterpolationBuffer::note_errors(const wire::QuantSpec& spec) {
     const auto right = right_at(static_cast<double>(drawn_at_us_), spec);
     std::size_t k = 0;
     for (Drawn& drawn : drawn_) {
-        while (k < right.size() && right[k].shown.entity < drawn.shown.entity) k++;
-        if (k == right.size() || right[k].shown.entity != drawn.shown.entity) continue;
-        drawn.error = walkable(pose_error(drawn.shown.pose, right[k].shown.pose), right[k].pace);
-        if (!drawn.error.none() && jumped_since(drawn.shown.entity, drawn_newest_us_, spec))
+        while (k < right.size() && right[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
+        if (k == right.size() || right[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
+        drawn.error = walkable(pose_error(drawn.smooth_pose.pose, right[k].smooth_pose.pose), right[k].pace);
+        if (!drawn.error.none() && jumped_since(drawn.smooth_pose.entity, drawn_newest_us_, spec))
             drawn.error = {};
     }
 }
@@ -130,13 +130,13 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
     out.reserve(now.size());
     std::size_t k = 0;
     for (Drawn& drawn : now) {
-        while (k < drawn_.size() && drawn_[k].shown.entity < drawn.shown.entity) k++;
-        if (k < drawn_.size() && drawn_[k].shown.entity == drawn.shown.entity) {
+        while (k < drawn_.size() && drawn_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
+        if (k < drawn_.size() && drawn_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
             drawn.error =
                 decayed(drawn_[k].error, drawn.pace, static_cast<double>(passed_us) / 1e6);
-            drawn.shown.pose = with_error(drawn.shown.pose, drawn.error);
+            drawn.smooth_pose.pose = with_error(drawn.smooth_pose.pose, drawn.error);
         }
-        out.push_back(drawn.shown);
+        out.push_back(drawn.smooth_pose);
     }
     drawn_ = std::move(now);
     drawn_now_us_ = now_us;

@@ -56,7 +56,7 @@ void LoopThread::run() {
         if (now < housekeeping) continue;
         take_new_clients();
         for (const auto& client : clients_) advance(*client, now);
-        std::erase_if(clients_, [](const auto& client) { return client->over; });
+        std::erase_if(clients_, [](const auto& client) { return client->finished; });
         housekeeping = now + housekeeping_period();
     }
     drain();
@@ -169,10 +169,10 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         }
         client.conversation.begin(now);
         const ClientOptions& options = client.conversation.options();
-        if (NetworkConditions link = options.link; link.bad()) {
-            client.incoming.emplace(link);
-            link.seed ^= 0x9e3779b9u;  // another link back
-            client.outgoing.emplace(link);
+        if (NetworkConditions network_conditions = options.network_conditions; network_conditions.impaired()) {
+            client.incoming.emplace(network_conditions);
+            network_conditions.seed ^= 0x9e3779b9u;  // another link back
+            client.outgoing.emplace(network_conditions);
         }
         client.connection = std::make_unique<Connection>(options, queue_, &client);
         return;

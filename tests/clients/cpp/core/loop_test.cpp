@@ -133,7 +133,7 @@ TEST_F(LoopTest, many_clients_and_owners_that_leave_without_a_word) {
 TEST_F(LoopTest, over_a_bad_link_everything_takes_its_time_in_both_directions) {
     Loop loop;
     auto far = options();
-    far.link.delay_ms = 60;
+    far.network_conditions.delay_ms = 60;
     const auto began = Clock::now();
     const auto client = Client::connect(loop, far);
     for (int i = 0; i < 40; i++) client->send({});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 namespace {
 
 Clock::duration link_seconds(double s) {
@@ -48,4 +48,4 @@ Clock::time_point BadLink::arrival_of(std::size_t bytes, Clock::time_point now) 
     return last_ = std::max(last_, at);
 }
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

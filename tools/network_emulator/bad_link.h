@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <random>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 
 using Clock = std::chrono::steady_clock;
 
@@ -43,4 +43,4 @@ private:
     Clock::time_point free_at_, last_, stall_begins_, stall_ends_;
 };
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

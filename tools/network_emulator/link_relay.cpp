@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 namespace {
 
 constexpr std::size_t piece_bytes = 1460;  // as segments of an Ethernet are
@@ -178,4 +178,4 @@ void LinkRelay::run(const std::atomic<bool>& stop) {
     }
 }
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -18,7 +18,7 @@
 #include "jostle/base/result.h"
 #include "tools/network_emulator/bad_link.h"
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 
 struct RelaySettings {
     std::string target;  // HOST:PORT
@@ -68,4 +68,4 @@ private:
     std::uint64_t accepted_ = 0;
 };
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -29,8 +29,8 @@ Examples:
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
 int relay_packets(const std::vector<std::string>& devices,
-                  const jostle::relay::NetworkConditions& link) {
-    jostle::relay::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
+                  const jostle::network_emulator::NetworkConditions& link) {
+    jostle::network_emulator::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
     if (const auto status = relay.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     CLI::App app{
         "Hands on TCP connections, or IP packets, as a bad link would: late, unsteadily, in "
         "stalls, slowly."};
-    jostle::relay::RelaySettings settings{.target = "127.0.0.1:50051"};
+    jostle::network_emulator::RelaySettings settings{.target = "127.0.0.1:50051"};
     std::string listen = "127.0.0.1:0";
     std::vector<std::string> between;
     double loss_percent = 0;
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     std::signal(SIGTERM, [](int) { stop = true; });
     settings.down.loss = loss_percent / 100;
     if (!between.empty()) return relay_packets(between, settings.down);
-    jostle::relay::LinkRelay relay(settings);
+    jostle::network_emulator::LinkRelay relay(settings);
     if (const auto status = relay.listen(listen); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;

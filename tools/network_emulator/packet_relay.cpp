@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 
 namespace {
 
@@ -98,4 +98,4 @@ void PacketRelay::run(const std::atomic<bool>& stop) {
     }
 }
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -14,7 +14,7 @@
 #include "jostle/base/result.h"
 #include "tools/network_emulator/bad_link.h"
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 
 struct PacketRelaySettings {
     std::array<std::string, 2> devices;  // their names, which nobody has yet
@@ -53,4 +53,4 @@ private:
     std::uint64_t handed_on_ = 0, lost_ = 0;
 };
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 namespace {
 
 using namespace std::chrono_literals;
@@ -86,4 +86,4 @@ TEST(BadLink, loses_the_share_of_packets_that_it_is_told_and_none_unless_told) {
     EXPECT_LE(longest, 5) << "each by itself";
 }
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace jostle::relay {
+namespace jostle::network_emulator {
 namespace {
 
 sockaddr_in loopback(int port) {
@@ -91,4 +91,4 @@ TEST(LinkRelay, an_address_that_is_none_is_refused) {
     EXPECT_EQ(nowhere.listen("127.0.0.1:0").error().message, "here is not HOST:PORT");
 }
 
-}  // namespace jostle::relay
+}  // namespace jostle::network_emulator

@@ -73,7 +73,7 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
     if (m.parts_max() != 0)
         options.parts_max =
             static_cast<int>(in.number(path + ".parts_max", m.parts_max(), 1, parts_max));
-    if (m.has_excess()) options.excess = in.number(path + ".excess", m.excess(), 0, 10);
+    if (m.has_excess()) options.max_volume_error = in.number(path + ".excess", m.max_volume_error(), 0, 10);
     if (in.failed()) return std::nullopt;
     const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());
     const auto parts = decomposition::decompose(vertices, indices, options);

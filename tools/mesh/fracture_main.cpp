@@ -103,7 +103,7 @@ void print(FILE* out, const convert::Fractured& made, const Summary& sum) {
         "parts      %zu, %.3g %% too much\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
         "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, off by %.2g of it\nsplinters  "
         "%.3g m^3 left out\nbytes      %zu\n",
-        made.parts, 100 * made.excess, sum.chunks, sum.smallest, sum.largest, sum.anchored,
+        made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest, sum.anchored,
         sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost, sum.bytes);
 }
 
@@ -113,7 +113,7 @@ nlohmann::ordered_json to_json(const Flags& flags, const convert::Fractured& mad
             {"seed", flags.plan.seed},
             {"seeds", flags.plan.count},
             {"parts", made.parts},
-            {"excess", made.excess},
+            {"excess", made.max_volume_error},
             {"chunks", sum.chunks},
             {"anchored", sum.anchored},
             {"bonds", sum.bonds},
@@ -206,7 +206,7 @@ void add_solid(CLI::App& app, Flags& flags) {
                    "Convex parts of a mesh, at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_option("--max-volume-error", flags.solid.decomposition.excess,
+    app.add_option("--max-volume-error", flags.solid.decomposition.max_volume_error,
                    "Of a mesh's volume, that its parts may hold too much")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

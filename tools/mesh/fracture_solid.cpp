@@ -17,7 +17,7 @@ using Part = std::shared_ptr<const ConvexHull>;
 
 struct Parts {
     std::vector<Part> hulls;
-    double excess = 0;
+    double max_volume_error = 0;
 };
 
 Result<Parts> one_part(std::span<const Vec3> points) {
@@ -32,7 +32,7 @@ Result<Parts> parts_of_mesh(const Solid& solid) {
     for (Vec3& p : mesh->vertices) p = p * solid.scale;
     auto parts = decomposition::decompose(mesh->vertices, mesh->indices, solid.decomposition);
     if (!parts.ok()) return parts.error();
-    return Parts{std::move(parts->parts), parts->excess};
+    return Parts{std::move(parts->parts), parts->max_volume_error};
 }
 
 Result<Parts> parts_of(const Solid& solid) {
@@ -81,7 +81,7 @@ Result<Fractured> fracture_solid(const Solid& solid, const modules::SeedPlan& pl
     if (!seeds.ok()) return seeds.error();
     Result<modules::FracturedParts> made = modules::fracture_parts(parts->hulls, *seeds, progress);
     if (!made.ok()) return made.error();
-    Fractured result{std::move(made->shape), parts->hulls.size(), parts->excess, made->volume,
+    Fractured result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
                      made->lost};
     if (anchor) anchor_end(result.shape, *anchor, length(bounds.high - bounds.low));
     return result;

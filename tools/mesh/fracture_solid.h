@@ -25,7 +25,7 @@ struct Solid {
 struct Fractured {
     modules::FracturedShape shape;
     std::size_t parts = 1;        // convex ones that it was cut into before
-    double excess = 0;            // of the mesh's volume, that they hold too much
+    double max_volume_error = 0;            // of the mesh's volume, that they hold too much
     double volume = 0, lost = 0;  // m^3: FracturedParts
 };
 

@@ -201,8 +201,8 @@ export class Connection {
     const { kind } = input;
     if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;
     const { aim } = kind.value;
-    if (!aim || aim.seen) return input;
-    const value = { ...kind.value, aim: { ...aim, seen: this.shownMoment() } };
+    if (!aim || aim.viewTime) return input;
+    const value = { ...kind.value, aim: { ...aim, viewTime: this.shownMoment() } };
     return { ...input, kind: { case: kind.case, value } } as Input;
   }
 
@@ -420,9 +420,9 @@ export class Connection {
   /** The cells that are in sight. */
   private partOf(s: Snapshot): QuantizedFrame {
     this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec, s.frame);
-    const seen = this.cells.frame(s.frame);
+    const viewTime = this.cells.frame(s.frame);
     // Who was removed may still be in a cell that comes late.
-    return { frame: seen.frame, entities: seen.entities.filter((e) => this.entities.has(e.id)) };
+    return { frame: viewTime.frame, entities: viewTime.entities.filter((e) => this.entities.has(e.id)) };
   }
 
   /** What it wants to be told of from now on; only while `sight` is given. */

@@ -78,7 +78,7 @@ const told: Events = {
     if (!entities.has(driving.entity)) driving.forget();
   },
   stats: (stats) => statsPanel.update(stats),
-  happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
+  addEvents: (events) => eventsPanel.addEvents(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };

@@ -23,7 +23,7 @@ struct Part {
     HullPointer hull;  // null: it has too many corners for one
     bool done = false;
 
-    double excess() const { return hull ? maximum(hull->volume - piece.volume, 0) : 1e300; }
+    double max_volume_error() const { return hull ? maximum(hull->volume - piece.volume, 0) : 1e300; }
 };
 
 // Nothing for what is flat, and so holds nothing.
@@ -79,14 +79,14 @@ Halves best_cut(const Part& part, int planes) {
 
 double excess_of(const std::vector<Part>& parts) {
     double sum = 0;
-    for (const Part& part : parts) sum += part.hull ? part.excess() : 0;
+    for (const Part& part : parts) sum += part.hull ? part.max_volume_error() : 0;
     return sum;
 }
 
 void cut(std::vector<Part>& parts, const Options& options, double allowed) {
     while (parts.size() < static_cast<std::size_t>(options.parts_max)) {
         const auto worst = std::max_element(parts.begin(), parts.end(), [](auto& a, auto& b) {
-            return (a.done ? -1 : a.excess()) < (b.done ? -1 : b.excess());
+            return (a.done ? -1 : a.max_volume_error()) < (b.done ? -1 : b.max_volume_error());
         });
         const bool in_one = std::all_of(parts.begin(), parts.end(),
                                         [](const Part& part) { return part.hull != nullptr; });
@@ -135,7 +135,7 @@ void join(std::vector<Part>& parts, double allowed) {
     };
     const auto more_of = [&](std::size_t a, std::size_t b) {
         const auto both = joined(parts[a], parts[b]);
-        return both ? both->excess() - parts[a].excess() - parts[b].excess() : 1e300;
+        return both ? both->max_volume_error() - parts[a].max_volume_error() - parts[b].max_volume_error() : 1e300;
     };
     std::vector<Pair> pairs;
     for (std::size_t b = 1; b < parts.size(); b++)
@@ -189,7 +189,7 @@ Status check(const Options& options) {
     const auto refuse = [](const char* what) { return Error{ErrorCode::invalid_argument, what}; };
     if (options.parts_max < 1 || options.parts_max > 1024)
         return refuse("parts_max must be from 1 to 1024");
-    if (!(options.excess >= 0 && options.excess <= 10))
+    if (!(options.max_volume_error >= 0 && options.max_volume_error <= 10))
         return refuse("excess must be from 0 to 10");
     if (options.planes_an_axis < 1 || options.planes_an_axis > 127)
         return refuse("planes_an_axis must be from 1 to 127");
@@ -207,7 +207,7 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
     if (!whole) return Error{ErrorCode::invalid_argument, "the mesh encloses no volume"};
     std::vector<Part> parts;
     parts.push_back(std::move(*whole));
-    const double allowed = options.excess * mesh->volume;
+    const double allowed = options.max_volume_error * mesh->volume;
     cut(parts, options, allowed);
     if (std::any_of(parts.begin(), parts.end(), [](const Part& p) { return p.hull == nullptr; }))
         return Error{ErrorCode::resource_exhausted, "a part has more than " +
@@ -215,7 +215,7 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
                                                         " corners; allow more parts"};
     join(parts, allowed);
     Decomposition found{.mesh_volume = mesh->volume,
-                        .excess = excess_of(parts) / mesh->volume,
+                        .max_volume_error = excess_of(parts) / mesh->volume,
                         .furthest = furthest_outside(*mesh, parts)};
     for (const Part& part : parts) found.parts.push_back(part.hull);
     return found;

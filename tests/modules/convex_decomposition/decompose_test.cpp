@@ -23,14 +23,14 @@ Decomposition of(const Solid& solid, const Options& options = {}) {
 TEST(Decompose, what_is_convex_stays_whole) {
     const Decomposition one = of(cube());
     ASSERT_EQ(one.parts.size(), 1u);
-    EXPECT_NEAR(one.excess, 0, 1e-12);
+    EXPECT_NEAR(one.max_volume_error, 0, 1e-12);
     EXPECT_NEAR(one.furthest, 0, 1e-9);
 }
 
 TEST(Decompose, an_l_is_two_boxes) {
     const Decomposition two = of(l_shape());
     EXPECT_EQ(two.parts.size(), 2u);
-    EXPECT_NEAR(two.excess, 0, 1e-12);
+    EXPECT_NEAR(two.max_volume_error, 0, 1e-12);
     double volume = 0;
     for (const auto& part : two.parts) volume += part->volume;
     EXPECT_NEAR(volume, 3, 1e-12);
@@ -41,11 +41,11 @@ TEST(Decompose, a_ring_is_as_near_as_parts_allow) {
     const Solid ring = torus(1, 0.3, 48, 12);
     double before = 1e9;
     for (const int parts : {12, 24, 48}) {
-        const Decomposition found = of(ring, {.parts_max = parts, .excess = 0.03});
+        const Decomposition found = of(ring, {.parts_max = parts, .max_volume_error = 0.03});
         EXPECT_LE(found.parts.size(), static_cast<std::size_t>(parts));
-        EXPECT_LT(found.excess, before);
-        before = found.excess;
-        RecordProperty("excess_" + std::to_string(parts), std::to_string(found.excess));
+        EXPECT_LT(found.max_volume_error, before);
+        before = found.max_volume_error;
+        RecordProperty("excess_" + std::to_string(parts), std::to_string(found.max_volume_error));
         RecordProperty("furthest_" + std::to_string(parts), std::to_string(found.furthest));
         for (const Vec3 p : ring.vertices) {
             const bool held = std::any_of(found.parts.begin(), found.parts.end(), [&](auto& hull) {
@@ -67,7 +67,7 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
     World world = std::move(*World::create());
     ASSERT_TRUE(world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).ok());
     const BodyId ring = *world.create_body({.pose = {.position = {0, 0.31, 0}}}, shapes);
-    EXPECT_NEAR(world.body(ring)->mass, 1000 * found.mesh_volume * (1 + found.excess), 1e-6);
+    EXPECT_NEAR(world.body(ring)->mass, 1000 * found.mesh_volume * (1 + found.max_volume_error), 1e-6);
     const BodyId peg =
         *world.create_body({.pose = {.position = {0, 2, 0}}}, {.geometry = Capsule{0.2, 0.3}});
     for (int k = 0; k < 120; k++) ASSERT_TRUE(world.step(1.0 / 60).ok());
@@ -76,7 +76,7 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
 
 TEST(Decompose, options_are_within_their_range) {
     const Solid solid = cube();
-    for (const Options& wrong : {Options{.parts_max = 0}, {.excess = -1}, {.planes_an_axis = 0}})
+    for (const Options& wrong : {Options{.parts_max = 0}, {.max_volume_error = -1}, {.planes_an_axis = 0}})
         EXPECT_FALSE(decompose(solid.vertices, solid.indices, wrong).ok());
 }
 

@@ -29,7 +29,7 @@ struct LoadPlan {
     std::uint32_t max_kbps = 0;  // that the server may send to each; 0: what the world takes
 
     // Of a client that sees a part; number from 0.
-    std::optional<client::Sight> sight_of(int number) const;
+    std::optional<client::AreaOfInterest> sight_of(int number) const;
 
     bool datagrams = false;  // of clients of the library: ClientOptions::datagrams
 

@@ -12,7 +12,7 @@ TEST(LoadPlan, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
     const LoadPlan plan{.clients = 100, .sight = 50};
     int inner = 0;
     for (int k = 0; k < plan.clients; k++) {
-        const client::Sight sight = *plan.sight_of(k);
+        const client::AreaOfInterest sight = *plan.sight_of(k);
         const double far = std::hypot(sight.x, sight.z);
         EXPECT_LT(far, 50);
         EXPECT_EQ(sight.radius, 50);

@@ -43,7 +43,7 @@ std::uint32_t Client::input_tick(Clock::time_point now) {
     return state_->conversation.input_clock().tick(static_cast<std::int64_t>(to_us(now)));
 }
 
-void Client::look_at(const Sight& sight) {
+void Client::look_at(const AreaOfInterest& sight) {
     const std::lock_guard lock(state_->mutex);
     state_->conversation.look_at(sight);
 }

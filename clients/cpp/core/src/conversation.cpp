@@ -25,7 +25,7 @@ constexpr std::size_t datagram_inputs_bytes = 1000;  // beside the ack and the b
 // Inputs that are not confirmed for so long go by the stream as well.
 constexpr auto confirmed_within = std::chrono::seconds(1);
 
-void write(v1::Interest& to, const Sight& from) {
+void write(v1::Interest& to, const AreaOfInterest& from) {
     to.mutable_focus()->set_x(from.x);
     to.mutable_focus()->set_z(from.z);
     to.set_radius(from.radius);
@@ -74,7 +74,7 @@ void Conversation::ended(const Status& end) {
 }
 
 // The newest counts; it goes out with the next message that is due.
-void Conversation::look_at(const Sight& sight) {
+void Conversation::look_at(const AreaOfInterest& sight) {
     if (!options_.sight) return;
     options_.sight = sight;
     sight_due_ = true;

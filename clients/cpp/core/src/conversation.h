@@ -48,7 +48,7 @@ public:
     // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
     // none.
     v1::ViewTime shown_moment() const;
-    void look_at(const Sight& sight);
+    void look_at(const AreaOfInterest& sight);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
     // The same, and at once: what waits is not sent.

@@ -16,7 +16,7 @@
 namespace jostle::client {
 
 // A circle on the ground.
-struct Sight {
+struct AreaOfInterest {
     double x = 0, z = 0;  // m
     double radius = 0;    // m, from 1; 0: all of the world
 };
@@ -40,7 +40,7 @@ struct ClientOptions {
     std::uint32_t max_kbps = 0;
     // The part of the world that it is told of at first; Client::look_at() moves it. Without one it
     // is told of all.
-    std::optional<Sight> sight = {};
+    std::optional<AreaOfInterest> sight = {};
     // Takes snapshots and sends inputs as datagrams where the server offers them, for links that
     // lose packets; while they do not get through, all goes by the stream. Not for a client with a
     // sight, a bound of kbit/s or a link that only pretends to be bad.

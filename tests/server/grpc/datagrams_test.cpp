@@ -242,7 +242,7 @@ TEST_F(DatagramsTest, who_does_not_ask_gets_no_ticket_and_nobody_who_sees_a_part
         Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
     const auto partial =
         Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port()),
-                               .sight = client::AreaOfInterest{.x = 0, .z = 0, .radius = 50},
+                               .interest = client::AreaOfInterest{.x = 0, .z = 0, .radius = 50},
                                .datagrams = true});
     ASSERT_TRUE(
         wait_until([&] { return plain->stats().snapshots > 3 && partial->stats().snapshots > 3; }));

@@ -78,7 +78,7 @@ TEST(FlippedBit, is_counted_once_and_healed_by_a_keyframe) {
 }
 
 TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
-    const Flipped seen = flip_a_bit({.codec = 1, .sight = client::AreaOfInterest{.radius = 100}}, 3);
+    const Flipped seen = flip_a_bit({.codec = 1, .interest = client::AreaOfInterest{.radius = 100}}, 3);
     EXPECT_EQ(seen.flips, 1);
     EXPECT_EQ(seen.errors, 1u);
     EXPECT_LT(seen.off_mm, 2);

@@ -43,9 +43,9 @@ std::uint32_t Client::input_tick(Clock::time_point now) {
     return state_->conversation.input_clock().tick(static_cast<std::int64_t>(to_us(now)));
 }
 
-void Client::look_at(const AreaOfInterest& sight) {
+void Client::set_interest(const AreaOfInterest& interest) {
     const std::lock_guard lock(state_->mutex);
-    state_->conversation.look_at(sight);
+    state_->conversation.set_interest(interest);
 }
 
 void Client::ask_keyframe() {

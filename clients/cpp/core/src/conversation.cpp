@@ -74,10 +74,10 @@ void Conversation::ended(const Status& end) {
 }
 
 // The newest counts; it goes out with the next message that is due.
-void Conversation::look_at(const AreaOfInterest& sight) {
-    if (!options_.sight) return;
-    options_.sight = sight;
-    sight_due_ = true;
+void Conversation::set_interest(const AreaOfInterest& interest) {
+    if (!options_.interest) return;
+    options_.interest = interest;
+    interest_due_ = true;
 }
 
 v1::ViewTime Conversation::shown_moment() const {
@@ -291,7 +291,7 @@ std::string Conversation::take_inputs(Clock::time_point now) {
 }
 
 std::string Conversation::hello() {
-    hello_due_ = sight_due_ = false;
+    hello_due_ = interest_due_ = false;
     v1::ClientMessage message;
     v1::Hello& hello = *message.mutable_hello();
     hello.set_protocol(protocol_version);
@@ -305,7 +305,7 @@ std::string Conversation::hello() {
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
     hello.set_datagrams(options_.datagrams && !options_.link.impaired());
-    if (options_.sight) write(*hello.mutable_interest(), *options_.sight);
+    if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {
         hello.mutable_resume()->set_token(resume_token_);
@@ -333,9 +333,9 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         message.mutable_ping()->set_client_time_us(to_us(now));
         return message.SerializeAsString();
     }
-    if (sight_due_) {
-        sight_due_ = false;
-        write(*message.mutable_interest(), *options_.sight);
+    if (interest_due_) {
+        interest_due_ = false;
+        write(*message.mutable_interest(), *options_.interest);
         return message.SerializeAsString();
     }
     if (keyframe_wanted_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {

@@ -48,7 +48,7 @@ public:
     // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
     // none.
     v1::ViewTime shown_moment() const;
-    void look_at(const AreaOfInterest& sight);
+    void set_interest(const AreaOfInterest& interest);
     void ask_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
     // The same, and at once: what waits is not sent.
@@ -99,7 +99,7 @@ private:
     std::optional<v1::DatagramCredentials> ticket_;
     bool datagram_ack_due_ = false, blocked_told_ = false;
     Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
-    bool sight_due_ = false;
+    bool interest_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one
     bool keyframe_wanted_ = false;  // it can, and somebody asked for one

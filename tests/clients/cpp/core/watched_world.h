@@ -70,7 +70,7 @@ public:
     void look(const std::vector<SmoothPose>& poses, double shown_s, double s, double seconds) {
         if (shown_s < 0) return;  // nobody told of what was before the first frame
         double error = 0;
-        for (const SmoothPose& now : poses) error = std::max(error, look_at(now, shown_s, seconds));
+        for (const SmoothPose& now : poses) error = std::max(error, add_rendered_pose(now, shown_s, seconds));
         errors_.push_back(error);
         if (!last_.empty()) {
             const double speed = (shown_s - last_shown_) / seconds;
@@ -97,7 +97,7 @@ private:
         return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
                           a.position[2] - b.position[2]);
     }
-    double look_at(const SmoothPose& now, double shown_s, double seconds) {
+    double add_rendered_pose(const SmoothPose& now, double shown_s, double seconds) {
         if (now.entity == 4) {
             seen_.halfway_leaps += std::fmod(now.pose.position[0] + 0.1, 5) > 0.2 ? 1 : 0;
             return 0;

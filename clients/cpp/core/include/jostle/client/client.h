@@ -44,7 +44,7 @@ public:
     std::uint32_t input_tick(Clock::time_point now);
     // What it wants to be told of from now on, if ClientOptions::sight was set: else it is told of
     // all.
-    void look_at(const AreaOfInterest& sight);
+    void set_interest(const AreaOfInterest& interest);
     // The server sends a snapshot without a base soon (4 a second at most): from it on a recording
     // can be played.
     void ask_keyframe();

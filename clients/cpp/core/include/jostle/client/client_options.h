@@ -38,9 +38,9 @@ struct ClientOptions {
     std::uint32_t codec = 2;
     // kbit/s that the server may send, of all that it sends, from 16; 0: what the world takes.
     std::uint32_t max_kbps = 0;
-    // The part of the world that it is told of at first; Client::look_at() moves it. Without one it
+    // The part of the world that it is told of at first; Client::set_interest() moves it. Without one it
     // is told of all.
-    std::optional<AreaOfInterest> sight = {};
+    std::optional<AreaOfInterest> interest = {};
     // Takes snapshots and sends inputs as datagrams where the server offers them, for links that
     // lose packets; while they do not get through, all goes by the stream. Not for a client with a
     // sight, a bound of kbit/s or a link that only pretends to be bad.

@@ -13,7 +13,7 @@ import {
   type QuantSpec,
   type QuantizedFrame,
 } from './decode_frame';
-import { SeenCells } from './seen_cells';
+import { InterestCells } from './seen_cells';
 import type { Sight } from './sight';
 import { FrameBuffer, type PoseFrame } from './frame_buffer';
 import { InputClock } from './input_clock';
@@ -110,7 +110,7 @@ export class Connection {
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
   private codec = 1; // of snapshots
-  private readonly cells = new SeenCells();
+  private readonly cells = new InterestCells();
   private focus = { x: 0, z: 0 };
   private readonly inputs = new InputQueue<Input>();
   private resumeToken = new Uint8Array(0); // empty: it has no place that it could come back to

@@ -49,7 +49,7 @@ export class FrameBuffer {
     return this.frames.find((f) => f.quantized.frame === frame)?.drawn.channels ?? NO_CHANNELS;
   }
 
-  /** `blends`: who is drawn on its way to where the frame has it (SeenCells), and how long a tick is. */
+  /** `blends`: who is drawn on its way to where the frame has it (InterestCells), and how long a tick is. */
   add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS, blends?: ReadonlyMap<number, Blend>, tickUs = 0): PoseFrame {
     const wereOnTheirWay = this.onTheirWay;
     this.onTheirWay = blends;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clients/cpp/core/src/seen_cells.h"
+#include "clients/cpp/core/src/interest_cells.h"
 #include "jostle/client/clock_sync.h"
 #include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/word_changes.h"
@@ -18,7 +18,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
-    cells_ = welcome.cells() ? std::make_shared<SeenCells>() : nullptr;
+    cells_ = welcome.cells() ? std::make_shared<InterestCells>() : nullptr;
     datagrams_ = welcome.has_datagrams();
     shown_.reset();
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());

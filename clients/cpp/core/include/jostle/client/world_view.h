@@ -22,7 +22,7 @@
 
 namespace jostle::client {
 
-class SeenCells;
+class InterestCells;
 
 class WorldView {
 public:
@@ -111,7 +111,7 @@ private:
     std::deque<KnownFrame> frames_;
     bool datagrams_ = false;                     // snapshots may overtake rosters
     std::optional<wire::QuantizedFrame> shown_;  // the newest frame, where it has unknown entities
-    std::shared_ptr<SeenCells> cells_;           // null: it is told of all of the world
+    std::shared_ptr<InterestCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
     ControlledEntityState driven_;

@@ -23,7 +23,7 @@ export interface Blend {
   readonly ticks: number; // from one to the other
 }
 
-export class SeenCells {
+export class InterestCells {
   private cells = new Map<number, QuantizedFrame[]>();
   private newest = 0; // snapshot
   private step = 1; // ticks from the one before

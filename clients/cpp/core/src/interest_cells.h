@@ -15,7 +15,7 @@
 
 namespace jostle::client {
 
-class SeenCells {
+class InterestCells {
 public:
     static constexpr std::size_t kept = 32;  // states of a cell, as bases of later ones
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/core/src/seen_cells.h"
+#include "clients/cpp/core/src/interest_cells.h"
 
 #include <algorithm>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace jostle::client {
 
-Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
+Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
                                                const wire::QuantSpec& spec,
                                                wire::Codec codec) const {
     const std::string name =
@@ -42,7 +42,7 @@ Result<wire::QuantizedFrame> SeenCells::decode(const v1::CellUpdate& part,
     return state;
 }
 
-Status SeenCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
+Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
                         wire::Codec codec) {
     std::vector<std::pair<std::uint32_t, wire::QuantizedFrame>> fresh;
     for (const v1::CellUpdate& part : snapshot.cells()) {
@@ -92,7 +92,7 @@ wire::EntityState between(const wire::EntityState& a, const wire::EntityState& b
 
 }  // namespace
 
-wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
+wire::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
     std::vector<Seen> all;
     for (const auto& [cell, states] : cells_)
         for (const wire::EntityState& entity : states.back().entities)
@@ -102,7 +102,7 @@ wire::QuantizedFrame SeenCells::frame(std::uint32_t number) const {
 
 // A cell in which nothing moved for a while is told as seldom as it likes: its shortest interval of
 // late is how often it is told.
-double SeenCells::progress(const States& states, std::uint32_t number) const {
+double InterestCells::progress(const States& states, std::uint32_t number) const {
     constexpr std::size_t intervals = 3;
     constexpr std::uint32_t longest = 12;  // ticks: nobody is shown later than that
     if (states.size() < 2) return 1;
@@ -113,7 +113,7 @@ double SeenCells::progress(const States& states, std::uint32_t number) const {
     return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
 }
 
-wire::QuantizedFrame SeenCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
+wire::QuantizedFrame InterestCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
                                       double tick_us) const {
     std::vector<Seen> all;
     std::deque<wire::EntityState> made;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { DecodeError, frameCrc, type EntityState } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { SeenCells, type CellUpdate } from './seen_cells';
+import { InterestCells, type CellUpdate } from './seen_cells';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 
@@ -16,7 +16,7 @@ const empty = (cell: number, number: number, baselines = 0): CellUpdate => ({
 
 describe('cells in sight', () => {
   it('are empty at first and stay known until they are left', () => {
-    const cells = new SeenCells();
+    const cells = new InterestCells();
     cells.apply([empty(7, 10), empty(8, 10)], [], SPEC, 1);
     expect(cells.frame(10)).toEqual({ frame: 10, entities: [] });
     cells.apply([empty(7, 12, 2 | (255 << 8))], [8], SPEC, 1);
@@ -24,7 +24,7 @@ describe('cells in sight', () => {
   });
 
   it('that are spoilt change nothing', () => {
-    const cells = new SeenCells();
+    const cells = new InterestCells();
     cells.apply([empty(7, 10)], [], SPEC, 1);
     expect(() => cells.apply([empty(9, 11), { ...empty(7, 11), crc: 5 }], [], SPEC, 1)).toThrow(DecodeError);
     expect(() => cells.apply([empty(9, 12, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not known/);
@@ -33,7 +33,7 @@ describe('cells in sight', () => {
   });
 
   it('show an entity that is in two of them where it was last', () => {
-    const cells = new SeenCells();
+    const cells = new InterestCells();
     const at = (id: number, x: number): EntityState => ({
       id,
       position: [x, 0, 0],
@@ -53,9 +53,9 @@ describe('cells in sight', () => {
     expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
   });
 
-  // The story of tests/clients/cpp/core/seen_cells_test.cpp: 12 m/s, told with every fourth snapshot.
+  // The story of tests/clients/cpp/core/interest_cells_test.cpp: 12 m/s, told with every fourth snapshot.
   it('that are told less often move evenly in pictures', () => {
-    const cells = new SeenCells();
+    const cells = new InterestCells();
     const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
     const frames = new FrameBuffer();
     const at = (id: number, x: number): EntityState => ({ id, position: [Math.round(512 * x), 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false });

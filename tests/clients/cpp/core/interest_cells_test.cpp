@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/core/src/seen_cells.h"
+#include "clients/cpp/core/src/interest_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ protected:
             if (entity.id == id) return wire::dequantize(entity, {}).position[0];
         return -1;
     }
-    SeenCells cells;
+    InterestCells cells;
 };
 
 TEST_F(SeenCellsTest, cells_come_change_and_are_left) {

@@ -29,7 +29,7 @@ void add_cell(v1::Snapshot& snapshot, std::uint32_t cell, const wire::QuantizedF
     part.set_crc(wire::frame_crc(now));
 }
 
-class SeenCellsTest : public testing::Test {
+class InterestCellsTest : public testing::Test {
 protected:
     Status apply(const v1::Snapshot& snapshot) {
         return cells.apply(snapshot, {}, wire::Codec::bits);
@@ -53,7 +53,7 @@ protected:
     InterestCells cells;
 };
 
-TEST_F(SeenCellsTest, cells_come_change_and_are_left) {
+TEST_F(InterestCellsTest, cells_come_change_and_are_left) {
     const auto a = state(10, {{1, 5}, {4, 6}}), b = state(10, {{2, 40}});
     v1::Snapshot first;
     add_cell(first, 7, a);
@@ -69,7 +69,7 @@ TEST_F(SeenCellsTest, cells_come_change_and_are_left) {
     EXPECT_NEAR(x_of(1), 5.5, 0.001);
 }
 
-TEST_F(SeenCellsTest, who_is_in_two_cells_is_where_it_was_told_last) {
+TEST_F(InterestCellsTest, who_is_in_two_cells_is_where_it_was_told_last) {
     v1::Snapshot snapshot;
     add_cell(snapshot, 1, state(20, {{3, 31.9}}));
     add_cell(snapshot, 2, state(24, {{3, 36.1}}));
@@ -78,7 +78,7 @@ TEST_F(SeenCellsTest, who_is_in_two_cells_is_where_it_was_told_last) {
     EXPECT_NEAR(x_of(3), 36.1, 0.001);
 }
 
-TEST_F(SeenCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
+TEST_F(InterestCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
     const auto a = state(10, {{1, 5}});
     v1::Snapshot first;
     add_cell(first, 7, a);
@@ -98,7 +98,7 @@ TEST_F(SeenCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
     EXPECT_EQ(apply(old).error().message, "cell 7 of tick 10 is not newer than the last one");
 }
 
-TEST_F(SeenCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number) {
+TEST_F(InterestCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number) {
     for (const double x : {5.0, 7.0}) {
         v1::Snapshot whole;
         add_cell(whole, 7, state(10, {{1, x}}));
@@ -109,7 +109,7 @@ TEST_F(SeenCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number)
 
 // Both run at 12 m/s, 0.2 m a tick. Near cells are told with every snapshot, far ones with every
 // fourth: in pictures the far one took steps of 0.8 m and stood between them.
-TEST_F(SeenCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
+TEST_F(InterestCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
     wire::QuantizedFrame near_before, far_before;
     double near_worst = 0, far_worst = 0, far_least = 1;
     double last_near = 0, last_far = 0;
@@ -140,7 +140,7 @@ TEST_F(SeenCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
     EXPECT_GT(far_least, 0.196);
 }
 
-TEST_F(SeenCellsTest, what_begins_to_move_after_a_rest_is_shown_at_once) {
+TEST_F(InterestCellsTest, what_begins_to_move_after_a_rest_is_shown_at_once) {
     wire::QuantizedFrame before;
     std::uint32_t tick = 1;
     const auto tell = [&](double x) {

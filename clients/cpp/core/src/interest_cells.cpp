@@ -65,18 +65,18 @@ Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec&
 
 namespace {
 
-struct Seen {
+struct CellEntity {
     const wire::EntityState* entity;
     std::uint32_t number;
 };
 
-wire::QuantizedFrame together(std::vector<Seen> all, std::uint32_t number) {
-    std::ranges::sort(all, [](const Seen& a, const Seen& b) {
+wire::QuantizedFrame together(std::vector<CellEntity> all, std::uint32_t number) {
+    std::ranges::sort(all, [](const CellEntity& a, const CellEntity& b) {
         return a.entity->id != b.entity->id ? a.entity->id < b.entity->id : a.number > b.number;
     });
     wire::QuantizedFrame frame{.frame = number, .entities = {}};
     frame.entities.reserve(all.size());
-    for (const Seen& seen : all)
+    for (const CellEntity& seen : all)
         if (frame.entities.empty() || frame.entities.back().id != seen.entity->id)
             frame.entities.push_back(*seen.entity);
     return frame;
@@ -93,7 +93,7 @@ wire::EntityState between(const wire::EntityState& a, const wire::EntityState& b
 }  // namespace
 
 wire::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
-    std::vector<Seen> all;
+    std::vector<CellEntity> all;
     for (const auto& [cell, states] : cells_)
         for (const wire::EntityState& entity : states.back().entities)
             all.push_back({&entity, states.back().frame});
@@ -115,7 +115,7 @@ double InterestCells::progress(const States& states, std::uint32_t number) const
 
 wire::QuantizedFrame InterestCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
                                       double tick_us) const {
-    std::vector<Seen> all;
+    std::vector<CellEntity> all;
     std::deque<wire::EntityState> made;
     for (const auto& [cell, states] : cells_) {
         const wire::QuantizedFrame& now = states.back();

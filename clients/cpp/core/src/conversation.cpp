@@ -163,7 +163,7 @@ void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     stats_.resumed += welcome.resumed() ? 1 : 0;
     resume_token_ = welcome.resume_token();
     if (welcome.state_preserved()) {
-        view_.go_on(welcome);
+        view_.resume(welcome);
     } else {
         view_.begin(welcome);
         buffer_.clear();
@@ -218,7 +218,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     const WorldView::Times times = view_.times_of(snapshot);
     newest_ = {snapshot.frame(), times.due_us};
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
-    buffer_.add(view_.shown_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
+    buffer_.add(view_.rendered_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
                 times.still_until_us.has_value());
     if (!clock_.ready()) return;
     const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
@@ -274,7 +274,7 @@ void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     if (decoded_at_ != Clock::time_point{})
         ack.set_ack_delay_ms(static_cast<std::uint32_t>(
             std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
-    if (ticket_) ack.set_ack_bits(view_.known_before());
+    if (ticket_) ack.set_ack_bits(view_.ack_bits());
     ack_due_ = datagram_ack_due_ = keyframe_wanted_ = false;
     last_ack_ = now;
 }

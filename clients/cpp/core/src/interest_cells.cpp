@@ -58,7 +58,7 @@ Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec&
         // One that is told whole begins anew.
         if (!states.empty() && state.frame <= states.back().frame) states.clear();
         states.push_back(std::move(state));
-        if (states.size() > kept) states.pop_front();
+        if (states.size() > history_max) states.pop_front();
     }
     return {};
 }
@@ -70,7 +70,7 @@ struct CellEntity {
     std::uint32_t number;
 };
 
-wire::QuantizedFrame together(std::vector<CellEntity> all, std::uint32_t number) {
+wire::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t number) {
     std::ranges::sort(all, [](const CellEntity& a, const CellEntity& b) {
         return a.entity->id != b.entity->id ? a.entity->id < b.entity->id : a.number > b.number;
     });
@@ -82,7 +82,7 @@ wire::QuantizedFrame together(std::vector<CellEntity> all, std::uint32_t number)
     return frame;
 }
 
-wire::EntityState between(const wire::EntityState& a, const wire::EntityState& b, double t,
+wire::EntityState interpolate_entity(const wire::EntityState& a, const wire::EntityState& b, double t,
                           const wire::QuantSpec& spec, double width_us) {
     if (wire::same_pose(a, b)) return b;
     const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
@@ -97,7 +97,7 @@ wire::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
     for (const auto& [cell, states] : cells_)
         for (const wire::EntityState& entity : states.back().entities)
             all.push_back({&entity, states.back().frame});
-    return together(std::move(all), number);
+    return merge_cells(std::move(all), number);
 }
 
 // A cell in which nothing moved for a while is told as seldom as it likes: its shortest interval of
@@ -113,7 +113,7 @@ double InterestCells::progress(const States& states, std::uint32_t number) const
     return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
 }
 
-wire::QuantizedFrame InterestCells::shown(std::uint32_t number, const wire::QuantSpec& spec,
+wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
                                       double tick_us) const {
     std::vector<CellEntity> all;
     std::deque<wire::EntityState> made;
@@ -125,11 +125,11 @@ wire::QuantizedFrame InterestCells::shown(std::uint32_t number, const wire::Quan
         wire::Finder in_before(before);
         for (const wire::EntityState& entity : now.entities) {
             const wire::EntityState* const was = in_before.find(entity.id);
-            if (was) made.push_back(between(*was, entity, t, spec, width_us));
+            if (was) made.push_back(interpolate_entity(*was, entity, t, spec, width_us));
             all.push_back({was ? &made.back() : &entity, now.frame});
         }
     }
-    return together(std::move(all), number);
+    return merge_cells(std::move(all), number);
 }
 
 }  // namespace jostle::client

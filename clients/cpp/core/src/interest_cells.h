@@ -17,7 +17,7 @@ namespace jostle::client {
 
 class InterestCells {
 public:
-    static constexpr std::size_t kept = 32;  // states of a cell, as bases of later ones
+    static constexpr std::size_t history_max = 32;  // states of a cell, as bases of later ones
 
     // The cells of a snapshot. An error leaves everything as it was.
     Status apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec, wire::Codec codec);
@@ -26,7 +26,7 @@ public:
     wire::QuantizedFrame frame(std::uint32_t number) const;
     // The same for a picture: a cell that is told with some snapshots only moves on evenly from one
     // telling to the next, and is shown so much later. `tick_us`: of a tick of the world.
-    wire::QuantizedFrame shown(std::uint32_t number, const wire::QuantSpec& spec,
+    wire::QuantizedFrame rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
                                double tick_us) const;
     void clear() { cells_.clear(); }
 

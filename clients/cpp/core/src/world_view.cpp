@@ -20,7 +20,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
     cells_ = welcome.cells() ? std::make_shared<InterestCells>() : nullptr;
     datagrams_ = welcome.has_datagrams();
-    shown_.reset();
+    known_frame_.reset();
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
@@ -29,7 +29,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     driven_ = {};
 }
 
-void WorldView::go_on(const v1::Welcome& welcome) {
+void WorldView::resume(const v1::Welcome& welcome) {
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
     unfinished_ = {};
 }
@@ -55,7 +55,7 @@ Status WorldView::apply(const v1::GeometryChunk& part) {
     return {};
 }
 
-const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
+const v1::Shape* WorldView::resolve_shape(const v1::Shape& shape) const {
     if (shape.kind_case() != v1::Shape::kGeometry) return &shape;
     const auto known = geometry_.find(shape.geometry());
     return known == geometry_.end() ? nullptr : &known->second;
@@ -64,7 +64,7 @@ const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
 void WorldView::apply(const v1::Roster& entity_update) {
     for (const std::uint32_t id : entity_update.removed()) entities_.erase(id);
     for (const v1::Entity& entity : entity_update.added()) entities_[entity.id()] = entity;
-    leave_out_unknown();
+    remove_unknown_entities();
 }
 
 Status WorldView::apply(const v1::ControlledEntityState& driven) {
@@ -81,8 +81,8 @@ Status WorldView::apply(const v1::ControlledEntityState& driven) {
 }
 
 // Both are in rising order of id.
-void WorldView::leave_out_unknown() {
-    shown_.reset();
+void WorldView::remove_unknown_entities() {
+    known_frame_.reset();
     if (!datagrams_ || frames_.empty()) return;
     const wire::QuantizedFrame& newest = frames_.back().state;
     auto known = entities_.begin();
@@ -92,11 +92,11 @@ void WorldView::leave_out_unknown() {
     };
     if (std::ranges::none_of(newest.entities, is_unknown)) return;
     known = entities_.begin();
-    shown_ = newest;
-    std::erase_if(shown_->entities, is_unknown);
+    known_frame_ = newest;
+    std::erase_if(known_frame_->entities, is_unknown);
 }
 
-std::uint32_t WorldView::known_before() const {
+std::uint32_t WorldView::ack_bits() const {
     std::uint32_t bits = 0;
     if (frames_.empty()) return bits;
     const std::uint32_t newest = frames_.back().state.frame;
@@ -134,20 +134,20 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    auto decoded = poses_of(snapshot, baselines);
+    auto decoded = decode_poses(snapshot, baselines);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
     Result<wire::Channels> channels = wire::decode_channels(
         {told, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
     if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
     frames_.push_back({std::move(*decoded), *std::move(channels)});
-    if (frames_.size() > ring) frames_.pop_front();
-    leave_out_unknown();
+    if (frames_.size() > frame_history_max) frames_.pop_front();
+    remove_unknown_entities();
     return {};
 }
 
 // Either a whole frame, or the cells that are in sight.
-Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
+Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapshot,
                                                  const wire::Baselines& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
@@ -164,7 +164,7 @@ Result<wire::QuantizedFrame> WorldView::poses_of(const v1::Snapshot& snapshot,
     return decoded;
 }
 
-wire::QuantizedFrame WorldView::shown_frame() const {
+wire::QuantizedFrame WorldView::rendered_frame() const {
     if (!cells_ || frames_.empty()) return frame();
     wire::QuantizedFrame shown = cells_->shown(frame().frame, spec_, tick_us_);
     std::erase_if(shown.entities, [&](const auto& e) { return !entities_.contains(e.id); });

@@ -58,7 +58,7 @@ std::optional<Act> to_act(const v1::Input& input) {
 std::optional<std::vector<ShapeDef>> shapes_of(const WorldView& view, std::uint32_t id) {
     std::vector<ShapeDef> shapes;
     for (const v1::Shape& told : view.entities().at(id).shapes()) {
-        const v1::Shape* outline = view.outline_of(told);
+        const v1::Shape* outline = view.resolve_shape(told);
         if (!outline) return std::nullopt;
         v1::Shape whole = *outline;
         if (outline != &told) {

@@ -45,8 +45,8 @@ protected:
         return -1;
     }
     // Of a picture of that tick.
-    double shown(std::uint32_t number, std::uint32_t id) const {
-        for (const auto& entity : cells.shown(number, {}, 1e6 / 60).entities)
+    double rendered_frame(std::uint32_t number, std::uint32_t id) const {
+        for (const auto& entity : cells.rendered_frame(number, {}, 1e6 / 60).entities)
             if (entity.id == id) return wire::dequantize(entity, {}).position[0];
         return -1;
     }
@@ -125,15 +125,15 @@ TEST_F(InterestCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
         }
         near_before = near;
         ASSERT_TRUE(apply(snapshot).ok());
-        EXPECT_NEAR(shown(tick, 1), x, 0.002) << "what is near is shown at once";
+        EXPECT_NEAR(rendered_frame(tick, 1), x, 0.002) << "what is near is shown at once";
         if (tick > 20) {
-            near_worst = std::max(near_worst, shown(tick, 1) - last_near);
-            far_worst = std::max(far_worst, shown(tick, 2) - last_far);
-            far_least = std::min(far_least, shown(tick, 2) - last_far);
-            EXPECT_NEAR(shown(tick, 2), 100 + x - 0.6, 0.003) << "three ticks later";
+            near_worst = std::max(near_worst, rendered_frame(tick, 1) - last_near);
+            far_worst = std::max(far_worst, rendered_frame(tick, 2) - last_far);
+            far_least = std::min(far_least, rendered_frame(tick, 2) - last_far);
+            EXPECT_NEAR(rendered_frame(tick, 2), 100 + x - 0.6, 0.003) << "three ticks later";
         }
-        last_near = shown(tick, 1);
-        last_far = shown(tick, 2);
+        last_near = rendered_frame(tick, 1);
+        last_far = rendered_frame(tick, 2);
     }
     EXPECT_LT(near_worst, 0.204);
     EXPECT_LT(far_worst, 0.204);
@@ -158,7 +158,7 @@ TEST_F(InterestCellsTest, what_begins_to_move_after_a_rest_is_shown_at_once) {
         ASSERT_TRUE(apply(snapshot).ok());
     }
     tell(1.2);
-    EXPECT_NEAR(shown(tick, 1), 1.2, 0.002);
+    EXPECT_NEAR(rendered_frame(tick, 1), 1.2, 0.002);
 }
 
 }  // namespace

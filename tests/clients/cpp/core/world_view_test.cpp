@@ -139,15 +139,15 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
     EXPECT_TRUE(view.apply(part).ok());
     v1::Shape named;
     named.set_geometry(77);
-    EXPECT_EQ(view.outline_of(named), nullptr) << "half of it is not it";
+    EXPECT_EQ(view.resolve_shape(named), nullptr) << "half of it is not it";
     part.set_chunk(1);
     part.set_data(bytes.substr(100));
     EXPECT_TRUE(view.apply(part).ok());
-    ASSERT_NE(view.outline_of(named), nullptr);
-    EXPECT_EQ(view.outline_of(named)->mesh().vertices_size(), 300);
+    ASSERT_NE(view.resolve_shape(named), nullptr);
+    EXPECT_EQ(view.resolve_shape(named)->mesh().vertices_size(), 300);
     v1::Shape ball;
     ball.mutable_sphere()->set_radius(1);
-    EXPECT_EQ(view.outline_of(ball), &ball);
+    EXPECT_EQ(view.resolve_shape(ball), &ball);
 }
 
 TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
@@ -190,7 +190,7 @@ TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base
     entity_update.add_added()->set_id(7);
     view.apply(entity_update);
     EXPECT_EQ(view.frame().entities.size(), 1u) << "as soon as it is known";
-    EXPECT_EQ(view.known_before(), 1u);
+    EXPECT_EQ(view.ack_bits(), 1u);
     v1::Roster gone;
     gone.add_removed(7);
     view.apply(gone);

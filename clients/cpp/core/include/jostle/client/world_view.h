@@ -26,13 +26,13 @@ class InterestCells;
 
 class WorldView {
 public:
-    static constexpr std::size_t ring = 32;  // decoded frames kept as bases of later ones
+    static constexpr std::size_t frame_history_max = 32;  // decoded frames kept as bases of later ones
     static constexpr std::size_t geometry_bytes_max = 256u << 20;  // of one large shape
 
     // A new stream: everything is forgotten.
     void begin(const v1::Welcome& welcome);
     // A stream that goes on where another one broke: all that is known still counts.
-    void go_on(const v1::Welcome& welcome);
+    void resume(const v1::Welcome& welcome);
     // A piece of a large shape. An error: it does not follow the piece before.
     Status apply(const v1::GeometryChunk& part);
     // Who came and who went.
@@ -57,19 +57,19 @@ public:
     // The newest; frame 0, without entities, until the first snapshot. Without those of whom no
     // roster told yet: a datagram may overtake it.
     const wire::QuantizedFrame& frame() const {
-        if (shown_) return *shown_;
+        if (known_frame_) return *known_frame_;
         return frames_.empty() ? none_ : frames_.back().state;
     }
     // The same for pictures: of who sees a part of a world, what is far away and told less often
     // moves evenly from one telling to the next, a few ticks later.
-    wire::QuantizedFrame shown_frame() const;
+    wire::QuantizedFrame rendered_frame() const;
     // Of the newest frame's number n: bit k says that frame n - 1 - k is known.
-    std::uint32_t known_before() const;
+    std::uint32_t ack_bits() const;
     // By id: what they look like, and who owns them.
     const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
     // What a shape of an entity is: itself, or the large shape that it names, of which only the
     // kind is set. Null: it names one that was never told.
-    const v1::Shape* outline_of(const v1::Shape& shape) const;
+    const v1::Shape* resolve_shape(const v1::Shape& shape) const;
     const wire::QuantSpec& spec() const { return spec_; }
     wire::Codec codec() const { return codec_; }
     // Nothing when the entity is not in the newest frame.
@@ -98,8 +98,8 @@ private:
     };
 
     const KnownFrame* find(std::uint32_t frame) const;
-    void leave_out_unknown();
-    Result<wire::QuantizedFrame> poses_of(const v1::Snapshot& snapshot, const wire::Baselines& baselines);
+    void remove_unknown_entities();
+    Result<wire::QuantizedFrame> decode_poses(const v1::Snapshot& snapshot, const wire::Baselines& baselines);
 
     wire::QuantSpec spec_;
     std::int64_t epoch_us_ = 0;
@@ -110,7 +110,7 @@ private:
     std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
     bool datagrams_ = false;                     // snapshots may overtake rosters
-    std::optional<wire::QuantizedFrame> shown_;  // the newest frame, where it has unknown entities
+    std::optional<wire::QuantizedFrame> known_frame_;  // the newest frame, where it has unknown entities
     std::shared_ptr<InterestCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id

@@ -115,7 +115,7 @@ private:
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
     ControlledEntityState driven_;
-    struct Unfinished {
+    struct PartialGeometry {
         std::uint64_t id = 0;
         std::uint32_t next = 0;
         std::string bytes;

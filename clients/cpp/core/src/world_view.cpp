@@ -25,33 +25,33 @@ void WorldView::begin(const v1::Welcome& welcome) {
     frames_.clear();
     entities_.clear();
     geometry_.clear();
-    unfinished_ = {};
+    partial_geometry_ = {};
     driven_ = {};
 }
 
 void WorldView::resume(const v1::Welcome& welcome) {
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
-    unfinished_ = {};
+    partial_geometry_ = {};
 }
 
 Status WorldView::apply(const v1::GeometryChunk& part) {
     const auto failed = [&](const std::string& why) {
-        unfinished_ = {};
+        partial_geometry_ = {};
         return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};
     };
-    if (part.part() == 0) unfinished_ = {.id = part.id(), .next = 0, .bytes = {}};
-    if (part.id() != unfinished_.id || part.part() != unfinished_.next ||
+    if (part.part() == 0) partial_geometry_ = {.id = part.id(), .next = 0, .bytes = {}};
+    if (part.id() != partial_geometry_.id || part.part() != partial_geometry_.next ||
         part.part() >= part.parts())
         return failed("part " + std::to_string(part.part()) + " of " +
                       std::to_string(part.parts()) + " does not follow the one before");
-    if (unfinished_.bytes.size() + part.data().size() > geometry_bytes_max)
+    if (partial_geometry_.bytes.size() + part.data().size() > geometry_bytes_max)
         return failed("it has more than " + std::to_string(geometry_bytes_max) + " bytes");
-    unfinished_.bytes += part.data();
-    if (++unfinished_.next < part.parts()) return {};
+    partial_geometry_.bytes += part.data();
+    if (++partial_geometry_.next < part.parts()) return {};
     v1::Shape shape;
-    if (!shape.ParseFromString(unfinished_.bytes)) return failed("its bytes are no Shape");
+    if (!shape.ParseFromString(partial_geometry_.bytes)) return failed("its bytes are no Shape");
     geometry_[part.id()] = std::move(shape);
-    unfinished_ = {};
+    partial_geometry_ = {};
     return {};
 }
 

@@ -119,7 +119,7 @@ private:
         std::uint64_t id = 0;
         std::uint32_t next = 0;
         std::string bytes;
-    } unfinished_;  // the large shape of which pieces arrive
+    } partial_geometry_;  // the large shape of which pieces arrive
 };
 
 }  // namespace jostle::client

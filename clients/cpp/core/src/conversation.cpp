@@ -215,7 +215,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = datagram_ack_due_ = true;
     stats_.snapshots++;
-    const WorldView::Times times = view_.times_of(snapshot);
+    const WorldView::SnapshotTimes times = view_.times_of(snapshot);
     newest_ = {snapshot.frame(), times.due_us};
     if (times.still_until_us) buffer_.hold(*times.still_until_us);
     buffer_.add(view_.rendered_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),

@@ -171,13 +171,13 @@ wire::QuantizedFrame WorldView::rendered_frame() const {
     return shown;
 }
 
-WorldView::Times WorldView::times_of(const v1::Snapshot& snapshot) const {
+WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const {
     constexpr auto most = static_cast<std::int64_t>(latest_time_us);
     const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);
     const auto due = [&](std::uint32_t frame) {
         return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
     };
-    Times times{.due_us = due(snapshot.frame())};
+    SnapshotTimes times{.due_us = due(snapshot.frame())};
     const auto baselines = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!baselines.ok() || baselines->baseline == 0 || snapshot.still() == 0) return times;
     if (snapshot.still() <= snapshot.frame() - baselines->baseline)

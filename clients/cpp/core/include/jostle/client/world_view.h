@@ -46,13 +46,13 @@ public:
     Status apply(const v1::ControlledEntityState& driven);
 
     // On the server's clock, in us.
-    struct Times {
+    struct SnapshotTimes {
         std::int64_t due_us = 0;  // of the tick
         // Until then all was as in the snapshot's base; nothing: that is not known.
         std::optional<std::int64_t> still_until_us;
     };
     // Of a snapshot that was applied.
-    Times times_of(const v1::Snapshot& snapshot) const;
+    SnapshotTimes times_of(const v1::Snapshot& snapshot) const;
 
     // The newest; frame 0, without entities, until the first snapshot. Without those of whom no
     // roster told yet: a datagram may overtake it.

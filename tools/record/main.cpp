@@ -105,7 +105,7 @@ std::string record(const Flags& flags, jostle::client::Client& client, Recorder&
         if (stats.stream_failures > 0) return stats.last_error;
         if (now >= next_keyframe) {
             next_keyframe += period;
-            client.ask_keyframe();
+            client.request_keyframe();
         }
         if (now < next_line) continue;
         next_line = now + std::chrono::milliseconds(500);

@@ -20,7 +20,7 @@ import { InputClock } from './input_clock';
 import { InputQueue } from './input_queue';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
-import { shownMoment } from './shown_moment';
+import { shownMoment } from './rendered_time';
 import { decodeChannels } from './channels';
 import { DrivenWords, type DrivenThing } from './word_changes';
 import {

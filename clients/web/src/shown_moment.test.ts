@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { shownMoment } from './shown_moment';
+import { shownMoment } from './rendered_time';
 
 describe('the moment that is shown', () => {
   const newest = { frame: 600, serverUs: 10_000_000 };

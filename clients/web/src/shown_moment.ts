@@ -1,5 +1,5 @@
 // Which moment of the world a picture shows, for servers that judge what is aimed at by what was seen (Aim.seen,
-// CastRaysRequest.seen). The C++ client library has the same (jostle/client/shown_moment.h).
+// CastRaysRequest.seen). The C++ client library has the same (jostle/client/rendered_time.h).
 
 const NOT_DRAWN_US = 1_000_000;
 const EXTRAPOLATE_US = 50_000; // as interpolate.ts

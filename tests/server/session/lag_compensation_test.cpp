@@ -65,12 +65,12 @@ struct Round {
 };
 
 // Eight seconds of which the last six are shot in, three times a second.
-Round shoot(bool aim_at_what_is_shown, client::NetworkConditions each_way, double rewind_ms = 400) {
+Round shoot(bool attach_view_time, client::NetworkConditions each_way, double rewind_ms = 400) {
     Config config;
     config.tick.lag_compensation_ms_max = rewind_ms;
     TestServer server(config);
     const auto world = server.host(range_scene());
-    SessionHarness shooter(server, {.name = "shooter", .aim_at_what_is_shown = aim_at_what_is_shown},
+    SessionHarness shooter(server, {.name = "shooter", .attach_view_time = attach_view_time},
                        each_way);
     Round round;
     test::play(server, *world, {&shooter}, 8 * 60, [&](int tick) {
@@ -78,7 +78,7 @@ Round shoot(bool aim_at_what_is_shown, client::NetworkConditions each_way, doubl
         if (view_time && tick > 2 * 60 && tick % 20 == 0 && tick < 460) {
             shooter.conversation.send(push_at(*view_time));
             round.shots++;
-            const v1::ViewTime moment = shooter.conversation.shown_moment();
+            const v1::ViewTime moment = shooter.conversation.rendered_time();
             const double was =
                 10 * (moment.tick() + static_cast<double>(moment.fraction()) - 1) / 60;
             round.of_what_was += std::abs(*view_time - was) < 0.2 ? 1 : 0;

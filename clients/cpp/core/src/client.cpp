@@ -48,9 +48,9 @@ void Client::set_interest(const AreaOfInterest& interest) {
     state_->conversation.set_interest(interest);
 }
 
-void Client::ask_keyframe() {
+void Client::request_keyframe() {
     const auto lock = locked(*state_);
-    state_->conversation.ask_keyframe();
+    state_->conversation.request_keyframe();
 }
 
 void Client::leave() {
@@ -69,9 +69,9 @@ std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 
-v1::ViewTime Client::shown_moment() const {
+v1::ViewTime Client::rendered_time() const {
     const auto lock = locked(*state_);
-    return state_->conversation.shown_moment();
+    return state_->conversation.rendered_time();
 }
 
 std::vector<v1::InputResult> Client::take_results() {

@@ -80,14 +80,14 @@ void Conversation::set_interest(const AreaOfInterest& interest) {
     interest_due_ = true;
 }
 
-v1::ViewTime Conversation::shown_moment() const {
-    return client::shown_moment(newest_, buffer_.clock().shown_us(), tick_us_);
+v1::ViewTime Conversation::rendered_time() const {
+    return client::rendered_time(newest_, buffer_.clock().shown_us(), tick_us_);
 }
 
 std::uint32_t Conversation::send(v1::Input input) {
     if (v1::Aim* aim = aim_of(input);
-        aim && !aim->has_view_time() && options_.aim_at_what_is_shown && newest_.frame != 0)
-        *aim->mutable_view_time() = shown_moment();
+        aim && !aim->has_view_time() && options_.attach_view_time && newest_.frame != 0)
+        *aim->mutable_view_time() = rendered_time();
     return inputs_.push(std::move(input));
 }
 
@@ -217,9 +217,9 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     stats_.snapshots++;
     const WorldView::SnapshotTimes times = view_.times_of(snapshot);
     newest_ = {snapshot.frame(), times.due_us};
-    if (times.still_until_us) buffer_.hold(*times.still_until_us);
+    if (times.unchanged_until_us) buffer_.hold(*times.unchanged_until_us);
     buffer_.add(view_.rendered_frame(), times.due_us, static_cast<std::int64_t>(to_us(now)),
-                times.still_until_us.has_value());
+                times.unchanged_until_us.has_value());
     if (!clock_.ready()) return;
     const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
     steer_inputs(snapshot, age_us, now);

@@ -16,7 +16,7 @@
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/input_clock.h"
 #include "jostle/client/interpolation.h"
-#include "jostle/client/shown_moment.h"
+#include "jostle/client/rendered_time.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
@@ -47,9 +47,9 @@ public:
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
     // none.
-    v1::ViewTime shown_moment() const;
+    v1::ViewTime rendered_time() const;
     void set_interest(const AreaOfInterest& interest);
-    void ask_keyframe() { keyframe_wanted_ = true; }
+    void request_keyframe() { keyframe_wanted_ = true; }
     void leave() { leaving_ = true; }
     // The same, and at once: what waits is not sent.
     void abandon();

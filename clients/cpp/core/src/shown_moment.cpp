@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/client/shown_moment.h"
+#include "jostle/client/rendered_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double shown_after_us = 50'000;  // as InterpolationBuffer
 
 }  // namespace
 
-v1::ViewTime shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us) {
+v1::ViewTime rendered_time(const NewestFrame& newest, std::int64_t shown_us, double tick_us) {
     v1::ViewTime moment;
     moment.set_tick(newest.frame);
     if (shown_us == 0 || shown_us < newest.due_us - not_drawn_us || tick_us <= 0) return moment;

@@ -26,7 +26,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     entities_.clear();
     geometry_.clear();
     partial_geometry_ = {};
-    driven_ = {};
+    controlled_entity_ = {};
 }
 
 void WorldView::resume(const v1::Welcome& welcome) {
@@ -68,15 +68,15 @@ void WorldView::apply(const v1::Roster& entity_update) {
 }
 
 Status WorldView::apply(const v1::ControlledEntityState& driven) {
-    if (!driven.whole() && driven.entity() != driven_.entity)
+    if (!driven.whole() && driven.entity() != controlled_entity_.entity)
         return Error{ErrorCode::failed_precondition,
                      "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
-    if (driven.whole()) driven_ = {};
+    if (driven.whole()) controlled_entity_ = {};
     Result<std::vector<std::uint32_t>> words =
-        wire::apply_changes(driven_.words, driven.words(), driven.changed(), driven.values());
-    driven_ = {};
+        wire::apply_changes(controlled_entity_.words, driven.words(), driven.changed(), driven.values());
+    controlled_entity_ = {};
     if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
-    driven_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
+    controlled_entity_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
     return {};
 }
 
@@ -181,7 +181,7 @@ WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const
     const auto baselines = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!baselines.ok() || baselines->baseline == 0 || snapshot.still() == 0) return times;
     if (snapshot.still() <= snapshot.frame() - baselines->baseline)
-        times.still_until_us = due(baselines->baseline + snapshot.still());
+        times.unchanged_until_us = due(baselines->baseline + snapshot.still());
     return times;
 }
 

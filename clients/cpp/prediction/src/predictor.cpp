@@ -168,16 +168,16 @@ void Predictor::on_results(const std::vector<v1::InputResult>& results) {
 void Predictor::on_frame(const WorldView& view) {
     // Bodies of a frame that is known, or of which nobody is followed, need not be read.
     const std::uint32_t frame = view.frame().frame;
-    const WorldView::ControlledEntityState& driven = view.driven();
-    if (frame == impl_->newest_frame && driven.tick == impl_->newest_drive) return;
+    const WorldView::ControlledEntityState& controlled_entity = view.controlled_entity();
+    if (frame == impl_->newest_frame && controlled_entity.tick == impl_->newest_drive) return;
     impl_->newest_frame = frame;
-    impl_->newest_drive = driven.tick;
+    impl_->newest_drive = controlled_entity.tick;
     std::vector<ToldBody> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
     impl_->foresight.on_frame({.number = frame,
                                .bodies = bodies,
                                .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
-                               .drive = {driven.entity, driven.tick, driven.module, driven.words}});
+                               .drive = {controlled_entity.entity, controlled_entity.tick, controlled_entity.module, controlled_entity.words}});
 }
 
 std::vector<SmoothPose> Predictor::sample(double position, std::int64_t now_us,

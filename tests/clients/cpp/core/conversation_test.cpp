@@ -189,13 +189,13 @@ TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
 TEST(Conversation, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
     Stream stream;
     stream.welcome();
-    stream.conversation.ask_keyframe();
+    stream.conversation.request_keyframe();
     stream.hear(stream.snapshot(10, 1, nullptr));
     EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "what came meanwhile does not answer it";
     const wire::QuantizedFrame base = stream.quantized;
     stream.hear(stream.snapshot(11, 2, &base));
     EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
-    stream.conversation.ask_keyframe();
+    stream.conversation.request_keyframe();
     EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also while nothing comes";
     EXPECT_FALSE(stream.next());
     EXPECT_EQ(stream.conversation.stats().decode_errors, 0u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same stories as clients/web/src/shown_moment.test.ts.
-#include "jostle/client/shown_moment.h"
+// The same stories as clients/web/src/rendered_time.test.ts.
+#include "jostle/client/rendered_time.h"
 
 #include <gtest/gtest.h>
 
@@ -16,19 +16,19 @@ double ticks(const v1::ViewTime& moment) {
 }
 
 TEST(ShownMoment, is_as_many_ticks_before_the_newest_frame_as_the_picture_is_behind_it) {
-    const v1::ViewTime shown = shown_moment(newest, 10'000'000 - 75'000, tick_length_us);
+    const v1::ViewTime shown = rendered_time(newest, 10'000'000 - 75'000, tick_length_us);
     EXPECT_EQ(shown.tick(), 595u);
     EXPECT_NEAR(shown.fraction(), 0.5, 1e-5);
 }
 
 TEST(ShownMoment, is_at_most_50_ms_after_the_newest_frame_as_pictures_are) {
-    EXPECT_NEAR(ticks(shown_moment(newest, 10'400'000, tick_length_us)), 603, 1e-5);
+    EXPECT_NEAR(ticks(rendered_time(newest, 10'400'000, tick_length_us)), 603, 1e-5);
 }
 
 TEST(ShownMoment, is_the_newest_frame_where_nobody_draws) {
-    EXPECT_EQ(ticks(shown_moment(newest, 0, tick_length_us)), 600);
-    EXPECT_EQ(ticks(shown_moment(newest, 8'000'000, tick_length_us)), 600);
-    EXPECT_EQ(shown_moment({}, 0, tick_length_us).tick(), 0u);
+    EXPECT_EQ(ticks(rendered_time(newest, 0, tick_length_us)), 600);
+    EXPECT_EQ(ticks(rendered_time(newest, 8'000'000, tick_length_us)), 600);
+    EXPECT_EQ(rendered_time({}, 0, tick_length_us).tick(), 0u);
 }
 
 }  // namespace

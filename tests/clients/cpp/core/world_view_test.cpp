@@ -68,19 +68,19 @@ TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
     part.set_changed("\x02");
     part.set_values(std::string("\x09\0\0\0", 4));
     EXPECT_EQ(view.apply(part).error().code, ErrorCode::failed_precondition);
-    EXPECT_EQ(view.driven().entity, 0u);
+    EXPECT_EQ(view.controlled_entity().entity, 0u);
     v1::Driven whole = part;
     whole.set_keyframe(true);
     whole.set_changed("\x01");
     ASSERT_TRUE(view.apply(whole).ok());
     ASSERT_TRUE(view.apply(part).ok());
-    EXPECT_EQ(view.driven().words, (std::vector<std::uint32_t>{9, 9}));
-    EXPECT_EQ(view.driven().module, "vehicle");
+    EXPECT_EQ(view.controlled_entity().words, (std::vector<std::uint32_t>{9, 9}));
+    EXPECT_EQ(view.controlled_entity().module, "vehicle");
     part.set_values("short");
     EXPECT_EQ(view.apply(part).error().code, ErrorCode::corrupt_data);
-    EXPECT_EQ(view.driven().entity, 0u) << "what comes next is not told against that";
+    EXPECT_EQ(view.controlled_entity().entity, 0u) << "what comes next is not told against that";
     welcome();
-    EXPECT_EQ(view.driven().tick, 0u);
+    EXPECT_EQ(view.controlled_entity().tick, 0u);
 }
 
 }  // namespace

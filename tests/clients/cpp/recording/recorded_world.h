@@ -70,7 +70,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         for (v1::Input& input :
              thrower.act(seconds, conversation.view(), conversation.stats().client_id))
             conversation.send(std::move(input));
-        if (tick % ticks_between_keyframes == 0) conversation.ask_keyframe();
+        if (tick % ticks_between_keyframes == 0) conversation.request_keyframe();
         while (const auto said = conversation.take_message(now)) link.receive(*said, now);
         const std::uint64_t before = conversation.stats().snapshots;
         while (const auto heard = link.take_message(now))

@@ -47,7 +47,7 @@ public:
     void set_interest(const AreaOfInterest& interest);
     // The server sends a snapshot without a base soon (4 a second at most): from it on a recording
     // can be played.
-    void ask_keyframe();
+    void request_keyframe();
     // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 
@@ -58,7 +58,7 @@ public:
     std::vector<SmoothPose> interpolated(Clock::time_point now);
     // The moment that the last picture showed, for Aim.seen and QueryOptions::seen; for who draws
     // none that of the newest frame. Tick 0: there is none yet.
-    v1::ViewTime shown_moment() const;
+    v1::ViewTime rendered_time() const;
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of

@@ -53,9 +53,9 @@ struct ClientOptions {
     // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
     // client can foresee what it does. Costs about a tick of delay.
     bool timed_inputs = false;
-    // An Aim that names no moment gets that of the last picture (Client::shown_moment), so that the
+    // An Aim that names no moment gets that of the last picture (Client::rendered_time), so that the
     // server judges it by what was seen. Else it is judged by the world as it is when it arrives.
-    bool aim_at_what_is_shown = true;
+    bool attach_view_time = true;
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
     NetworkConditions link = {};

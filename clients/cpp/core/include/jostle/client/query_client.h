@@ -27,7 +27,7 @@ struct QueryOptions {
     std::uint32_t categories = 0xffffffff;  // shapes whose category has a bit in here are seen
     bool triggers = false;                  // whether triggers are seen
     std::uint32_t ignore = 0;               // an entity that is not seen; 0: all are
-    // When the world was as it is asked about (Client::shown_moment()); nothing: now.
+    // When the world was as it is asked about (Client::rendered_time()); nothing: now.
     std::optional<v1::ViewTime> seen = {};
 };
 

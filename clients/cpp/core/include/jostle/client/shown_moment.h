@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which moment of the world a client shows, for servers that judge what it aims at by what it saw
-// (Aim.seen, CastRaysRequest.seen). The same in the browser (clients/web/src/shown_moment.ts).
+// (Aim.seen, CastRaysRequest.seen). The same in the browser (clients/web/src/rendered_time.ts).
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,6 @@ struct NewestFrame {
 
 // `shown_us`: of RenderClock; 0, or more than a second before the newest frame: nobody draws, so
 // what is known is the newest frame. Pictures go on for 50 ms after the newest frame, not longer.
-v1::ViewTime shown_moment(const NewestFrame& newest, std::int64_t shown_us, double tick_us);
+v1::ViewTime rendered_time(const NewestFrame& newest, std::int64_t shown_us, double tick_us);
 
 }  // namespace jostle::client

@@ -43,13 +43,13 @@ public:
 
     // What this client drives. An error: it is not told against what is known; the next whole one
     // is taken again.
-    Status apply(const v1::ControlledEntityState& driven);
+    Status apply(const v1::ControlledEntityState& controlled_entity);
 
     // On the server's clock, in us.
     struct SnapshotTimes {
         std::int64_t due_us = 0;  // of the tick
         // Until then all was as in the snapshot's base; nothing: that is not known.
-        std::optional<std::int64_t> still_until_us;
+        std::optional<std::int64_t> unchanged_until_us;
     };
     // Of a snapshot that was applied.
     SnapshotTimes times_of(const v1::Snapshot& snapshot) const;
@@ -89,7 +89,7 @@ public:
         std::string module;
         std::vector<std::uint32_t> words;
     };
-    const ControlledEntityState& driven() const { return driven_; }
+    const ControlledEntityState& controlled_entity() const { return controlled_entity_; }
 
 private:
     struct KnownFrame {
@@ -114,7 +114,7 @@ private:
     std::shared_ptr<InterestCells> cells_;           // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
-    ControlledEntityState driven_;
+    ControlledEntityState controlled_entity_;
     struct PartialGeometry {
         std::uint64_t id = 0;
         std::uint32_t next = 0;

@@ -81,7 +81,7 @@ void Conversation::set_interest(const AreaOfInterest& interest) {
 }
 
 v1::ViewTime Conversation::rendered_time() const {
-    return client::rendered_time(newest_, buffer_.clock().shown_us(), tick_us_);
+    return client::rendered_time(newest_, buffer_.clock().render_time_us(), tick_us_);
 }
 
 std::uint32_t Conversation::send(v1::Input input) {

@@ -72,22 +72,22 @@ std::int64_t RenderClock::advance(std::int64_t now_us) {
     if (!started_) {
         started_ = true;
         now_us_ = now_us;
-        shown_us_ = target;
+        render_time_us_ = target;
     }
-    if (now_us <= now_us_) return shown_us();
+    if (now_us <= now_us_) return render_time_us();
     const auto passed = static_cast<double>(now_us - now_us_);
     now_us_ = now_us;
-    const double behind = target - (shown_us_ + passed);
+    const double behind = target - (render_time_us_ + passed);
     if (behind > jump_us) {
-        shown_us_ = target;
+        render_time_us_ = target;
         speed_ = 1;
-        return shown_us();
+        return render_time_us();
     }
     const double most = speed_change_max * passed;
     const double change = std::clamp(behind * std::min(1.0, passed / settle_us), -most, most);
-    shown_us_ += passed + change;
+    render_time_us_ += passed + change;
     speed_ = 1 + change / passed;
-    return shown_us();
+    return render_time_us();
 }
 
 }  // namespace jostle::client

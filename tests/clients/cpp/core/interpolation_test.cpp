@@ -84,7 +84,7 @@ TEST(Interpolation, who_did_not_look_for_a_while_sees_the_world_as_it_is) {
     for (int i = 60; i < 120; i++)
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i / 60.0), i * 16'667, i * 16'667);
     const double x = buffer.sample(119 * 16'667, {})[0].pose.position[0];
-    EXPECT_NEAR(x, static_cast<double>(buffer.clock().shown_us()) / 1e6, 0.003);
+    EXPECT_NEAR(x, static_cast<double>(buffer.clock().render_time_us()) / 1e6, 0.003);
 }
 
 TEST(Interpolation, has_nothing_to_show_before_the_first_frame) {

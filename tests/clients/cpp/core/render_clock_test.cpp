@@ -26,7 +26,7 @@ struct Feed {
         }
     }
     double behind_ms(std::int64_t way_us) const {
-        return static_cast<double>(due_us + way_us - clock.shown_us()) / 1000;
+        return static_cast<double>(due_us + way_us - clock.render_time_us()) / 1000;
     }
 };
 
@@ -54,9 +54,9 @@ TEST(RenderClock, a_way_that_is_a_second_shorter_is_the_only_jump) {
     Feed feed;
     feed.frames(120, 1'500'000);
     feed.frames(1, 10'000);  // a new route: its arrival is before that of the last
-    const std::int64_t before = feed.clock.shown_us();
+    const std::int64_t before = feed.clock.render_time_us();
     feed.clock.advance(feed.ours_us + 1'600'000);
-    EXPECT_GT(feed.clock.shown_us() - before, 1'000'000);
+    EXPECT_GT(feed.clock.render_time_us() - before, 1'000'000);
 }
 
 TEST(RenderClock, a_world_that_rested_did_not_make_it_late) {
@@ -75,7 +75,7 @@ TEST(RenderClock, a_world_that_rested_did_not_make_it_late) {
 TEST(RenderClock, no_time_passes_while_ours_stands_or_goes_back) {
     Feed feed;
     feed.frames(10, 5'000);
-    const std::int64_t shown = feed.clock.shown_us();
+    const std::int64_t shown = feed.clock.render_time_us();
     EXPECT_EQ(feed.clock.advance(feed.ours_us + 5'000), shown);
     EXPECT_EQ(feed.clock.advance(feed.ours_us - 900'000), shown);
 }

@@ -140,7 +140,7 @@ inline Seen watch(const NetworkConditions& link_settings, double pictures_hz, do
             arrival_us = link.arrival_us(std::llround(next * 1e6 / 60));
         }
         const auto poses = buffer.sample(ours_us + us, {});
-        const double shown_s = static_cast<double>(buffer.clock().shown_us() - epoch_us) / 1e6;
+        const double shown_s = static_cast<double>(buffer.clock().render_time_us() - epoch_us) / 1e6;
         if (!poses.empty())
             watcher.look(poses, shown_s, static_cast<double>(us) / 1e6, 1 / pictures_hz);
     }

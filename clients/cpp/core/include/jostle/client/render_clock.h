@@ -26,7 +26,7 @@ public:
     // only step that it takes.
     std::int64_t advance(std::int64_t now_us);
 
-    std::int64_t shown_us() const { return static_cast<std::int64_t>(shown_us_); }
+    std::int64_t render_time_us() const { return static_cast<std::int64_t>(render_time_us_); }
     double speed() const { return speed_; }  // over the last picture
     // Behind what could be shown at the soonest: max(1.7 intervals, interval + jitter), at most
     // 300 ms; 60 ms at first. The interval is the median of the last 256 frames. Jitter is the 95th
@@ -53,7 +53,7 @@ private:
     bool silence_ended_ = false;  // and what it held up still comes
     bool started_ = false;
     std::int64_t now_us_ = 0;
-    double shown_us_ = 0, speed_ = 1;
+    double render_time_us_ = 0, speed_ = 1;
 };
 
 }  // namespace jostle::client

@@ -106,11 +106,11 @@ struct QueryClient::Impl {
         return call(*stub, method, request, security);
     }
 
-    Result<Answer<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
+    Result<QueryResult<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
                                                        const QueryOptions& options) {
         const auto response = ask(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
-        Answer<std::vector<std::uint32_t>> answer{.tick = response->tick(),
+        QueryResult<std::vector<std::uint32_t>> answer{.tick = response->tick(),
                                                   .view_time_clamped = response->view_time_clamped()};
         answer.value.assign(response->entities().begin(), response->entities().end());
         return answer;
@@ -126,7 +126,7 @@ QueryClient::QueryClient(const std::string& target, std::string world, Security 
 }
 QueryClient::~QueryClient() = default;
 
-Result<Answer<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point motion,
+Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point motion,
                                                             const QueryOptions& options) {
     v1::CastRaysRequest request;
     v1::Ray& ray = *request.add_rays();
@@ -134,7 +134,7 @@ Result<Answer<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point 
     write(*ray.mutable_motion(), motion);
     const auto response = impl_->ask(&v1::QueryService::Stub::CastRays, request, options);
     if (!response.ok()) return response.error();
-    Answer<std::optional<RayHit>> answer{.tick = response->tick(),
+    QueryResult<std::optional<RayHit>> answer{.tick = response->tick(),
                                          .view_time_clamped = response->view_time_clamped()};
     if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return answer;
     const v1::Hit& hit = response->rays(0).hits(0);
@@ -146,28 +146,28 @@ Result<Answer<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point 
     return answer;
 }
 
-Result<Answer<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
+Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
                                                                 const QueryOptions& options) {
     v1::OverlapRequest request;
     *request.mutable_shape() = shape;
     return impl_->overlap(request, options);
 }
 
-Result<Answer<std::vector<std::uint32_t>>> QueryClient::overlap(Point point,
+Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(Point point,
                                                                 const QueryOptions& options) {
     v1::OverlapRequest request;
     write(*request.mutable_point(), point);
     return impl_->overlap(request, options);
 }
 
-Result<Answer<std::optional<Nearest>>> QueryClient::closest_point(Point point, double max_distance,
+Result<QueryResult<std::optional<Nearest>>> QueryClient::closest_point(Point point, double max_distance,
                                                                   const QueryOptions& options) {
     v1::ClosestPointsRequest request;
     write(*request.add_points(), point);
     request.set_max_distance(max_distance);
     const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
-    Answer<std::optional<Nearest>> answer{.tick = response->tick(),
+    QueryResult<std::optional<Nearest>> answer{.tick = response->tick(),
                                           .view_time_clamped = response->view_time_clamped()};
     if (response->points_size() == 0 || response->points(0).entity() == 0) return answer;
     const v1::ClosestPoint& nearest = response->points(0);

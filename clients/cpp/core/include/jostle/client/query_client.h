@@ -47,7 +47,7 @@ struct Nearest {
 };
 
 template <class Value>
-struct Answer {
+struct QueryResult {
     Value value{};
     std::uint32_t tick =
         0;  // of the state that was asked: at most a few ticks old, or as of `seen`
@@ -61,15 +61,15 @@ public:
     ~QueryClient();
 
     // The first thing that the ray from `origin` to `origin + motion` meets, if any.
-    Result<Answer<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
+    Result<QueryResult<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
                                                    const QueryOptions& options = {});
     // Entities that overlap a convex shape where it stands, or hold a point. In rising order.
-    Result<Answer<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
+    Result<QueryResult<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
                                                        const QueryOptions& options = {});
-    Result<Answer<std::vector<std::uint32_t>>> overlap(Point point,
+    Result<QueryResult<std::vector<std::uint32_t>>> overlap(Point point,
                                                        const QueryOptions& options = {});
     // The nearest surface within `max_distance` (m) of the point, if any.
-    Result<Answer<std::optional<Nearest>>> closest_point(Point point, double max_distance,
+    Result<QueryResult<std::optional<Nearest>>> closest_point(Point point, double max_distance,
                                                          const QueryOptions& options = {});
 
 private:

@@ -102,7 +102,7 @@ struct QueryClient::Impl {
                          Request& request, const QueryOptions& options) {
         request.set_world(world);
         write(*request.mutable_filter(), options);
-        if (options.seen) *request.mutable_view_time() = *options.seen;
+        if (options.view_time) *request.mutable_view_time() = *options.view_time;
         return call(*stub, method, request, security);
     }
 
@@ -110,10 +110,10 @@ struct QueryClient::Impl {
                                                        const QueryOptions& options) {
         const auto response = ask(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
-        QueryResult<std::vector<std::uint32_t>> answer{.tick = response->tick(),
+        QueryResult<std::vector<std::uint32_t>> result{.tick = response->tick(),
                                                   .view_time_clamped = response->view_time_clamped()};
-        answer.value.assign(response->entities().begin(), response->entities().end());
-        return answer;
+        result.value.assign(response->entities().begin(), response->entities().end());
+        return result;
     }
 };
 
@@ -134,16 +134,16 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
     write(*ray.mutable_motion(), motion);
     const auto response = impl_->ask(&v1::QueryService::Stub::CastRays, request, options);
     if (!response.ok()) return response.error();
-    QueryResult<std::optional<RayHit>> answer{.tick = response->tick(),
+    QueryResult<std::optional<RayHit>> result{.tick = response->tick(),
                                          .view_time_clamped = response->view_time_clamped()};
-    if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return answer;
+    if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return result;
     const v1::Hit& hit = response->rays(0).hits(0);
-    answer.value = RayHit{.entity = hit.entity(),
+    result.value = RayHit{.entity = hit.entity(),
                           .shape = hit.shape(),
                           .fraction = hit.fraction(),
                           .point = read(hit.point()),
                           .normal = read(hit.normal())};
-    return answer;
+    return result;
 }
 
 Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
@@ -167,15 +167,15 @@ Result<QueryResult<std::optional<Nearest>>> QueryClient::closest_point(Point poi
     request.set_max_distance(max_distance);
     const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
-    QueryResult<std::optional<Nearest>> answer{.tick = response->tick(),
+    QueryResult<std::optional<Nearest>> result{.tick = response->tick(),
                                           .view_time_clamped = response->view_time_clamped()};
-    if (response->points_size() == 0 || response->points(0).entity() == 0) return answer;
+    if (response->points_size() == 0 || response->points(0).entity() == 0) return result;
     const v1::ClosestPoint& nearest = response->points(0);
-    answer.value = Nearest{.entity = nearest.entity(),
+    result.value = Nearest{.entity = nearest.entity(),
                            .distance = nearest.distance(),
                            .point = read(nearest.point()),
                            .normal = read(nearest.normal())};
-    return answer;
+    return result;
 }
 
 }  // namespace jostle::client

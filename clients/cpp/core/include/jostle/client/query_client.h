@@ -28,7 +28,7 @@ struct QueryOptions {
     bool triggers = false;                  // whether triggers are seen
     std::uint32_t ignore = 0;               // an entity that is not seen; 0: all are
     // When the world was as it is asked about (Client::rendered_time()); nothing: now.
-    std::optional<v1::ViewTime> seen = {};
+    std::optional<v1::ViewTime> view_time = {};
 };
 
 struct RayHit {

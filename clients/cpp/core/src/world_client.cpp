@@ -160,18 +160,18 @@ Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(Point point
     return impl_->overlap(request, options);
 }
 
-Result<QueryResult<std::optional<Nearest>>> QueryClient::closest_point(Point point, double max_distance,
+Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(Point point, double max_distance,
                                                                   const QueryOptions& options) {
     v1::ClosestPointsRequest request;
     write(*request.add_points(), point);
     request.set_max_distance(max_distance);
     const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
-    QueryResult<std::optional<Nearest>> result{.tick = response->tick(),
+    QueryResult<std::optional<ClosestPointHit>> result{.tick = response->tick(),
                                           .view_time_clamped = response->view_time_clamped()};
     if (response->points_size() == 0 || response->points(0).entity() == 0) return result;
     const v1::ClosestPoint& nearest = response->points(0);
-    result.value = Nearest{.entity = nearest.entity(),
+    result.value = ClosestPointHit{.entity = nearest.entity(),
                            .distance = nearest.distance(),
                            .point = read(nearest.point()),
                            .normal = read(nearest.normal())};

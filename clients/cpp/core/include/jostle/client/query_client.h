@@ -39,7 +39,7 @@ struct RayHit {
     Point normal{};  // unit, out of what was hit
 };
 
-struct Nearest {
+struct ClosestPointHit {
     std::uint32_t entity = 0;
     double distance = 0;  // m; negative: the point is inside
     Point point{};        // on the surface
@@ -69,7 +69,7 @@ public:
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(Point point,
                                                        const QueryOptions& options = {});
     // The nearest surface within `max_distance` (m) of the point, if any.
-    Result<QueryResult<std::optional<Nearest>>> closest_point(Point point, double max_distance,
+    Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(Point point, double max_distance,
                                                          const QueryOptions& options = {});
 
 private:

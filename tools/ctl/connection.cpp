@@ -73,7 +73,7 @@ Result<Connection> Connection::open(const ConnectionFlags& flags) {
 
 void Connection::prepare(grpc::ClientContext& context, std::chrono::seconds patience) const {
     context.set_deadline(std::chrono::system_clock::now() + patience);
-    client::show_token(context, security_);
+    client::attach_token(context, security_);
 }
 
 Error Connection::explained(const grpc::Status& status) const {

@@ -29,7 +29,7 @@ Connection::Connection(const ClientOptions& options, grpc::CompletionQueue& queu
       read_tag_{this, Event::read, owner},
       wrote_tag_{this, Event::wrote, owner},
       finished_tag_{this, Event::finished, owner} {
-    show_token(context_, options.security);
+    attach_token(context_, options.security);
     stream_ = stub_.PrepareCall(&context_, "/jostle.v1.PlayService/Play", &queue);
     in_flight_++;
     stream_->StartCall(&started_tag_);

@@ -12,7 +12,7 @@ std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& se
     return grpc::SslCredentials(options);
 }
 
-void show_token(grpc::ClientContext& call, const Security& security) {
+void attach_token(grpc::ClientContext& call, const Security& security) {
     if (!security.token.empty()) call.AddMetadata("authorization", "Bearer " + security.token);
 }
 

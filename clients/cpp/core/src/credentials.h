@@ -14,6 +14,6 @@ namespace jostle::client {
 
 std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& security);
 // Shows the token, if there is one.
-void show_token(grpc::ClientContext& call, const Security& security);
+void attach_token(grpc::ClientContext& call, const Security& security);
 
 }  // namespace jostle::client

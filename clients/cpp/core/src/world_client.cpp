@@ -23,7 +23,7 @@ Result<Response> call(Stub& stub,
                       grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                       const Request& request, const Security& security) {
     grpc::ClientContext context;
-    show_token(context, security);
+    attach_token(context, security);
     context.set_deadline(std::chrono::system_clock::now() + timeout);
     context.set_wait_for_ready(true);
     Response response;
@@ -55,7 +55,7 @@ struct WorldClient::Impl {
     Security security;
 
     template <class Request, class Response>
-    Result<Response> ask(grpc::Status (v1::WorldService::Stub::*method)(grpc::ClientContext*,
+    Result<Response> invoke(grpc::Status (v1::WorldService::Stub::*method)(grpc::ClientContext*,
                                                                         const Request&, Response*),
                          const Request& request) {
         return call(*stub, method, request, security);
@@ -71,24 +71,24 @@ WorldClient::WorldClient(const std::string& target, Security security)
 WorldClient::~WorldClient() = default;
 
 Result<v1::ListWorldsResponse> WorldClient::list() {
-    return impl_->ask(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
+    return impl_->invoke(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
 }
 
 Result<v1::CreateWorldResponse> WorldClient::create(const v1::CreateWorldRequest& request) {
-    return impl_->ask(&v1::WorldService::Stub::CreateWorld, request);
+    return impl_->invoke(&v1::WorldService::Stub::CreateWorld, request);
 }
 
 Status WorldClient::remove(const std::string& world) {
     v1::DeleteWorldRequest request;
     request.set_world(world);
-    const auto removed = impl_->ask(&v1::WorldService::Stub::DeleteWorld, request);
+    const auto removed = impl_->invoke(&v1::WorldService::Stub::DeleteWorld, request);
     return removed.ok() ? Status() : removed.error();
 }
 
 Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world) {
     v1::JoinWorldRequest request;
     request.set_world(world);
-    return impl_->ask(&v1::WorldService::Stub::JoinWorld, request);
+    return impl_->invoke(&v1::WorldService::Stub::JoinWorld, request);
 }
 
 struct QueryClient::Impl {
@@ -97,7 +97,7 @@ struct QueryClient::Impl {
     Security security;
 
     template <class Request, class Response>
-    Result<Response> ask(grpc::Status (v1::QueryService::Stub::*method)(grpc::ClientContext*,
+    Result<Response> invoke(grpc::Status (v1::QueryService::Stub::*method)(grpc::ClientContext*,
                                                                         const Request&, Response*),
                          Request& request, const QueryOptions& options) {
         request.set_world(world);
@@ -108,7 +108,7 @@ struct QueryClient::Impl {
 
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
                                                        const QueryOptions& options) {
-        const auto response = ask(&v1::QueryService::Stub::Overlap, request, options);
+        const auto response = invoke(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
         QueryResult<std::vector<std::uint32_t>> result{.tick = response->tick(),
                                                   .view_time_clamped = response->view_time_clamped()};
@@ -132,7 +132,7 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
     v1::Ray& ray = *request.add_rays();
     write(*ray.mutable_origin(), origin);
     write(*ray.mutable_motion(), motion);
-    const auto response = impl_->ask(&v1::QueryService::Stub::CastRays, request, options);
+    const auto response = impl_->invoke(&v1::QueryService::Stub::CastRays, request, options);
     if (!response.ok()) return response.error();
     QueryResult<std::optional<RayHit>> result{.tick = response->tick(),
                                          .view_time_clamped = response->view_time_clamped()};
@@ -165,16 +165,16 @@ Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(P
     v1::ClosestPointsRequest request;
     write(*request.add_points(), point);
     request.set_max_distance(max_distance);
-    const auto response = impl_->ask(&v1::QueryService::Stub::ClosestPoints, request, options);
+    const auto response = impl_->invoke(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
     QueryResult<std::optional<ClosestPointHit>> result{.tick = response->tick(),
                                           .view_time_clamped = response->view_time_clamped()};
     if (response->points_size() == 0 || response->points(0).entity() == 0) return result;
-    const v1::ClosestPoint& nearest = response->points(0);
-    result.value = ClosestPointHit{.entity = nearest.entity(),
-                           .distance = nearest.distance(),
-                           .point = read(nearest.point()),
-                           .normal = read(nearest.normal())};
+    const v1::ClosestPoint& closest = response->points(0);
+    result.value = ClosestPointHit{.entity = closest.entity(),
+                           .distance = closest.distance(),
+                           .point = read(closest.point()),
+                           .normal = read(closest.normal())};
     return result;
 }
 

@@ -105,7 +105,7 @@ private:
     }
 
     Clock::time_point now_ = Clock::time_point() + 1000s;
-    client::Conversation conversation_{client::ClientOptions{.events = true, .channels = {"*"}}};
+    client::PlayProtocol conversation_{client::ClientOptions{.events = true, .channels = {"*"}}};
     std::deque<wire::QuantizedFrame> frames_;  // as the view keeps them
 };
 

@@ -21,10 +21,10 @@ using server::Clock;
 constexpr int ticks_max = 40;  // of one input: a step takes as long as a hundred messages
 constexpr std::uint8_t kinds = 6;
 
-class Conversation {
+class PlayProtocol {
 public:
     // A Hello may ask for events or not.
-    Conversation() { state_.wants_events = true; }
+    PlayProtocol() { state_.wants_events = true; }
 
     void happens(const Record& record) {
         Reader in(record.bytes);
@@ -102,7 +102,7 @@ private:
 }  // namespace
 
 void run(Bytes input) {
-    Conversation conversation;
+    PlayProtocol conversation;
     for (Reader in(input); !in.done();) conversation.happens(take_record(in));
     conversation.end();
 }

@@ -55,7 +55,7 @@ private:
     Chance chance_;
     Tally& tally_;
     const FailureHandler complain_;
-    client::Conversation conversation_;
+    client::PlayProtocol conversation_;
     bots::Behaviour behaviour_;
     std::shared_ptr<NetworkLine> line_;
     Clock::time_point connected_at_{};

@@ -84,7 +84,7 @@ struct SessionHarness {
     }
 
     TestServer& server;
-    client::Conversation conversation;
+    client::PlayProtocol conversation;
     client::NetworkConditions settings;
     client::HeldMessages outgoing, incoming;
     std::optional<server::ClientSession> session;

@@ -27,7 +27,7 @@ std::shared_ptr<Client> Client::connect(Loop& loop, ClientOptions options) {
 
 std::uint32_t Client::send(v1::Input input) {
     const auto lock = locked(*state_);
-    Conversation& c = state_->conversation;
+    PlayProtocol& c = state_->conversation;
     if (c.options().timed_inputs && input.tick() == 0)
         input.set_tick(c.input_clock().tick(static_cast<std::int64_t>(to_us(Clock::now()))));
     return c.send(std::move(input));
@@ -65,7 +65,7 @@ void Client::read(const std::function<void(const WorldView&)>& reader) const {
 
 std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     const auto lock = locked(*state_);
-    Conversation& c = state_->conversation;
+    PlayProtocol& c = state_->conversation;
     return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 

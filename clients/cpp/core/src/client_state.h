@@ -20,7 +20,7 @@ struct ClientState {
     explicit ClientState(ClientOptions options) : conversation(std::move(options)) {}
 
     mutable std::mutex mutex;  // guards the conversation
-    Conversation conversation;
+    PlayProtocol conversation;
     std::atomic<bool> gone{false};  // the Client was destroyed: end the stream
 
     // The loop thread's own.

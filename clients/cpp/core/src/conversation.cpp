@@ -42,7 +42,7 @@ v1::Aim* aim_of(v1::Input& input) {
 
 }  // namespace
 
-void Conversation::begin(Clock::time_point now) {
+void PlayProtocol::begin(Clock::time_point now) {
     hello_due_ = true;
     ack_due_ = need_keyframe_ = leave_sent_ = datagram_ack_due_ = blocked_told_ = false;
     ticket_.reset();
@@ -53,19 +53,19 @@ void Conversation::begin(Clock::time_point now) {
 }
 
 // The server counts each new client's inputs from 1.
-void Conversation::begin_anew() {
+void PlayProtocol::begin_anew() {
     buffer_.clear();
     newest_ = {};
     clock_ = {};
     inputs_.begin_anew();
 }
 
-void Conversation::abandon() {
+void PlayProtocol::abandon() {
     inputs_.forget_unsaid();
     leaving_ = true;
 }
 
-void Conversation::ended(const Status& end) {
+void PlayProtocol::ended(const Status& end) {
     stats_.connected = stats_.datagrams = false;
     ticket_.reset();
     if (end.ok()) return;
@@ -74,24 +74,24 @@ void Conversation::ended(const Status& end) {
 }
 
 // The newest counts; it goes out with the next message that is due.
-void Conversation::set_interest(const AreaOfInterest& interest) {
+void PlayProtocol::set_interest(const AreaOfInterest& interest) {
     if (!options_.interest) return;
     options_.interest = interest;
     interest_due_ = true;
 }
 
-v1::ViewTime Conversation::rendered_time() const {
+v1::ViewTime PlayProtocol::rendered_time() const {
     return client::rendered_time(newest_, buffer_.clock().render_time_us(), tick_us_);
 }
 
-std::uint32_t Conversation::send(v1::Input input) {
+std::uint32_t PlayProtocol::send(v1::Input input) {
     if (v1::Aim* aim = aim_of(input);
         aim && !aim->has_view_time() && options_.attach_view_time && newest_.frame != 0)
         *aim->mutable_view_time() = rendered_time();
     return inputs_.push(std::move(input));
 }
 
-void Conversation::receive(const std::string& bytes, Clock::time_point now) {
+void PlayProtocol::receive(const std::string& bytes, Clock::time_point now) {
     stats_.bytes_received += bytes.size();
     if (options_.on_message) options_.on_message(bytes, now);
     if (!message_.ParseFromString(bytes)) {
@@ -103,7 +103,7 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     on_message(now);
 }
 
-void Conversation::receive_datagram(const std::string& bytes, Clock::time_point now) {
+void PlayProtocol::receive_datagram(const std::string& bytes, Clock::time_point now) {
     stats_.bytes_received += bytes.size();
     if (options_.on_message) options_.on_message(bytes, now);
     if (!message_.ParseFromString(bytes) || !message_.has_snapshot()) {
@@ -116,7 +116,7 @@ void Conversation::receive_datagram(const std::string& bytes, Clock::time_point 
     stats_.datagram_snapshots += stats_.snapshots - before;
 }
 
-void Conversation::on_message(Clock::time_point now) {
+void PlayProtocol::on_message(Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             on_welcome(message_.welcome(), now);
@@ -155,7 +155,7 @@ void Conversation::on_message(Clock::time_point now) {
     }
 }
 
-void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now) {
+void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now) {
     if (welcome.resumed())
         inputs_.go_on_after(welcome.last_sequence(), now);
     else if (!resume_token_.empty())
@@ -178,7 +178,7 @@ void Conversation::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     inputs_.keep(ticket_.has_value() || !resume_token_.empty());
 }
 
-void Conversation::set_datagrams(bool alive, bool given_up) {
+void PlayProtocol::set_datagrams(bool alive, bool given_up) {
     if (!alive && !blocked_told_ && (stats_.datagrams || given_up)) {
         blocked_told_ = true;
         stats_.last_error = "datagrams do not get through; the stream carries all";
@@ -189,13 +189,13 @@ void Conversation::set_datagrams(bool alive, bool given_up) {
     stats_.datagrams = alive;
 }
 
-void Conversation::datagrams_failed(const Error& why) {
+void PlayProtocol::datagrams_failed(const Error& why) {
     ticket_.reset();
     stats_.datagrams = false;
     stats_.last_error = why.message;
 }
 
-void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
+void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
     // Datagrams overtake the stream and each other.
     if (ticket_ && snapshot.frame() <= view_.frame().frame) {
         stats_.stale_snapshots++;
@@ -226,7 +226,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
 }
 
-void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
+void PlayProtocol::steer_inputs(const v1::Snapshot& snapshot, double age_us,
                                 Clock::time_point now) {
     input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
                           static_cast<std::int64_t>(to_us(now)));
@@ -234,7 +234,7 @@ void Conversation::steer_inputs(const v1::Snapshot& snapshot, double age_us,
     stats_.input_margin_ms = input_clock_.margin_ms();
 }
 
-void Conversation::on_results(const v1::ClientUpdate& own, Clock::time_point now) {
+void PlayProtocol::on_results(const v1::ClientUpdate& own, Clock::time_point now) {
     for (const v1::InputResult& result : own.results()) {
         if (!inputs_.answered(result.sequence(), now)) continue;
         if (result.code() == v1::INPUT_CODE_APPLIED)
@@ -246,14 +246,14 @@ void Conversation::on_results(const v1::ClientUpdate& own, Clock::time_point now
     }
 }
 
-std::vector<v1::InputResult> Conversation::take_results() {
+std::vector<v1::InputResult> PlayProtocol::take_results() {
     std::vector<v1::InputResult> taken(std::make_move_iterator(results_.begin()),
                                        std::make_move_iterator(results_.end()));
     results_.clear();
     return taken;
 }
 
-void Conversation::on_events(v1::Events&& events) {
+void PlayProtocol::on_events(v1::Events&& events) {
     events_.push_back(std::move(events));
     if (events_.size() <= events_max) return;
     const std::uint32_t lost = events_.front().missed() + 1;
@@ -261,14 +261,14 @@ void Conversation::on_events(v1::Events&& events) {
     events_.front().set_missed(events_.front().missed() + lost);
 }
 
-std::vector<v1::Events> Conversation::take_events() {
+std::vector<v1::Events> PlayProtocol::take_events() {
     std::vector<v1::Events> taken(std::make_move_iterator(events_.begin()),
                                   std::make_move_iterator(events_.end()));
     events_.clear();
     return taken;
 }
 
-void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
+void PlayProtocol::put_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
     if (decoded_at_ != Clock::time_point{})
@@ -279,7 +279,7 @@ void Conversation::put_ack(v1::Ack& ack, Clock::time_point now) {
     last_ack_ = now;
 }
 
-std::string Conversation::take_inputs(Clock::time_point now) {
+std::string PlayProtocol::take_inputs(Clock::time_point now) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
     stats_.inputs_sent += inputs_.take_for_stream(batch);
@@ -290,7 +290,7 @@ std::string Conversation::take_inputs(Clock::time_point now) {
     return message.SerializeAsString();
 }
 
-std::string Conversation::hello() {
+std::string PlayProtocol::hello() {
     hello_due_ = interest_due_ = false;
     v1::ClientMessage message;
     v1::Hello& hello = *message.mutable_hello();
@@ -316,13 +316,13 @@ std::string Conversation::hello() {
 
 // Datagrams say inputs until they are confirmed; the stream does where they do not get through, and
 // what is too much for one.
-bool Conversation::stream_takes_inputs(Clock::time_point now) const {
+bool PlayProtocol::stream_takes_inputs(Clock::time_point now) const {
     if (!inputs_.has_for_stream()) return false;
     return leaving_ || !stats_.datagrams || !inputs_.fits(datagram_inputs_bytes) ||
            inputs_.is_stuck(confirmed_within, now);
 }
 
-std::optional<std::string> Conversation::take_message(Clock::time_point now) {
+std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     if (hello_due_) return hello();
     if (!stats_.connected || leave_sent_) return std::nullopt;
     v1::ClientMessage message;
@@ -352,7 +352,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
     return std::nullopt;
 }
 
-std::string Conversation::datagram_with_inputs(Clock::time_point now) {
+std::string PlayProtocol::datagram_with_inputs(Clock::time_point now) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
     stats_.inputs_sent += inputs_.take_for_datagram(batch, now);
@@ -362,7 +362,7 @@ std::string Conversation::datagram_with_inputs(Clock::time_point now) {
     return message.SerializeAsString();
 }
 
-std::optional<std::string> Conversation::take_datagram(Clock::time_point now) {
+std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
     if (!ticket_ || !stats_.connected || leave_sent_) return std::nullopt;
     const bool through = stats_.datagrams;
     const bool inputs = through && !leaving_ && inputs_.has_open() &&

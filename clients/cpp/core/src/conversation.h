@@ -21,9 +21,9 @@
 
 namespace jostle::client {
 
-class Conversation {
+class PlayProtocol {
 public:
-    explicit Conversation(ClientOptions options) : options_(std::move(options)) {}
+    explicit PlayProtocol(ClientOptions options) : options_(std::move(options)) {}
 
     // A new stream: hello goes first. Inputs that were not sent yet stay queued. After a stream
     // that was lost it asks to be the client that it was.

@@ -13,7 +13,7 @@ namespace {
 using std::chrono::milliseconds;
 
 struct Stream {
-    Conversation conversation{ClientOptions{.world = "yard", .name = "me"}};
+    PlayProtocol conversation{ClientOptions{.world = "yard", .name = "me"}};
     Clock::time_point now{std::chrono::seconds(1000)};
 
     void hear(const v1::ServerMessage& message) {
@@ -54,7 +54,7 @@ struct Stream {
 
 }  // namespace
 
-TEST(Conversation, says_nothing_but_hello_before_it_is_welcome) {
+TEST(PlayProtocol, says_nothing_but_hello_before_it_is_welcome) {
     Stream stream;
     stream.conversation.begin(stream.now);
     stream.conversation.send({});
@@ -62,7 +62,7 @@ TEST(Conversation, says_nothing_but_hello_before_it_is_welcome) {
     EXPECT_FALSE(stream.next());
 }
 
-TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
+TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.conversation.send({}), i);
@@ -76,7 +76,7 @@ TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     EXPECT_EQ(second->input().inputs_size(), 8);
 }
 
-TEST(Conversation, a_client_that_sends_without_end_is_told_so_and_loses_nothing_it_was_promised) {
+TEST(PlayProtocol, a_client_that_sends_without_end_is_told_so_and_loses_nothing_it_was_promised) {
     Stream stream;
     stream.welcome();
     std::uint32_t last = 0;
@@ -86,7 +86,7 @@ TEST(Conversation, a_client_that_sends_without_end_is_told_so_and_loses_nothing_
     EXPECT_EQ(stream.conversation.send({}), 4097u);
 }
 
-TEST(Conversation, results_that_nobody_takes_do_not_pile_up) {
+TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t i = 1; i <= 5000; i++) {
@@ -103,7 +103,7 @@ TEST(Conversation, results_that_nobody_takes_do_not_pile_up) {
     EXPECT_TRUE(stream.conversation.take_results().empty());
 }
 
-TEST(Conversation, a_quantisation_out_of_range_is_an_error_and_no_crash) {
+TEST(PlayProtocol, a_quantisation_out_of_range_is_an_error_and_no_crash) {
     Stream stream;
     stream.welcome();
     v1::ServerMessage welcome;
@@ -116,7 +116,7 @@ TEST(Conversation, a_quantisation_out_of_range_is_an_error_and_no_crash) {
     EXPECT_FALSE(stream.conversation.view().pose_of(1));
 }
 
-TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
+TEST(PlayProtocol, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
     Stream stream;
     stream.welcome();
     for (int i = 0; i < 40; i++) stream.conversation.send({});
@@ -136,7 +136,7 @@ TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_n
     EXPECT_EQ(stream.conversation.stats().stream_failures, 1u);
 }
 
-TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
+TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     Stream stream;
     stream.welcome();
     wire::QuantizedFrame base;
@@ -153,7 +153,7 @@ TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     EXPECT_FALSE(stream.conversation.view().pose_of(2));
 }
 
-TEST(Conversation, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
+TEST(PlayProtocol, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
     Stream stream;
     stream.welcome();
     v1::ServerMessage pong;
@@ -168,7 +168,7 @@ TEST(Conversation, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
     EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
 }
 
-TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
+TEST(PlayProtocol, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     Stream stream;
     stream.welcome();
     stream.hear(stream.snapshot(10, 1, nullptr));
@@ -186,7 +186,7 @@ TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
 }
 
-TEST(Conversation, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
+TEST(PlayProtocol, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
     Stream stream;
     stream.welcome();
     stream.conversation.request_keyframe();
@@ -201,9 +201,9 @@ TEST(Conversation, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
     EXPECT_EQ(stream.conversation.stats().decode_errors, 0u);
 }
 
-TEST(Conversation, hands_on_each_message_as_it_came) {
+TEST(PlayProtocol, hands_on_each_message_as_it_came) {
     std::vector<std::string> seen;
-    Conversation listener{ClientOptions{
+    PlayProtocol listener{ClientOptions{
         .on_message = [&](const std::string& bytes, Clock::time_point) { seen.push_back(bytes); }}};
     listener.begin({});
     listener.receive("\xff no message", {});
@@ -211,11 +211,11 @@ TEST(Conversation, hands_on_each_message_as_it_came) {
     EXPECT_EQ(seen, (std::vector<std::string>{"\xff no message", ""}));
 }
 
-TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
+TEST(PlayProtocol, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     Stream stream;
     stream.conversation.begin(stream.now);
     EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
-    Conversation listener{ClientOptions{.events = true}};
+    PlayProtocol listener{ClientOptions{.events = true}};
     listener.begin(stream.now);
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(*listener.take_message(stream.now)));
@@ -236,7 +236,7 @@ TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     EXPECT_TRUE(listener.take_events().empty());
 }
 
-TEST(Conversation, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) {
+TEST(PlayProtocol, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t tick = 1; tick <= 1030; tick++) {
@@ -253,7 +253,7 @@ TEST(Conversation, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) 
     EXPECT_EQ(events[1].missed(), 0u);
 }
 
-TEST(Conversation, bytes_that_are_no_message_are_counted_and_change_nothing) {
+TEST(PlayProtocol, bytes_that_are_no_message_are_counted_and_change_nothing) {
     Stream stream;
     stream.welcome();
     stream.conversation.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
@@ -261,7 +261,7 @@ TEST(Conversation, bytes_that_are_no_message_are_counted_and_change_nothing) {
     EXPECT_TRUE(stream.conversation.stats().connected);
 }
 
-TEST(Conversation, goodbye_comes_after_the_last_input) {
+TEST(PlayProtocol, goodbye_comes_after_the_last_input) {
     Stream stream;
     stream.welcome();
     stream.conversation.send({});

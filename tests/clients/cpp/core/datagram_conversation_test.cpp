@@ -53,7 +53,7 @@ struct DatagramConversationTest : testing::Test {
     }
 
     Clock::time_point now{1000s};
-    Conversation conversation{ClientOptions{.datagrams = true}};
+    PlayProtocol conversation{ClientOptions{.datagrams = true}};
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     std::ostringstream out;
     RecordingWriter writer(out, 1'700'000'000'000'000);
     const Clock::time_point began = now;
-    Conversation conversation(
+    PlayProtocol conversation(
         ClientOptions{.name = "recorder",
                       .events = true,
                       .channels = {"*"},

@@ -17,10 +17,10 @@
 namespace jostle::client {
 
 struct ClientState {
-    explicit ClientState(ClientOptions options) : conversation(std::move(options)) {}
+    explicit ClientState(ClientOptions options) : protocol(std::move(options)) {}
 
     mutable std::mutex mutex;  // guards the conversation
-    PlayProtocol conversation;
+    PlayProtocol protocol;
     std::atomic<bool> gone{false};  // the Client was destroyed: end the stream
 
     // The loop thread's own.

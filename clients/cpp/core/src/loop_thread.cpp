@@ -76,7 +76,7 @@ void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point n
         client.incoming->push(*received, now);
     } else if (received) {
         const std::lock_guard lock(client.mutex);
-        client.conversation.receive(*received, now);
+        client.protocol.receive(*received, now);
     }
     advance(client, now);
 }
@@ -86,7 +86,7 @@ void LoopThread::receive(ClientState& client, Clock::time_point now) {
     if (!client.incoming) return;
     const std::lock_guard lock(client.mutex);
     while (const auto message = client.incoming->take(now))
-        client.conversation.receive(*message, now);
+        client.protocol.receive(*message, now);
 }
 
 // What came by datagrams, of those who have something new.
@@ -102,17 +102,17 @@ void LoopThread::read_ready(Clock::time_point now) {
 void LoopThread::read_datagrams(ClientState& client, Clock::time_point now) {
     while (const auto message = client.datagrams->receive(now)) {
         const std::lock_guard lock(client.mutex);
-        client.conversation.receive_datagram(*message, now);
+        client.protocol.receive_datagram(*message, now);
     }
 }
 
 // Once the server has told by which ticket.
 void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
     const std::lock_guard lock(client.mutex);
-    const auto& ticket = client.conversation.datagram_ticket();
+    const auto& ticket = client.protocol.datagram_ticket();
     if (!ticket) return;
     auto opened = DatagramSocket::open(*ticket, client.connection->peer(), now);
-    if (!opened.ok()) return client.conversation.datagrams_failed(opened.error());
+    if (!opened.ok()) return client.protocol.datagrams_failed(opened.error());
     client.datagrams = *std::move(opened);
     client.datagrams_name = ++datagram_names_;
     if (!watch_) watch_ = std::make_unique<DatagramWatch>(queue_);
@@ -127,9 +127,9 @@ void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
     std::optional<std::string> message;
     {
         const std::lock_guard lock(client.mutex);
-        client.conversation.set_datagrams(client.datagrams->alive(now),
+        client.protocol.set_datagrams(client.datagrams->alive(now),
                                           client.datagrams->given_up(now));
-        message = client.conversation.take_datagram(now);
+        message = client.protocol.take_datagram(now);
     }
     if (message) client.datagrams->send(*message);
 }
@@ -140,8 +140,8 @@ void LoopThread::write(ClientState& client, Clock::time_point now) {
         bool goodbye = false;
         {
             const std::lock_guard lock(client.mutex);
-            message = client.conversation.take_message(now);
-            goodbye = client.conversation.leave_sent();
+            message = client.protocol.take_message(now);
+            goodbye = client.protocol.leave_sent();
         }
         if (client.outgoing) {
             if (message) client.outgoing->push(*std::move(message), now);
@@ -163,12 +163,12 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
     if (!client.connection) {
         if (now < client.connect_at) return;
         const std::lock_guard lock(client.mutex);
-        if (client.gone || client.conversation.leaving()) {
+        if (client.gone || client.protocol.leaving()) {
             client.over = true;
             return;
         }
-        client.conversation.begin(now);
-        const ClientOptions& options = client.conversation.options();
+        client.protocol.begin(now);
+        const ClientOptions& options = client.protocol.options();
         if (NetworkConditions network_conditions = options.network_conditions; network_conditions.impaired()) {
             client.incoming.emplace(network_conditions);
             network_conditions.seed ^= 0x9e3779b9u;  // another link back
@@ -191,8 +191,8 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
 void LoopThread::give_up(ClientState& client, Clock::time_point now) {
     if (!client.give_up_at) {
         const std::lock_guard lock(client.mutex);
-        client.conversation.abandon();
-        client.give_up_at = client.conversation.stats().connected ? now + goodbye_patience : now;
+        client.protocol.abandon();
+        client.give_up_at = client.protocol.stats().connected ? now + goodbye_patience : now;
     }
     if (now >= *client.give_up_at) client.connection->cancel();
 }
@@ -203,10 +203,10 @@ void LoopThread::after_end(ClientState& client, Clock::time_point now) {
     with_datagrams_.erase(client.datagrams_name);
     client.datagrams.reset();
     const std::lock_guard lock(client.mutex);
-    const bool wanted = client.gone || client.conversation.leaving();
-    if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
-    client.conversation.ended(wanted ? Status() : why_it_ended(end));
-    if (wanted || !client.conversation.options().reconnect) {
+    const bool wanted = client.gone || client.protocol.leaving();
+    if (client.protocol.stats().connected) client.pause = std::chrono::milliseconds(250);
+    client.protocol.ended(wanted ? Status() : why_it_ended(end));
+    if (wanted || !client.protocol.options().reconnect) {
         client.over = true;
         return;
     }

@@ -13,21 +13,21 @@ namespace {
 using std::chrono::milliseconds;
 
 struct Stream {
-    PlayProtocol conversation{ClientOptions{.world = "yard", .name = "me"}};
+    PlayProtocol protocol{ClientOptions{.world = "yard", .name = "me"}};
     Clock::time_point now{std::chrono::seconds(1000)};
 
     void hear(const v1::ServerMessage& message) {
-        conversation.receive(message.SerializeAsString(), now);
+        protocol.receive(message.SerializeAsString(), now);
     }
     std::optional<v1::ClientMessage> next() {
-        const auto bytes = conversation.take_message(now);
+        const auto bytes = protocol.take_message(now);
         if (!bytes) return std::nullopt;
         v1::ClientMessage message;
         EXPECT_TRUE(message.ParseFromString(*bytes));
         return message;
     }
     void welcome() {
-        conversation.begin(now);
+        protocol.begin(now);
         EXPECT_EQ(next()->hello().world(), "yard");
         v1::ServerMessage message;
         message.mutable_welcome()->set_client_id(7);
@@ -56,8 +56,8 @@ struct Stream {
 
 TEST(PlayProtocol, says_nothing_but_hello_before_it_is_welcome) {
     Stream stream;
-    stream.conversation.begin(stream.now);
-    stream.conversation.send({});
+    stream.protocol.begin(stream.now);
+    stream.protocol.send({});
     EXPECT_TRUE(stream.next()->has_hello());
     EXPECT_FALSE(stream.next());
 }
@@ -65,7 +65,7 @@ TEST(PlayProtocol, says_nothing_but_hello_before_it_is_welcome) {
 TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     Stream stream;
     stream.welcome();
-    for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.conversation.send({}), i);
+    for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.protocol.send({}), i);
     const auto first = stream.next();
     EXPECT_EQ(first->input().first_sequence(), 1u);
     EXPECT_EQ(first->input().inputs_size(), 32);
@@ -80,10 +80,10 @@ TEST(PlayProtocol, a_client_that_sends_without_end_is_told_so_and_loses_nothing_
     Stream stream;
     stream.welcome();
     std::uint32_t last = 0;
-    while (const std::uint32_t sequence = stream.conversation.send({})) last = sequence;
+    while (const std::uint32_t sequence = stream.protocol.send({})) last = sequence;
     EXPECT_EQ(last, 4096u);
     EXPECT_EQ(stream.next()->input().inputs_size(), 32);
-    EXPECT_EQ(stream.conversation.send({}), 4097u);
+    EXPECT_EQ(stream.protocol.send({}), 4097u);
 }
 
 TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
@@ -96,11 +96,11 @@ TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
         result.set_code(v1::INPUT_CODE_APPLIED);
         stream.hear(message);
     }
-    EXPECT_EQ(stream.conversation.stats().inputs_applied, 5000u);
-    const auto results = stream.conversation.take_results();
+    EXPECT_EQ(stream.protocol.stats().inputs_applied, 5000u);
+    const auto results = stream.protocol.take_results();
     ASSERT_EQ(results.size(), 4096u);
     EXPECT_EQ(results.back().sequence(), 5000u);
-    EXPECT_TRUE(stream.conversation.take_results().empty());
+    EXPECT_TRUE(stream.protocol.take_results().empty());
 }
 
 TEST(PlayProtocol, a_quantisation_out_of_range_is_an_error_and_no_crash) {
@@ -111,20 +111,20 @@ TEST(PlayProtocol, a_quantisation_out_of_range_is_an_error_and_no_crash) {
     welcome.mutable_welcome()->mutable_quant()->set_rotation_component(0xffffffff);
     stream.hear(welcome);
     stream.hear(stream.snapshot(10, 1, nullptr));
-    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
-    EXPECT_NE(stream.conversation.stats().last_error.find("quantisation"), std::string::npos);
-    EXPECT_FALSE(stream.conversation.view().pose_of(1));
+    EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
+    EXPECT_NE(stream.protocol.stats().last_error.find("quantisation"), std::string::npos);
+    EXPECT_FALSE(stream.protocol.view().pose_of(1));
 }
 
 TEST(PlayProtocol, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
     Stream stream;
     stream.welcome();
-    for (int i = 0; i < 40; i++) stream.conversation.send({});
+    for (int i = 0; i < 40; i++) stream.protocol.send({});
     EXPECT_EQ(stream.next()->input().inputs_size(), 32);
-    stream.conversation.ended(Error{ErrorCode::unavailable, "gone"});
+    stream.protocol.ended(Error{ErrorCode::unavailable, "gone"});
     EXPECT_FALSE(stream.next());
     stream.now += milliseconds(500);
-    stream.conversation.begin(stream.now);
+    stream.protocol.begin(stream.now);
     EXPECT_TRUE(stream.next()->has_hello());
     v1::ServerMessage welcome;
     welcome.mutable_welcome()->set_client_id(8);
@@ -132,8 +132,8 @@ TEST(PlayProtocol, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_n
     const auto batch = stream.next();
     EXPECT_EQ(batch->input().first_sequence(), 1u);
     EXPECT_EQ(batch->input().inputs_size(), 8);
-    EXPECT_EQ(stream.conversation.send({}), 9u);
-    EXPECT_EQ(stream.conversation.stats().stream_failures, 1u);
+    EXPECT_EQ(stream.protocol.send({}), 9u);
+    EXPECT_EQ(stream.protocol.stats().stream_failures, 1u);
 }
 
 TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each) {
@@ -148,9 +148,9 @@ TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each) {
         EXPECT_EQ(ack->ack().frame(), frame);
         EXPECT_FALSE(ack->ack().need_keyframe());
     }
-    EXPECT_EQ(stream.conversation.stats().snapshots, 50u);
-    EXPECT_NEAR(stream.conversation.view().pose_of(1)->position[0], 5.9, 0.001);
-    EXPECT_FALSE(stream.conversation.view().pose_of(2));
+    EXPECT_EQ(stream.protocol.stats().snapshots, 50u);
+    EXPECT_NEAR(stream.protocol.view().pose_of(1)->position[0], 5.9, 0.001);
+    EXPECT_FALSE(stream.protocol.view().pose_of(2));
 }
 
 TEST(PlayProtocol, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
@@ -163,8 +163,8 @@ TEST(PlayProtocol, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
     v1::ServerMessage snapshot = stream.snapshot(1, 2, nullptr);
     snapshot.mutable_snapshot()->set_late_us(std::numeric_limits<std::int64_t>::min());
     stream.hear(snapshot);
-    EXPECT_EQ(stream.conversation.stats().snapshots, 1u);
-    const auto times = stream.conversation.view().times_of(snapshot.snapshot());
+    EXPECT_EQ(stream.protocol.stats().snapshots, 1u);
+    const auto times = stream.protocol.view().times_of(snapshot.snapshot());
     EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
 }
 
@@ -181,24 +181,24 @@ TEST(PlayProtocol, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     EXPECT_EQ(ack->ack().frame(), 10u);  // the last one that was good
     const wire::QuantizedFrame unknown{.frame = 9, .entities = {}};
     stream.hear(stream.snapshot(12, 3, &unknown));
-    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
     stream.hear(stream.snapshot(13, 4, nullptr));
-    EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
+    EXPECT_EQ(stream.protocol.view().frame().frame, 13u);
 }
 
 TEST(PlayProtocol, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
     Stream stream;
     stream.welcome();
-    stream.conversation.request_keyframe();
+    stream.protocol.request_keyframe();
     stream.hear(stream.snapshot(10, 1, nullptr));
     EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "what came meanwhile does not answer it";
     const wire::QuantizedFrame base = stream.quantized;
     stream.hear(stream.snapshot(11, 2, &base));
     EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
-    stream.conversation.request_keyframe();
+    stream.protocol.request_keyframe();
     EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also while nothing comes";
     EXPECT_FALSE(stream.next());
-    EXPECT_EQ(stream.conversation.stats().decode_errors, 0u);
+    EXPECT_EQ(stream.protocol.stats().decode_errors, 0u);
 }
 
 TEST(PlayProtocol, hands_on_each_message_as_it_came) {
@@ -213,7 +213,7 @@ TEST(PlayProtocol, hands_on_each_message_as_it_came) {
 
 TEST(PlayProtocol, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     Stream stream;
-    stream.conversation.begin(stream.now);
+    stream.protocol.begin(stream.now);
     EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
     PlayProtocol listener{ClientOptions{.events = true}};
     listener.begin(stream.now);
@@ -246,7 +246,7 @@ TEST(PlayProtocol, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) 
         if (tick == 2) told.set_missed(7);  // by the server already
         stream.hear(message);
     }
-    const auto events = stream.conversation.take_events();
+    const auto events = stream.protocol.take_events();
     ASSERT_EQ(events.size(), 1024u);
     EXPECT_EQ(events.front().tick(), 7u);
     EXPECT_EQ(events.front().missed(), 6u + 7u);
@@ -256,20 +256,20 @@ TEST(PlayProtocol, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) 
 TEST(PlayProtocol, bytes_that_are_no_message_are_counted_and_change_nothing) {
     Stream stream;
     stream.welcome();
-    stream.conversation.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
-    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
-    EXPECT_TRUE(stream.conversation.stats().connected);
+    stream.protocol.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
+    EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
+    EXPECT_TRUE(stream.protocol.stats().connected);
 }
 
 TEST(PlayProtocol, goodbye_comes_after_the_last_input) {
     Stream stream;
     stream.welcome();
-    stream.conversation.send({});
-    stream.conversation.leave();
+    stream.protocol.send({});
+    stream.protocol.leave();
     EXPECT_TRUE(stream.next()->has_input());
-    EXPECT_FALSE(stream.conversation.leave_sent());
+    EXPECT_FALSE(stream.protocol.leave_sent());
     EXPECT_TRUE(stream.next()->has_leave());
-    EXPECT_TRUE(stream.conversation.leave_sent());
+    EXPECT_TRUE(stream.protocol.leave_sent());
     EXPECT_FALSE(stream.next());
 }
 

@@ -14,9 +14,9 @@ using namespace std::chrono_literals;
 
 struct DatagramConversationTest : testing::Test {
     void SetUp() override {
-        conversation.begin(now);
+        protocol.begin(now);
         v1::ClientMessage hello;
-        ASSERT_TRUE(hello.ParseFromString(*conversation.take_message(now)));
+        ASSERT_TRUE(hello.ParseFromString(*protocol.take_message(now)));
         EXPECT_TRUE(hello.hello().datagrams());
         v1::ServerMessage message;
         v1::Welcome& welcome = *message.mutable_welcome();
@@ -24,8 +24,8 @@ struct DatagramConversationTest : testing::Test {
         welcome.mutable_quant()->set_rotation_component(511);
         welcome.set_ack_interval_ms(100);
         welcome.mutable_datagrams()->set_port(7);
-        conversation.receive(message.SerializeAsString(), now);
-        ASSERT_TRUE(conversation.datagram_ticket());
+        protocol.receive(message.SerializeAsString(), now);
+        ASSERT_TRUE(protocol.datagram_ticket());
         EXPECT_TRUE(by_stream()->has_ping());
     }
 
@@ -47,56 +47,56 @@ struct DatagramConversationTest : testing::Test {
         EXPECT_TRUE(message.ParseFromString(*bytes));
         return message;
     }
-    std::optional<v1::ClientMessage> by_stream() { return parsed(conversation.take_message(now)); }
+    std::optional<v1::ClientMessage> by_stream() { return parsed(protocol.take_message(now)); }
     std::optional<v1::ClientMessage> by_datagram() {
-        return parsed(conversation.take_datagram(now));
+        return parsed(protocol.take_datagram(now));
     }
 
     Clock::time_point now{1000s};
-    PlayProtocol conversation{ClientOptions{.datagrams = true}};
+    PlayProtocol protocol{ClientOptions{.datagrams = true}};
 };
 
 }  // namespace
 
 TEST_F(DatagramConversationTest, each_snapshot_is_acknowledged_at_once_with_those_before_it) {
-    conversation.set_datagrams(true, false);
+    protocol.set_datagrams(true, false);
     by_datagram();
     for (const std::uint32_t frame : {5u, 6u, 8u})
-        conversation.receive_datagram(snapshot(frame), now);
+        protocol.receive_datagram(snapshot(frame), now);
     const auto ack = by_datagram();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 8u);
     EXPECT_EQ(ack->ack().before(), 0b110u) << "6 and 5";
     EXPECT_FALSE(by_datagram()) << "once";
-    EXPECT_EQ(conversation.stats().datagram_snapshots, 3u);
+    EXPECT_EQ(protocol.stats().datagram_snapshots, 3u);
 }
 
 TEST_F(DatagramConversationTest, a_snapshot_that_was_overtaken_is_left_out_and_is_no_error) {
-    conversation.receive_datagram(snapshot(8), now);
-    conversation.receive(snapshot(7), now);
-    conversation.receive_datagram(snapshot(8), now);
-    EXPECT_EQ(conversation.view().frame().frame, 8u);
-    EXPECT_EQ(conversation.stats().stale_snapshots, 2u);
-    EXPECT_EQ(conversation.stats().decode_errors, 0u);
+    protocol.receive_datagram(snapshot(8), now);
+    protocol.receive(snapshot(7), now);
+    protocol.receive_datagram(snapshot(8), now);
+    EXPECT_EQ(protocol.view().frame().frame, 8u);
+    EXPECT_EQ(protocol.stats().stale_snapshots, 2u);
+    EXPECT_EQ(protocol.stats().decode_errors, 0u);
 }
 
 TEST_F(DatagramConversationTest, inputs_go_by_datagrams_until_the_server_has_them) {
-    conversation.set_datagrams(true, false);
-    conversation.send({});
+    protocol.set_datagrams(true, false);
+    protocol.send({});
     now += 40ms;
     EXPECT_FALSE(by_stream()) << "the stream is left alone";
     EXPECT_EQ(by_datagram()->input().inputs_size(), 1);
     now += 40ms;
     EXPECT_EQ(by_datagram()->input().first_sequence(), 1u) << "again: it may be lost";
-    conversation.receive_datagram(snapshot(5, 1), now);
+    protocol.receive_datagram(snapshot(5, 1), now);
     now += 40ms;
     EXPECT_TRUE(by_datagram()->has_ack()) << "nothing is left to say";
-    EXPECT_EQ(conversation.stats().inputs_sent, 1u);
+    EXPECT_EQ(protocol.stats().inputs_sent, 1u);
 }
 
 TEST_F(DatagramConversationTest, inputs_that_nobody_confirms_for_a_second_go_by_the_stream_too) {
-    conversation.set_datagrams(true, false);
-    conversation.send({});
+    protocol.set_datagrams(true, false);
+    protocol.send({});
     now += 40ms;
     ASSERT_TRUE(by_datagram()->has_input());
     now += 1100ms;
@@ -107,16 +107,16 @@ TEST_F(DatagramConversationTest, inputs_that_nobody_confirms_for_a_second_go_by_
 
 // The server waited for the acks that were lost, and sent nothing more.
 TEST_F(DatagramConversationTest, when_the_way_breaks_the_stream_says_the_ack_that_may_be_lost) {
-    conversation.set_datagrams(true, false);
-    conversation.receive(snapshot(5), now);
+    protocol.set_datagrams(true, false);
+    protocol.receive(snapshot(5), now);
     ASSERT_EQ(by_datagram()->ack().frame(), 5u);
     now += 500ms;
-    conversation.set_datagrams(false, true);
+    protocol.set_datagrams(false, true);
     EXPECT_TRUE(by_stream()->has_ping());
     const auto ack = by_stream();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 5u);
-    EXPECT_NE(conversation.stats().last_error.find("datagrams do not get through"),
+    EXPECT_NE(protocol.stats().last_error.find("datagrams do not get through"),
               std::string::npos);
 }
 
@@ -125,10 +125,10 @@ TEST_F(DatagramConversationTest, results_come_without_a_world_and_count) {
     v1::InputResult& result = *message.mutable_snapshot()->mutable_client_update()->add_results();
     result.set_sequence(1);
     result.set_code(v1::INPUT_CODE_APPLIED);
-    conversation.receive(message.SerializeAsString(), now);
-    EXPECT_EQ(conversation.take_results().size(), 1u);
-    EXPECT_EQ(conversation.stats().decode_errors, 0u);
-    EXPECT_EQ(conversation.stats().snapshots, 0u);
+    protocol.receive(message.SerializeAsString(), now);
+    EXPECT_EQ(protocol.take_results().size(), 1u);
+    EXPECT_EQ(protocol.stats().decode_errors, 0u);
+    EXPECT_EQ(protocol.stats().snapshots, 0u);
 }
 
 }  // namespace jostle::client

@@ -52,7 +52,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     std::ostringstream out;
     RecordingWriter writer(out, 1'700'000'000'000'000);
     const Clock::time_point began = now;
-    PlayProtocol conversation(
+    PlayProtocol protocol(
         ClientOptions{.name = "recorder",
                       .events = true,
                       .channels = {"*"},
@@ -62,23 +62,23 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     bots::Behaviour thrower(
         bots::parse_script("throw weight=1 period=0.2 speed=5 keep=3", "script").value().front(),
         7);
-    conversation.begin(now);
+    protocol.begin(now);
     for (int tick = 1; tick <= ticks; tick++) {
         now += 16'667us;
         world->tick(now);
         const double seconds = std::chrono::duration<double>(now - began).count();
         for (v1::Input& input :
-             thrower.act(seconds, conversation.view(), conversation.stats().client_id))
-            conversation.send(std::move(input));
-        if (tick % ticks_between_keyframes == 0) conversation.request_keyframe();
-        while (const auto said = conversation.take_message(now)) link.receive(*said, now);
-        const std::uint64_t before = conversation.stats().snapshots;
+             thrower.act(seconds, protocol.view(), protocol.stats().client_id))
+            protocol.send(std::move(input));
+        if (tick % ticks_between_keyframes == 0) protocol.request_keyframe();
+        while (const auto said = protocol.take_message(now)) link.receive(*said, now);
+        const std::uint64_t before = protocol.stats().snapshots;
         while (const auto heard = link.take_message(now))
-            conversation.receive(heard->head + (heard->shared ? *heard->shared : ""), now);
-        if (conversation.stats().snapshots == before) continue;
-        const wire::QuantizedFrame& frame = conversation.view().frame();
+            protocol.receive(heard->head + (heard->shared ? *heard->shared : ""), now);
+        if (protocol.stats().snapshots == before) continue;
+        const wire::QuantizedFrame& frame = protocol.view().frame();
         made.truth[frame.frame] = frame;
-        made.listed[frame.frame] = conversation.view().entities().size();
+        made.listed[frame.frame] = protocol.view().entities().size();
     }
     writer.finish().expect();
     made.file = out.str();

@@ -3,7 +3,7 @@
 // What the C++ client library makes of a server that says anything: welcomes, rosters, snapshots,
 // pongs with wild clocks. Snapshots whose bytes can be decoded get the right CRC, which no fuzzer
 // guesses.
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 
 #include "jostle/snapshot/baseline_frames.h"
 #include "tests/fuzz/mutate_message.h"

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "clients/bot/behaviour.h"
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "server/world/world_host.h"
 #include "tests/simulation/network_line.h"
 

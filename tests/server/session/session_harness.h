@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "clients/cpp/core/src/held_messages.h"
 #include "server/session/client_session.h"
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "clients/cpp/core/src/connection.h"
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "clients/cpp/core/src/datagram_socket.h"
 #include "clients/cpp/core/src/held_messages.h"
 

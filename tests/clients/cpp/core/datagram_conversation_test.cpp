@@ -4,7 +4,7 @@
 // which, and what is made of what comes late.
 #include <gtest/gtest.h>
 
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "jostle/snapshot/baseline_frames.h"
 
 namespace jostle::client {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "clients/bot/behaviour.h"
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "jostle/client/playback.h"
 #include "jostle/client/recording_writer.h"
 #include "server/session/client_session.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,7 +2,7 @@
 //
 // The client's half of the play stream, without a network: what it says, when, and what it makes of
 // what it hears.
-#include "clients/cpp/core/src/conversation.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "jostle/snapshot/baseline_frames.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct DatagramConversationTest : testing::Test {
+struct DatagramProtocolTest : testing::Test {
     void SetUp() override {
         protocol.begin(now);
         v1::ClientMessage hello;
@@ -58,7 +58,7 @@ struct DatagramConversationTest : testing::Test {
 
 }  // namespace
 
-TEST_F(DatagramConversationTest, each_snapshot_is_acknowledged_at_once_with_those_before_it) {
+TEST_F(DatagramProtocolTest, each_snapshot_is_acknowledged_at_once_with_those_before_it) {
     protocol.set_datagrams(true, false);
     by_datagram();
     for (const std::uint32_t frame : {5u, 6u, 8u})
@@ -71,7 +71,7 @@ TEST_F(DatagramConversationTest, each_snapshot_is_acknowledged_at_once_with_thos
     EXPECT_EQ(protocol.stats().datagram_snapshots, 3u);
 }
 
-TEST_F(DatagramConversationTest, a_snapshot_that_was_overtaken_is_left_out_and_is_no_error) {
+TEST_F(DatagramProtocolTest, a_snapshot_that_was_overtaken_is_left_out_and_is_no_error) {
     protocol.receive_datagram(snapshot(8), now);
     protocol.receive(snapshot(7), now);
     protocol.receive_datagram(snapshot(8), now);
@@ -80,7 +80,7 @@ TEST_F(DatagramConversationTest, a_snapshot_that_was_overtaken_is_left_out_and_i
     EXPECT_EQ(protocol.stats().decode_errors, 0u);
 }
 
-TEST_F(DatagramConversationTest, inputs_go_by_datagrams_until_the_server_has_them) {
+TEST_F(DatagramProtocolTest, inputs_go_by_datagrams_until_the_server_has_them) {
     protocol.set_datagrams(true, false);
     protocol.send({});
     now += 40ms;
@@ -94,7 +94,7 @@ TEST_F(DatagramConversationTest, inputs_go_by_datagrams_until_the_server_has_the
     EXPECT_EQ(protocol.stats().inputs_sent, 1u);
 }
 
-TEST_F(DatagramConversationTest, inputs_that_nobody_confirms_for_a_second_go_by_the_stream_too) {
+TEST_F(DatagramProtocolTest, inputs_that_nobody_confirms_for_a_second_go_by_the_stream_too) {
     protocol.set_datagrams(true, false);
     protocol.send({});
     now += 40ms;
@@ -106,7 +106,7 @@ TEST_F(DatagramConversationTest, inputs_that_nobody_confirms_for_a_second_go_by_
 }
 
 // The server waited for the acks that were lost, and sent nothing more.
-TEST_F(DatagramConversationTest, when_the_way_breaks_the_stream_says_the_ack_that_may_be_lost) {
+TEST_F(DatagramProtocolTest, when_the_way_breaks_the_stream_says_the_ack_that_may_be_lost) {
     protocol.set_datagrams(true, false);
     protocol.receive(snapshot(5), now);
     ASSERT_EQ(by_datagram()->ack().frame(), 5u);
@@ -120,7 +120,7 @@ TEST_F(DatagramConversationTest, when_the_way_breaks_the_stream_says_the_ack_tha
               std::string::npos);
 }
 
-TEST_F(DatagramConversationTest, results_come_without_a_world_and_count) {
+TEST_F(DatagramProtocolTest, results_come_without_a_world_and_count) {
     v1::ServerMessage message;
     v1::InputResult& result = *message.mutable_snapshot()->mutable_client_update()->add_results();
     result.set_sequence(1);

@@ -216,13 +216,13 @@ std::optional<std::string_view> SinkConversation::take_message(Clock::time_point
         for (int k = 0; k < batch_.inputs_size(); k++) sent_.push_back({next_sequence_++, now});
         while (sent_.size() > sent_max) sent_.pop_front();
         figures_.inputs_sent += static_cast<std::uint64_t>(batch_.inputs_size());
-        put_ack(*batch_.mutable_ack(), now);
+        fill_ack(*batch_.mutable_ack(), now);
         out_.mutable_input()->Swap(&batch_);
         batch_.Clear();
         return serialized();
     }
     if (ack_is_due(now)) {
-        put_ack(*out_.mutable_ack(), now);
+        fill_ack(*out_.mutable_ack(), now);
         return serialized();
     }
     if (now >= next_ping_) {
@@ -244,7 +244,7 @@ bool SinkConversation::ack_is_due(Clock::time_point now) const {
            now - last_ack_ >= ack_patience_;
 }
 
-void SinkConversation::put_ack(v1::Ack& ack, Clock::time_point now) {
+void SinkConversation::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
     ack.set_ack_delay_ms(static_cast<std::uint32_t>(

@@ -73,7 +73,7 @@ private:
     std::int64_t server_us(Clock::time_point now) const;
     std::int64_t due_us(std::uint32_t frame, std::uint64_t late) const;
     bool ack_is_due(Clock::time_point now) const;
-    void put_ack(v1::Ack& ack, Clock::time_point now);
+    void fill_ack(v1::Ack& ack, Clock::time_point now);
     std::string_view serialized();
 
     const SinkWishes wishes_;

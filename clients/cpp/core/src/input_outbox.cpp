@@ -12,49 +12,49 @@ constexpr std::size_t unconfirmed_max = 8192;
 
 }  // namespace
 
-void InputOutbox::begin_anew() {
-    inputs_.erase(inputs_.begin(), inputs_.begin() + (next_unsaid_ - first_));
-    first_ = next_unsaid_ = 1;
+void InputOutbox::start_new_session() {
+    inputs_.erase(inputs_.begin(), inputs_.begin() + (next_unsent_ - first_));
+    first_ = next_unsent_ = 1;
     next_ = 1 + static_cast<std::uint32_t>(inputs_.size());
     stream_next_ = 0;
-    open_since_ = {};
-    unanswered_.clear();
-    went_on_ = false;
+    unconfirmed_since_ = {};
+    awaiting_result_.clear();
+    resumed_ = false;
 }
 
-void InputOutbox::go_on_after(std::uint32_t last_sequence, Clock::time_point now) {
+void InputOutbox::resume_after(std::uint32_t last_sequence, Clock::time_point now) {
     confirm(last_sequence, now);
     stream_next_ = 0;
-    open_since_ = {};
-    went_on_ = true;
+    unconfirmed_since_ = {};
+    resumed_ = true;
 }
 
-void InputOutbox::forget_unsaid() {
-    inputs_.erase(inputs_.begin() + (next_unsaid_ - first_), inputs_.end());
-    next_ = next_unsaid_;
+void InputOutbox::drop_unsent() {
+    inputs_.erase(inputs_.begin() + (next_unsent_ - first_), inputs_.end());
+    next_ = next_unsent_;
 }
 
 std::uint32_t InputOutbox::push(v1::Input input) {
-    if (next_ - next_unsaid_ >= waiting_max) return 0;
+    if (next_ - next_unsent_ >= waiting_max) return 0;
     inputs_.push_back(std::move(input));
     return next_++;
 }
 
 void InputOutbox::confirm(std::uint32_t received, Clock::time_point now) {
     // A server may say anything.
-    const std::uint32_t end = std::min(received, last_said());
+    const std::uint32_t end = std::min(received, last_sent());
     if (end < first_) return;
     inputs_.erase(inputs_.begin(), inputs_.begin() + (end + 1 - first_));
     first_ = end + 1;
-    open_since_ = now;
+    unconfirmed_since_ = now;
 }
 
-bool InputOutbox::answered(std::uint32_t sequence, Clock::time_point now) {
-    const auto at = std::ranges::lower_bound(unanswered_, sequence);
-    if (at == unanswered_.end() || *at != sequence) return !went_on_;
-    unanswered_.erase(at);
+bool InputOutbox::on_result(std::uint32_t sequence, Clock::time_point now) {
+    const auto at = std::ranges::lower_bound(awaiting_result_, sequence);
+    if (at == awaiting_result_.end() || *at != sequence) return !resumed_;
+    awaiting_result_.erase(at);
     // One before it may wait until it is kept: should the server end, it is to be said again.
-    confirm(unanswered_.empty() ? last_said() : unanswered_.front() - 1, now);
+    confirm(awaiting_result_.empty() ? last_sent() : awaiting_result_.front() - 1, now);
     return true;
 }
 
@@ -65,9 +65,9 @@ bool InputOutbox::fits(std::size_t bytes_max) const {
     return bytes <= bytes_max;
 }
 
-bool InputOutbox::is_stuck(Clock::duration timeout, Clock::time_point now) const {
-    return first_ < next_unsaid_ && open_since_ != Clock::time_point{} &&
-           now - open_since_ > timeout;
+bool InputOutbox::is_stalled(Clock::duration timeout, Clock::time_point now) const {
+    return first_ < next_unsent_ && unconfirmed_since_ != Clock::time_point{} &&
+           now - unconfirmed_since_ > timeout;
 }
 
 std::uint32_t InputOutbox::next_for_stream() const {
@@ -84,13 +84,13 @@ std::size_t InputOutbox::put(v1::InputBatch& batch, std::uint32_t from) const {
 }
 
 // How many of them were not said before.
-std::size_t InputOutbox::said_until(std::uint32_t end) {
-    if (end <= next_unsaid_) return 0;
-    for (std::uint32_t k = next_unsaid_; k < end; k++) unanswered_.push_back(k);
-    while (unanswered_.size() > unconfirmed_max) unanswered_.pop_front();
-    const std::uint32_t fresh = end - std::exchange(next_unsaid_, end);
-    if (next_unsaid_ - first_ > unconfirmed_max) {
-        const std::uint32_t first = next_unsaid_ - static_cast<std::uint32_t>(unconfirmed_max);
+std::size_t InputOutbox::mark_sent_until(std::uint32_t end) {
+    if (end <= next_unsent_) return 0;
+    for (std::uint32_t k = next_unsent_; k < end; k++) awaiting_result_.push_back(k);
+    while (awaiting_result_.size() > unconfirmed_max) awaiting_result_.pop_front();
+    const std::uint32_t fresh = end - std::exchange(next_unsent_, end);
+    if (next_unsent_ - first_ > unconfirmed_max) {
+        const std::uint32_t first = next_unsent_ - static_cast<std::uint32_t>(unconfirmed_max);
         inputs_.erase(inputs_.begin(), inputs_.begin() + (first - first_));
         first_ = first;
     }
@@ -101,8 +101,8 @@ std::size_t InputOutbox::take_for_stream(v1::InputBatch& batch) {
     const std::uint32_t from = next_for_stream();
     const auto end = static_cast<std::uint32_t>(from + put(batch, from));
     stream_next_ = end;
-    const std::size_t fresh = said_until(end);
-    if (!keeps_) {
+    const std::size_t fresh = mark_sent_until(end);
+    if (!retains_) {
         inputs_.erase(inputs_.begin(), inputs_.begin() + (end - first_));
         first_ = end;
     }
@@ -113,8 +113,8 @@ std::size_t InputOutbox::take_for_datagram(v1::InputBatch& batch, Clock::time_po
     const auto end = static_cast<std::uint32_t>(first_ + put(batch, first_));
     // What the stream says next must not follow what only a datagram said.
     if (end > next_for_stream()) stream_next_ = 0;
-    if (first_ == next_unsaid_) open_since_ = now;
-    return said_until(end);
+    if (first_ == next_unsent_) unconfirmed_since_ = now;
+    return mark_sent_until(end);
 }
 
 }  // namespace jostle::client

@@ -17,13 +17,13 @@ constexpr std::size_t events_max = 1024;                        // ticks, not ta
 constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
 // Of datagrams: how often one is sent although there is nothing to say, while they get through,
 // before it is known whether they do, and when they did not for a while.
-constexpr auto pulse_period = std::chrono::milliseconds(250);
-constexpr auto first_try_period = std::chrono::milliseconds(50);
-constexpr auto later_try_period = std::chrono::milliseconds(500);
-constexpr auto first_tries = std::chrono::seconds(2);
+constexpr auto datagram_keepalive_period = std::chrono::milliseconds(250);
+constexpr auto initial_probe_period = std::chrono::milliseconds(50);
+constexpr auto probe_period = std::chrono::milliseconds(500);
+constexpr auto initial_probe_duration = std::chrono::seconds(2);
 constexpr std::size_t datagram_inputs_bytes = 1000;  // beside the ack and the batch's own numbers
 // Inputs that are not confirmed for so long go by the stream as well.
-constexpr auto confirmed_within = std::chrono::seconds(1);
+constexpr auto confirm_timeout = std::chrono::seconds(1);
 
 void write(v1::Interest& to, const AreaOfInterest& from) {
     to.mutable_focus()->set_x(from.x);
@@ -44,24 +44,24 @@ v1::Aim* aim_of(v1::Input& input) {
 
 void PlayProtocol::begin(Clock::time_point now) {
     hello_due_ = true;
-    ack_due_ = need_keyframe_ = leave_sent_ = datagram_ack_due_ = blocked_told_ = false;
+    ack_due_ = need_keyframe_ = leave_sent_ = datagram_ack_due_ = blocked_reported_ = false;
     ticket_.reset();
     stats_.datagrams = false;
     pings_sent_ = 0;
     next_ping_ = now;
-    if (resume_token_.empty()) begin_anew();
+    if (resume_token_.empty()) start_new_session();
 }
 
 // The server counts each new client's inputs from 1.
-void PlayProtocol::begin_anew() {
+void PlayProtocol::start_new_session() {
     buffer_.clear();
     newest_ = {};
     clock_ = {};
-    inputs_.begin_anew();
+    inputs_.start_new_session();
 }
 
 void PlayProtocol::abandon() {
-    inputs_.forget_unsaid();
+    inputs_.drop_unsent();
     leaving_ = true;
 }
 
@@ -99,7 +99,7 @@ void PlayProtocol::receive(const std::string& bytes, Clock::time_point now) {
         stats_.last_error = "the server sent bytes that are no ServerMessage";
         return;
     }
-    if (message_.has_welcome() && options_.datagrams) ticket_came_ = now;
+    if (message_.has_welcome() && options_.datagrams) ticket_received_at_ = now;
     on_message(now);
 }
 
@@ -157,9 +157,9 @@ void PlayProtocol::on_message(Clock::time_point now) {
 
 void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now) {
     if (welcome.resumed())
-        inputs_.go_on_after(welcome.last_sequence(), now);
+        inputs_.resume_after(welcome.last_sequence(), now);
     else if (!resume_token_.empty())
-        begin_anew();
+        start_new_session();
     stats_.resumed += welcome.resumed() ? 1 : 0;
     resume_token_ = welcome.resume_token();
     if (welcome.state_preserved()) {
@@ -175,15 +175,15 @@ void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     stats_.client_id = welcome.client_id();
     ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_interval_ms(), ack_ms_max));
     if (options_.datagrams && welcome.has_datagrams()) ticket_ = welcome.datagrams();
-    inputs_.keep(ticket_.has_value() || !resume_token_.empty());
+    inputs_.retain_until_confirmed(ticket_.has_value() || !resume_token_.empty());
 }
 
 void PlayProtocol::set_datagrams(bool alive, bool given_up) {
-    if (!alive && !blocked_told_ && (stats_.datagrams || given_up)) {
-        blocked_told_ = true;
+    if (!alive && !blocked_reported_ && (stats_.datagrams || given_up)) {
+        blocked_reported_ = true;
         stats_.last_error = "datagrams do not get through; the stream carries all";
     }
-    if (alive) blocked_told_ = false;
+    if (alive) blocked_reported_ = false;
     // Acks that went by datagrams may not have come: the server waits for them.
     if (!alive && stats_.datagrams) ack_due_ = true;
     stats_.datagrams = alive;
@@ -222,11 +222,11 @@ void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
                 times.unchanged_until_us.has_value());
     if (!clock_.ready()) return;
     const auto age_us = static_cast<double>(clock_.server_us(now) - times.due_us);
-    steer_inputs(snapshot, age_us, now);
+    adjust_input_clock(snapshot, age_us, now);
     if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
 }
 
-void PlayProtocol::steer_inputs(const v1::Snapshot& snapshot, double age_us,
+void PlayProtocol::adjust_input_clock(const v1::Snapshot& snapshot, double age_us,
                                 Clock::time_point now) {
     input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
                           static_cast<std::int64_t>(to_us(now)));
@@ -236,7 +236,7 @@ void PlayProtocol::steer_inputs(const v1::Snapshot& snapshot, double age_us,
 
 void PlayProtocol::on_results(const v1::ClientUpdate& own, Clock::time_point now) {
     for (const v1::InputResult& result : own.results()) {
-        if (!inputs_.answered(result.sequence(), now)) continue;
+        if (!inputs_.on_result(result.sequence(), now)) continue;
         if (result.code() == v1::INPUT_CODE_APPLIED)
             stats_.inputs_applied++;
         else
@@ -268,14 +268,14 @@ std::vector<v1::Events> PlayProtocol::take_events() {
     return taken;
 }
 
-void PlayProtocol::put_ack(v1::Ack& ack, Clock::time_point now) {
+void PlayProtocol::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
-    ack.set_need_keyframe(need_keyframe_ || keyframe_wanted_);
+    ack.set_need_keyframe(need_keyframe_ || keyframe_requested_);
     if (decoded_at_ != Clock::time_point{})
         ack.set_ack_delay_ms(static_cast<std::uint32_t>(
             std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
     if (ticket_) ack.set_ack_bits(view_.ack_bits());
-    ack_due_ = datagram_ack_due_ = keyframe_wanted_ = false;
+    ack_due_ = datagram_ack_due_ = keyframe_requested_ = false;
     last_ack_ = now;
 }
 
@@ -283,8 +283,8 @@ std::string PlayProtocol::take_inputs(Clock::time_point now) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
     stats_.inputs_sent += inputs_.take_for_stream(batch);
-    input_clock_.sent(inputs_.last_said());
-    put_ack(*batch.mutable_ack(), now);
+    input_clock_.sent(inputs_.last_sent());
+    fill_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;
     return message.SerializeAsString();
@@ -316,17 +316,17 @@ std::string PlayProtocol::hello() {
 
 // Datagrams say inputs until they are confirmed; the stream does where they do not get through, and
 // what is too much for one.
-bool PlayProtocol::stream_takes_inputs(Clock::time_point now) const {
+bool PlayProtocol::sends_inputs_on_stream(Clock::time_point now) const {
     if (!inputs_.has_for_stream()) return false;
     return leaving_ || !stats_.datagrams || !inputs_.fits(datagram_inputs_bytes) ||
-           inputs_.is_stuck(confirmed_within, now);
+           inputs_.is_stalled(confirm_timeout, now);
 }
 
 std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     if (hello_due_) return hello();
     if (!stats_.connected || leave_sent_) return std::nullopt;
     v1::ClientMessage message;
-    if (stream_takes_inputs(now) && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
                                                         : Clock::duration(ping_period));
@@ -338,8 +338,8 @@ std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
         write(*message.mutable_interest(), *options_.interest);
         return message.SerializeAsString();
     }
-    if (keyframe_wanted_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {
-        put_ack(*message.mutable_ack(), now);
+    if (keyframe_requested_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {
+        fill_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }
     // Goodbye comes last, after every input.
@@ -356,8 +356,8 @@ std::string PlayProtocol::datagram_with_inputs(Clock::time_point now) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
     stats_.inputs_sent += inputs_.take_for_datagram(batch, now);
-    input_clock_.sent(inputs_.last_said());
-    put_ack(*batch.mutable_ack(), now);
+    input_clock_.sent(inputs_.last_sent());
+    fill_ack(*batch.mutable_ack(), now);
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     return message.SerializeAsString();
 }
@@ -365,12 +365,12 @@ std::string PlayProtocol::datagram_with_inputs(Clock::time_point now) {
 std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
     if (!ticket_ || !stats_.connected || leave_sent_) return std::nullopt;
     const bool through = stats_.datagrams;
-    const bool inputs = through && !leaving_ && inputs_.has_open() &&
+    const bool inputs = through && !leaving_ && inputs_.has_unconfirmed() &&
                         inputs_.fits(datagram_inputs_bytes) &&
                         now - last_datagram_batch_ >= batch_period;
-    const Clock::duration period = through                            ? pulse_period
-                                   : now - ticket_came_ < first_tries ? first_try_period
-                                                                      : later_try_period;
+    const Clock::duration period = through                            ? datagram_keepalive_period
+                                   : now - ticket_received_at_ < initial_probe_duration ? initial_probe_period
+                                                                      : probe_period;
     if (!inputs && !(through && datagram_ack_due_) && now - last_datagram_ < period)
         return std::nullopt;
     last_datagram_ = now;
@@ -379,12 +379,12 @@ std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
         return datagram_with_inputs(now);
     }
     // It may get lost: what must not is still said by the stream.
-    const bool ack_due = ack_due_ && !through, keyframe_wanted = keyframe_wanted_;
+    const bool ack_due = ack_due_ && !through, keyframe_wanted = keyframe_requested_;
     const Clock::time_point last_ack = last_ack_;
     v1::ClientMessage message;
-    put_ack(*message.mutable_ack(), now);
+    fill_ack(*message.mutable_ack(), now);
     ack_due_ = ack_due;
-    keyframe_wanted_ = keyframe_wanted;
+    keyframe_requested_ = keyframe_wanted;
     if (!through) last_ack_ = last_ack;
     return message.SerializeAsString();
 }

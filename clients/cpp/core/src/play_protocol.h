@@ -49,7 +49,7 @@ public:
     // none.
     v1::ViewTime rendered_time() const;
     void set_interest(const AreaOfInterest& interest);
-    void request_keyframe() { keyframe_wanted_ = true; }
+    void request_keyframe() { keyframe_requested_ = true; }
     void leave() { leaving_ = true; }
     // The same, and at once: what waits is not sent.
     void abandon();
@@ -69,17 +69,17 @@ public:
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
-    void begin_anew();
+    void start_new_session();
     void on_message(Clock::time_point now);
     void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     std::string hello();
-    bool stream_takes_inputs(Clock::time_point now) const;
+    bool sends_inputs_on_stream(Clock::time_point now) const;
     std::string datagram_with_inputs(Clock::time_point now);
-    void steer_inputs(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
+    void adjust_input_clock(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::ClientUpdate& own, Clock::time_point now);
     void on_events(v1::Events&& events);
-    void put_ack(v1::Ack& ack, Clock::time_point now);
+    void fill_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);
 
     ClientOptions options_;
@@ -97,12 +97,12 @@ private:
     InputOutbox inputs_;
     std::string resume_token_;  // empty: it has no place that it could come back to
     std::optional<v1::DatagramCredentials> ticket_;
-    bool datagram_ack_due_ = false, blocked_told_ = false;
-    Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_came_{};
+    bool datagram_ack_due_ = false, blocked_reported_ = false;
+    Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_received_at_{};
     bool interest_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
     bool need_keyframe_ = false;    // what comes cannot be decoded without one
-    bool keyframe_wanted_ = false;  // it can, and somebody asked for one
+    bool keyframe_requested_ = false;  // it can, and somebody asked for one
     Clock::duration ack_period_{};
     NewestFrame newest_;
     double tick_us_ = 0;

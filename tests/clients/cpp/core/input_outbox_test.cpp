@@ -45,17 +45,17 @@ struct InputOutboxTest : testing::Test {
 }  // namespace
 
 TEST_F(InputOutboxTest, a_stream_alone_says_each_input_once_32_at_a_time) {
-    outbox.begin_anew();
+    outbox.start_new_session();
     push(40);
     EXPECT_EQ(by_stream(), (Said{1, 32}));
     EXPECT_EQ(by_stream(), (Said{33, 8}));
     EXPECT_FALSE(outbox.has_for_stream());
-    EXPECT_FALSE(outbox.has_open()) << "nothing is kept";
+    EXPECT_FALSE(outbox.has_unconfirmed()) << "nothing is kept";
     EXPECT_EQ(fresh, 40u);
 }
 
 TEST_F(InputOutboxTest, datagrams_say_again_what_is_not_confirmed) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_datagram(), (Said{1, 3}));
     push(2);
@@ -63,14 +63,14 @@ TEST_F(InputOutboxTest, datagrams_say_again_what_is_not_confirmed) {
     outbox.confirm(3, now);
     EXPECT_EQ(by_datagram(), (Said{4, 2}));
     outbox.confirm(4'000'000'000, now);
-    EXPECT_FALSE(outbox.has_open());
+    EXPECT_FALSE(outbox.has_unconfirmed());
     EXPECT_EQ(fresh, 5u) << "said five times and more, but five inputs";
     push(1);
     EXPECT_EQ(by_datagram(), (Said{6, 1}));
 }
 
 TEST_F(InputOutboxTest, a_stream_that_takes_over_begins_with_what_is_not_confirmed) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(3);
     by_datagram();
     outbox.confirm(1, now);
@@ -85,36 +85,36 @@ TEST_F(InputOutboxTest, a_stream_that_takes_over_begins_with_what_is_not_confirm
 }
 
 TEST_F(InputOutboxTest, knows_when_what_is_open_is_too_much_for_a_datagram_and_when_it_is_stuck) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_TRUE(outbox.fits(100));
     EXPECT_FALSE(outbox.fits(20));
     push(30);
     EXPECT_FALSE(outbox.fits(10'000)) << "more than a batch holds";
-    EXPECT_FALSE(outbox.is_stuck(1s, now + 5s)) << "nothing was said";
+    EXPECT_FALSE(outbox.is_stalled(1s, now + 5s)) << "nothing was said";
     by_datagram();
-    EXPECT_FALSE(outbox.is_stuck(1s, now + 900ms));
-    EXPECT_TRUE(outbox.is_stuck(1s, now + 1100ms));
+    EXPECT_FALSE(outbox.is_stalled(1s, now + 900ms));
+    EXPECT_TRUE(outbox.is_stalled(1s, now + 1100ms));
     outbox.confirm(2, now + 1100ms);
-    EXPECT_FALSE(outbox.is_stuck(1s, now + 2s));
+    EXPECT_FALSE(outbox.is_stalled(1s, now + 2s));
 }
 
 TEST_F(InputOutboxTest, a_new_stream_has_what_was_not_said_under_new_numbers) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(2);
     by_datagram();
     push(3);
-    outbox.begin_anew();
+    outbox.start_new_session();
     EXPECT_EQ(by_stream(), (Said{1, 3}));
     EXPECT_EQ(outbox.push(drag()), 4u);
 }
 
 TEST_F(InputOutboxTest, a_client_that_comes_back_says_again_what_did_not_come_and_nothing_twice) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(10);
     EXPECT_EQ(by_stream(), (Said{1, 10}));
     for (const std::uint32_t sequence : {1u, 2u, 3u}) EXPECT_TRUE(outbox.answered(sequence, now));
-    outbox.go_on_after(5, now);  // 4 and 5 came; their answers are still to come
+    outbox.resume_after(5, now);  // 4 and 5 came; their answers are still to come
     push(1);
     EXPECT_EQ(by_stream(), (Said{6, 6}));
     EXPECT_EQ(fresh, 11u) << "those that were said again are the same inputs";
@@ -123,34 +123,34 @@ TEST_F(InputOutboxTest, a_client_that_comes_back_says_again_what_did_not_come_an
     EXPECT_FALSE(outbox.answered(4, now));
     for (std::uint32_t sequence = 5; sequence <= 11; sequence++)
         EXPECT_TRUE(outbox.answered(sequence, now));
-    EXPECT_FALSE(outbox.has_open());
+    EXPECT_FALSE(outbox.has_unconfirmed());
 }
 
 // A server that keeps its world answers an input when it is kept, and at once one that it refuses.
 TEST_F(InputOutboxTest, what_was_not_answered_is_said_again_though_a_later_one_was) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_stream(), (Said{1, 3}));
     EXPECT_TRUE(outbox.answered(3, now));
-    outbox.go_on_after(0, now);  // it was killed before it had kept anything
+    outbox.resume_after(0, now);  // it was killed before it had kept anything
     EXPECT_EQ(by_stream(), (Said{1, 3}));
 }
 
 TEST_F(InputOutboxTest, believes_no_server_that_has_more_than_was_said) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     push(33);
     EXPECT_EQ(by_stream(), (Said{1, 32}));
-    outbox.go_on_after(4'000'000'000, now);
+    outbox.resume_after(4'000'000'000, now);
     EXPECT_EQ(by_stream(), (Said{33, 1}));
 }
 
 TEST_F(InputOutboxTest, of_a_server_that_confirms_nothing_the_oldest_are_given_up) {
-    outbox.keep(true);
+    outbox.retain_until_confirmed(true);
     for (int k = 0; k < 300; k++) {
         push(32);
         by_stream();
     }
-    outbox.go_on_after(0, now);
+    outbox.resume_after(0, now);
     EXPECT_EQ(by_stream().first, 300u * 32 - 8192 + 1);
 }
 

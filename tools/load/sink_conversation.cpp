@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::uint32_t protocol_version = 1;
-constexpr int quick_pings = 3;  // to have a clock soon
-constexpr auto quick_ping_period = 100ms;
+constexpr int initial_pings = 3;  // to have a clock soon
+constexpr auto initial_ping_period = 100ms;
 constexpr auto ping_period = 5s;
 // Where nothing else is asked for: a snapshot is acknowledged by then, however few came since.
 constexpr auto usual_ack_patience = 150ms;
@@ -93,7 +93,7 @@ void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
     figures_.snapshots++;
     figures_.snapshot_bytes += bytes.size();
     unacked_++;
-    heard_ = now;
+    last_received_ = now;
     if (last_snapshot_)
         figures_.gap.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
@@ -226,7 +226,7 @@ std::optional<std::string_view> SinkConversation::take_message(Clock::time_point
         return serialized();
     }
     if (now >= next_ping_) {
-        next_ping_ = now + (++pings_ < quick_pings ? Clock::duration(quick_ping_period)
+        next_ping_ = now + (++pings_ < initial_pings ? Clock::duration(initial_ping_period)
                                                    : Clock::duration(ping_period));
         out_.mutable_ping()->set_client_time_us(client::to_us(now));
         return serialized();
@@ -248,7 +248,7 @@ void SinkConversation::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
     ack.set_ack_delay_ms(static_cast<std::uint32_t>(
-        std::chrono::duration_cast<std::chrono::milliseconds>(now - heard_).count()));
+        std::chrono::duration_cast<std::chrono::milliseconds>(now - last_received_).count()));
     unacked_ = 0;
     last_ack_ = now;
 }

@@ -98,7 +98,7 @@ private:
 
     int ack_every_, unacked_ = 0;  // 0: only by time
     Clock::duration ack_patience_;
-    Clock::time_point heard_{}, last_ack_{};
+    Clock::time_point last_received_{}, last_ack_{};
     std::uint32_t frame_ = 0;  // of the newest snapshot
     std::optional<Clock::time_point> last_snapshot_;
     bool need_keyframe_ = false;

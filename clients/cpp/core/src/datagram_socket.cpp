@@ -79,7 +79,7 @@ std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
         if (size < 0) return std::nullopt;
         const auto opened = cipher_->decrypt({bytes.data(), static_cast<std::size_t>(size)});
         if (!opened) continue;
-        heard_ = now;
+        last_received_ = now;
         if (auto message = take(opened->content)) return message;
     }
 }

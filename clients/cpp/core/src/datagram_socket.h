@@ -21,7 +21,7 @@ namespace jostle::client {
 class DatagramSocket {
 public:
     // Who heard nothing for so long takes the way for blocked.
-    static constexpr auto silence_max = std::chrono::milliseconds(1000);
+    static constexpr auto receive_timeout = std::chrono::milliseconds(1000);
 
     // `peer`: where the stream is connected, as gRPC names it: "ipv4:192.0.2.7:50051". An error
     // says what the ticket or the address lacks.
@@ -39,11 +39,11 @@ public:
 
     // The server was heard lately.
     bool alive(Clock::time_point now) const {
-        return heard_ != Clock::time_point{} && now - heard_ < silence_max;
+        return last_received_ != Clock::time_point{} && now - last_received_ < receive_timeout;
     }
     // It was tried for so long, and the server was not heard.
-    bool given_up(Clock::time_point now) const {
-        return !alive(now) && now - std::max(opened_, heard_) > silence_max;
+    bool timed_out(Clock::time_point now) const {
+        return !alive(now) && now - std::max(opened_, last_received_) > receive_timeout;
     }
 
 private:
@@ -56,7 +56,7 @@ private:
     const std::unique_ptr<datagram::PacketCipher> cipher_;
     datagram::Reassembly reassembly_;
     const Clock::time_point opened_;
-    Clock::time_point heard_{};
+    Clock::time_point last_received_{};
 };
 
 }  // namespace jostle::client

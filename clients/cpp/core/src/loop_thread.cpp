@@ -128,7 +128,7 @@ void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
     {
         const std::lock_guard lock(client.mutex);
         client.protocol.set_datagrams(client.datagrams->alive(now),
-                                          client.datagrams->given_up(now));
+                                          client.datagrams->timed_out(now));
         message = client.protocol.take_datagram(now);
     }
     if (message) client.datagrams->send(*message);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint32_t protocol_version = 1;
 constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches a second
-constexpr int quick_pings = 3;                                    // to have a clock soon
-constexpr auto quick_ping_period = std::chrono::milliseconds(100);
+constexpr int initial_pings = 3;                                    // to have a clock soon
+constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
@@ -178,8 +178,8 @@ void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     inputs_.retain_until_confirmed(ticket_.has_value() || !resume_token_.empty());
 }
 
-void PlayProtocol::set_datagrams(bool alive, bool given_up) {
-    if (!alive && !blocked_reported_ && (stats_.datagrams || given_up)) {
+void PlayProtocol::set_datagrams(bool alive, bool timed_out) {
+    if (!alive && !blocked_reported_ && (stats_.datagrams || timed_out)) {
         blocked_reported_ = true;
         stats_.last_error = "datagrams do not get through; the stream carries all";
     }
@@ -328,7 +328,7 @@ std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     v1::ClientMessage message;
     if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period) return take_inputs(now);
     if (now >= next_ping_) {
-        next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
+        next_ping_ = now + (++pings_sent_ < initial_pings ? Clock::duration(initial_ping_period)
                                                         : Clock::duration(ping_period));
         message.mutable_ping()->set_client_time_us(to_us(now));
         return message.SerializeAsString();

@@ -40,7 +40,7 @@ public:
     // By which datagrams can be had, once the server has told it; nothing: they cannot.
     const std::optional<v1::DatagramCredentials>& datagram_ticket() const { return ticket_; }
     // Whether they get through now; if not, whether they were tried for long enough to say so.
-    void set_datagrams(bool alive, bool given_up);
+    void set_datagrams(bool alive, bool timed_out);
     // There can be none: no ticket is left.
     void datagrams_failed(const Error& why);
 

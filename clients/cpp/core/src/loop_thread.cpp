@@ -115,7 +115,7 @@ void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
     if (!opened.ok()) return client.protocol.datagrams_failed(opened.error());
     client.datagrams = *std::move(opened);
     client.datagrams_name = ++datagram_names_;
-    if (!watch_) watch_ = std::make_unique<DatagramWatch>(queue_);
+    if (!watch_) watch_ = std::make_unique<SocketPoller>(queue_);
     with_datagrams_[client.datagrams_name] = &client;
     watch_->add(client.datagrams->descriptor(), client.datagrams_name);
 }

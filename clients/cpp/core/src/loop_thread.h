@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clients/cpp/core/src/client_state.h"
-#include "clients/cpp/core/src/datagram_watch.h"
+#include "clients/cpp/core/src/socket_poller.h"
 
 namespace jostle::client {
 
@@ -44,7 +44,7 @@ private:
     std::mutex mutex_;  // guards new_clients_
     std::vector<std::shared_ptr<ClientState>> new_clients_;
     std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
-    std::unique_ptr<DatagramWatch> watch_;               // once somebody takes datagrams
+    std::unique_ptr<SocketPoller> watch_;               // once somebody takes datagrams
     std::uint64_t datagram_names_ = 0;
     std::unordered_map<std::uint64_t, ClientState*> with_datagrams_;  // by name
     std::atomic<bool> stopping_{false};

@@ -16,14 +16,14 @@
 
 namespace jostle::client {
 
-class DatagramWatch {
+class SocketPoller {
 public:
     // The event's tag is the watch itself.
-    explicit DatagramWatch(grpc::CompletionQueue& queue);
+    explicit SocketPoller(grpc::CompletionQueue& queue);
     // No event comes any more but one that is on the queue already.
-    ~DatagramWatch();
-    DatagramWatch(const DatagramWatch&) = delete;
-    DatagramWatch& operator=(const DatagramWatch&) = delete;
+    ~SocketPoller();
+    SocketPoller(const SocketPoller&) = delete;
+    SocketPoller& operator=(const SocketPoller&) = delete;
 
     // The loop's thread. A socket is told of when something new comes: read all of it. It is
     // forgotten when it is closed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/core/src/datagram_watch.h"
+#include "clients/cpp/core/src/socket_poller.h"
 
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
@@ -10,14 +10,14 @@
 
 namespace jostle::client {
 
-DatagramWatch::DatagramWatch(grpc::CompletionQueue& queue)
+SocketPoller::SocketPoller(grpc::CompletionQueue& queue)
     : queue_(queue), epoll_(epoll_create1(EPOLL_CLOEXEC)), wake_(eventfd(0, EFD_CLOEXEC)) {
     epoll_event event{.events = EPOLLIN, .data = {.u64 = 0}};
     epoll_ctl(epoll_, EPOLL_CTL_ADD, wake_, &event);
     thread_ = std::thread([this] { run(); });
 }
 
-DatagramWatch::~DatagramWatch() {
+SocketPoller::~SocketPoller() {
     stopping_ = true;
     eventfd_write(wake_, 1);
     thread_.join();
@@ -25,18 +25,18 @@ DatagramWatch::~DatagramWatch() {
     close(epoll_);
 }
 
-void DatagramWatch::add(int descriptor, std::uint64_t name) {
+void SocketPoller::add(int descriptor, std::uint64_t name) {
     epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.u64 = name}};
     epoll_ctl(epoll_, EPOLL_CTL_ADD, descriptor, &event);
 }
 
-std::vector<std::uint64_t> DatagramWatch::take_ready() {
+std::vector<std::uint64_t> SocketPoller::take_ready() {
     const std::lock_guard lock(mutex_);
     told_ = false;
     return std::exchange(ready_, {});
 }
 
-void DatagramWatch::run() {
+void SocketPoller::run() {
     std::array<epoll_event, 64> events;
     while (!stopping_) {
         const int count = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), -1);

@@ -16,7 +16,7 @@ std::unique_lock<std::mutex> locked(const ClientState& state) {
 
 Client::Client(std::shared_ptr<ClientState> state) : state_(std::move(state)) {}
 Client::~Client() {
-    state_->gone = true;
+    state_->destroyed = true;
 }
 
 std::shared_ptr<Client> Client::connect(Loop& loop, ClientOptions options) {

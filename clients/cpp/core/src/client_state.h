@@ -21,18 +21,18 @@ struct ClientState {
 
     mutable std::mutex mutex;  // guards the conversation
     PlayProtocol protocol;
-    std::atomic<bool> gone{false};  // the Client was destroyed: end the stream
+    std::atomic<bool> destroyed{false};  // the Client was destroyed: end the stream
 
     // The loop thread's own.
     std::unique_ptr<Connection> connection;
     std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
-    std::uint64_t datagrams_name = 0;           // for the watch
+    std::uint64_t socket_id = 0;           // for the watch
     // Of a client with a bad link: what is on its way in and out. Empty otherwise.
     std::optional<HeldMessages> incoming, outgoing;
     Clock::time_point connect_at{};
-    Clock::duration pause = std::chrono::milliseconds(250);
-    std::optional<Clock::time_point> give_up_at;  // of a client that is gone
-    bool over = false;
+    Clock::duration reconnect_delay = std::chrono::milliseconds(250);
+    std::optional<Clock::time_point> disconnect_deadline;  // of a client that is gone
+    bool finished = false;
 };
 
 }  // namespace jostle::client

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitters_kept = 4;
 constexpr double first_jitter_us = 4000;
-constexpr double steer = 0.05, jump_ticks = 10;
+constexpr double speed_correction = 0.05, jump_ticks = 10;
 constexpr int margins_in_a_row = 3;
 constexpr int frames_told_for = 120;
 
@@ -25,9 +25,9 @@ double InputClock::target_us() const {
     return tick_us_ + jitters_kept * jitter_us_;
 }
 
-void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double way_us,
+void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double one_way_us,
                           std::int64_t now_us) {
-    const double wanted = tick + (due_ago_us + way_us + target_us()) / tick_us_;
+    const double wanted = tick + (due_ago_us + one_way_us + target_us()) / tick_us_;
     if (!ready_) {
         ready_ = true;
         position_ = wanted;
@@ -36,13 +36,13 @@ void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double way_us,
     }
     // Margins know better; but without inputs there are none.
     const double off = wanted - position(now_us);
-    if (++frames_untold_ > frames_told_for && std::abs(off) > jump_ticks) jump(off);
+    if (++frames_since_margin_ > frames_told_for && std::abs(off) > jump_ticks) jump(off);
 }
 
 void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
-    if (sequence <= told_ || margin_us == 0) return;
-    told_ = sequence;
-    frames_untold_ = 0;
+    if (sequence <= last_margin_sequence_ || margin_us == 0) return;
+    last_margin_sequence_ = sequence;
+    frames_since_margin_ = 0;
     if (!measured_) mean_us_ = last_us_ = margin_us;
     measured_ = true;
     // From one to the next: that the way became longer is no jitter.
@@ -53,23 +53,23 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     const double off_us = margin_us - target_us();
     if (std::abs(off_us) > jump_ticks * tick_us_) return jump(-off_us / tick_us_);
     if (std::abs(off_us) < tick_us_) {
-        early_ = 0;
+        consecutive_out_of_range_ = 0;
         speed_ = 1;
         return;
     }
-    steer_us_ = std::abs(off_us);
-    early_ = off_us > 0 ? std::max(0, early_) + 1 : std::min(0, early_) - 1;
-    if (early_ >= margins_in_a_row) speed_ = 1 - steer;
-    if (early_ <= -margins_in_a_row) speed_ = 1 + steer;
+    correction_us_ = std::abs(off_us);
+    consecutive_out_of_range_ = off_us > 0 ? std::max(0, consecutive_out_of_range_) + 1 : std::min(0, consecutive_out_of_range_) - 1;
+    if (consecutive_out_of_range_ >= margins_in_a_row) speed_ = 1 - speed_correction;
+    if (consecutive_out_of_range_ <= -margins_in_a_row) speed_ = 1 + speed_correction;
 }
 
 void InputClock::jump(double ticks) {
     position_ += ticks;
     jumps_++;
     speed_ = 1;
-    early_ = 0;
+    consecutive_out_of_range_ = 0;
     measured_ = false;
-    told_ = std::max(told_, sent_);
+    last_margin_sequence_ = std::max(last_margin_sequence_, last_sent_sequence_);
 }
 
 double InputClock::position(std::int64_t now_us) {
@@ -77,8 +77,8 @@ double InputClock::position(std::int64_t now_us) {
         const auto passed_us = static_cast<double>(now_us - now_us_);
         position_ += passed_us * speed_ / tick_us_;
         now_us_ = now_us;
-        steer_us_ -= std::abs(speed_ - 1) * passed_us;
-        if (steer_us_ <= 0) speed_ = 1;
+        correction_us_ -= std::abs(speed_ - 1) * passed_us;
+        if (correction_us_ <= 0) speed_ = 1;
     }
     return position_;
 }

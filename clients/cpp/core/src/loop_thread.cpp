@@ -9,14 +9,14 @@ namespace jostle::client {
 namespace {
 
 // Inputs, pings and reconnects need no better; messages that arrive are handled at once.
-constexpr auto usual_period = std::chrono::milliseconds(5);
+constexpr auto housekeeping_period_max = std::chrono::milliseconds(5);
 // Messages of a bad link arrive when it says so, not when something else happens.
-constexpr auto bad_link_period = std::chrono::milliseconds(1);
-constexpr auto longest_pause = std::chrono::seconds(5);
-constexpr auto goodbye_patience = std::chrono::milliseconds(100);
+constexpr auto simulated_network_period = std::chrono::milliseconds(1);
+constexpr auto reconnect_delay_max = std::chrono::seconds(5);
+constexpr auto leave_timeout = std::chrono::milliseconds(100);
 
 // Of a stream that nobody here wanted to end.
-Error why_it_ended(const Status& end) {
+Error stream_error(const Status& end) {
     if (end.ok()) return {ErrorCode::aborted, "the stream ended: the server closed it"};
     return {end.error().code, "the stream ended: " + end.error().message};
 }
@@ -49,7 +49,7 @@ void LoopThread::run() {
         const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
         const auto next = queue_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
         const Clock::time_point now = Clock::now();
-        if (next == grpc::CompletionQueue::GOT_EVENT && tag == watch_.get())
+        if (next == grpc::CompletionQueue::GOT_EVENT && tag == poller_.get())
             read_ready(now);
         else if (next == grpc::CompletionQueue::GOT_EVENT)
             handle(*static_cast<Connection::Tag*>(tag), ok, now);
@@ -64,8 +64,8 @@ void LoopThread::run() {
 
 Clock::duration LoopThread::housekeeping_period() const {
     for (const auto& client : clients_)
-        if (client->incoming) return bad_link_period;
-    return usual_period;
+        if (client->incoming) return simulated_network_period;
+    return housekeeping_period_max;
 }
 
 void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
@@ -91,11 +91,11 @@ void LoopThread::receive(ClientState& client, Clock::time_point now) {
 
 // What came by datagrams, of those who have something new.
 void LoopThread::read_ready(Clock::time_point now) {
-    for (const std::uint64_t name : watch_->take_ready()) {
-        const auto at = with_datagrams_.find(name);
-        if (at == with_datagrams_.end()) continue;
+    for (const std::uint64_t name : poller_->take_ready()) {
+        const auto at = clients_by_socket_.find(name);
+        if (at == clients_by_socket_.end()) continue;
         read_datagrams(*at->second, now);
-        move_datagrams(*at->second, now);
+        send_datagrams(*at->second, now);
     }
 }
 
@@ -114,14 +114,14 @@ void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
     auto opened = DatagramSocket::open(*ticket, client.connection->peer(), now);
     if (!opened.ok()) return client.protocol.datagrams_failed(opened.error());
     client.datagrams = *std::move(opened);
-    client.datagrams_name = ++datagram_names_;
-    if (!watch_) watch_ = std::make_unique<SocketPoller>(queue_);
-    with_datagrams_[client.datagrams_name] = &client;
-    watch_->add(client.datagrams->descriptor(), client.datagrams_name);
+    client.socket_id = ++next_socket_id_;
+    if (!poller_) poller_ = std::make_unique<SocketPoller>(queue_);
+    clients_by_socket_[client.socket_id] = &client;
+    poller_->add(client.datagrams->descriptor(), client.socket_id);
 }
 
 // Says what is to be said by datagrams, and what became of them.
-void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
+void LoopThread::send_datagrams(ClientState& client, Clock::time_point now) {
     if (!client.datagrams) open_datagrams(client, now);
     if (!client.datagrams) return;
     std::optional<std::string> message;
@@ -137,20 +137,20 @@ void LoopThread::move_datagrams(ClientState& client, Clock::time_point now) {
 void LoopThread::write(ClientState& client, Clock::time_point now) {
     while (client.connection->ready_to_write()) {
         std::optional<std::string> message;
-        bool goodbye = false;
+        bool ready_to_close = false;
         {
             const std::lock_guard lock(client.mutex);
             message = client.protocol.take_message(now);
-            goodbye = client.protocol.leave_sent();
+            ready_to_close = client.protocol.leave_sent();
         }
         if (client.outgoing) {
             if (message) client.outgoing->push(*std::move(message), now);
             message = client.outgoing->take(now);
-            goodbye = goodbye && client.outgoing->empty();
+            ready_to_close = ready_to_close && client.outgoing->empty();
         }
         if (message)
             client.connection->write(*message);
-        else if (goodbye)
+        else if (ready_to_close)
             client.connection->close_writes();
         else
             break;
@@ -163,7 +163,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
     if (!client.connection) {
         if (now < client.connect_at) return;
         const std::lock_guard lock(client.mutex);
-        if (client.gone || client.protocol.leaving()) {
+        if (client.destroyed || client.protocol.leaving()) {
             client.over = true;
             return;
         }
@@ -177,48 +177,48 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         client.connection = std::make_unique<Connection>(options, queue_, &client);
         return;
     }
-    if (client.gone) give_up(client, now);
+    if (client.destroyed) disconnect(client, now);
     if (client.connection->finished()) {
-        if (client.connection->idle()) after_end(client, now);
+        if (client.connection->idle()) on_stream_end(client, now);
         return;
     }
     receive(client, now);
-    move_datagrams(client, now);
+    send_datagrams(client, now);
     write(client, now);
 }
 
 // It says goodbye if that can be done at once, so that the server keeps no place for it.
-void LoopThread::give_up(ClientState& client, Clock::time_point now) {
-    if (!client.give_up_at) {
+void LoopThread::disconnect(ClientState& client, Clock::time_point now) {
+    if (!client.disconnect_deadline) {
         const std::lock_guard lock(client.mutex);
         client.protocol.abandon();
-        client.give_up_at = client.protocol.stats().connected ? now + goodbye_patience : now;
+        client.disconnect_deadline = client.protocol.stats().connected ? now + leave_timeout : now;
     }
-    if (now >= *client.give_up_at) client.connection->cancel();
+    if (now >= *client.disconnect_deadline) client.connection->cancel();
 }
 
-void LoopThread::after_end(ClientState& client, Clock::time_point now) {
+void LoopThread::on_stream_end(ClientState& client, Clock::time_point now) {
     const Status end = from_grpc(client.connection->status());
     client.connection.reset();
-    with_datagrams_.erase(client.datagrams_name);
+    clients_by_socket_.erase(client.socket_id);
     client.datagrams.reset();
     const std::lock_guard lock(client.mutex);
-    const bool wanted = client.gone || client.protocol.leaving();
-    if (client.protocol.stats().connected) client.pause = std::chrono::milliseconds(250);
-    client.protocol.ended(wanted ? Status() : why_it_ended(end));
+    const bool wanted = client.destroyed || client.protocol.leaving();
+    if (client.protocol.stats().connected) client.reconnect_delay = std::chrono::milliseconds(250);
+    client.protocol.ended(wanted ? Status() : stream_error(end));
     if (wanted || !client.protocol.options().reconnect) {
         client.over = true;
         return;
     }
-    client.connect_at = now + client.pause;
-    client.pause = std::min<Clock::duration>(client.pause * 2, longest_pause);
+    client.connect_at = now + client.reconnect_delay;
+    client.reconnect_delay = std::min<Clock::duration>(client.reconnect_delay * 2, reconnect_delay_max);
 }
 
 // Cancels what is connected and takes the last events off the queue_.
 void LoopThread::drain() {
     for (const auto& client : clients_)
         if (client->connection) client->connection->cancel();
-    watch_.reset();
+    poller_.reset();
     queue_.Shutdown();
     void* tag = nullptr;
     bool ok = false;

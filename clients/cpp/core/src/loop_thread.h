@@ -32,21 +32,21 @@ private:
     void write(ClientState& client, Clock::time_point now);
     void open_datagrams(ClientState& client, Clock::time_point now);
     void read_datagrams(ClientState& client, Clock::time_point now);
-    void move_datagrams(ClientState& client, Clock::time_point now);
+    void send_datagrams(ClientState& client, Clock::time_point now);
     void read_ready(Clock::time_point now);
     Clock::duration housekeeping_period() const;
     void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
-    void give_up(ClientState& client, Clock::time_point now);
-    void after_end(ClientState& client, Clock::time_point now);
+    void disconnect(ClientState& client, Clock::time_point now);
+    void on_stream_end(ClientState& client, Clock::time_point now);
     void drain();
 
     grpc::CompletionQueue queue_;
     std::mutex mutex_;  // guards new_clients_
     std::vector<std::shared_ptr<ClientState>> new_clients_;
     std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
-    std::unique_ptr<SocketPoller> watch_;               // once somebody takes datagrams
-    std::uint64_t datagram_names_ = 0;
-    std::unordered_map<std::uint64_t, ClientState*> with_datagrams_;  // by name
+    std::unique_ptr<SocketPoller> poller_;               // once somebody takes datagrams
+    std::uint64_t next_socket_id_ = 0;
+    std::unordered_map<std::uint64_t, ClientState*> clients_by_socket_;  // by name
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

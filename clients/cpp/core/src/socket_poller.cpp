@@ -32,7 +32,7 @@ void SocketPoller::add(int descriptor, std::uint64_t name) {
 
 std::vector<std::uint64_t> SocketPoller::take_ready() {
     const std::lock_guard lock(mutex_);
-    told_ = false;
+    event_queued_ = false;
     return std::exchange(ready_, {});
 }
 
@@ -44,7 +44,7 @@ void SocketPoller::run() {
         for (int k = 0; k < count; k++)
             if (const auto name = events[static_cast<std::size_t>(k)].data.u64; name != 0)
                 ready_.push_back(name);
-        if (stopping_ || ready_.empty() || std::exchange(told_, true)) continue;
+        if (stopping_ || ready_.empty() || std::exchange(event_queued_, true)) continue;
         alarm_.Set(&queue_, gpr_now(GPR_CLOCK_MONOTONIC), this);
     }
 }

@@ -39,7 +39,7 @@ private:
     grpc::Alarm alarm_;
     std::mutex mutex_;
     std::vector<std::uint64_t> ready_;
-    bool told_ = false;  // an event is on the queue
+    bool event_queued_ = false;  // an event is on the queue
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

@@ -18,9 +18,9 @@ public:
     void begin(double tick_hz);
     // A frame arrived: its tick was due so long ago, by the server's clock and with half a round
     // trip, the time of an input on its way. now_us is on our clock.
-    void on_frame(std::uint32_t tick, double due_ago_us, double way_us, std::int64_t now_us);
+    void on_frame(std::uint32_t tick, double due_ago_us, double one_way_us, std::int64_t now_us);
     // Inputs up to that number have left.
-    void sent(std::uint32_t sequence) { sent_ = sequence; }
+    void sent(std::uint32_t sequence) { last_sent_sequence_ = sequence; }
     // The server told the margin of an input. That of one that was sent before the last jump tells
     // nothing, nor does 0: it knows none.
     void on_margin(std::uint32_t sequence, double margin_us);
@@ -42,13 +42,13 @@ private:
 
     double tick_us_ = 1e6 / 60;
     bool ready_ = false, measured_ = false;
-    double position_ = 0, speed_ = 1, steer_us_ = 0;  // how much is still to be won or lost
+    double position_ = 0, speed_ = 1, correction_us_ = 0;  // how much is still to be won or lost
     std::int64_t now_us_ = 0;
     double mean_us_ = 0, last_us_ = 0, jitter_us_ = 0;
-    int frames_untold_ = 0;  // since the last margin
-    int early_ = 0;          // how many margins in a row were beyond; negative: short of it
+    int frames_since_margin_ = 0;  // since the last margin
+    int consecutive_out_of_range_ = 0;          // how many margins in a row were beyond; negative: short of it
     int jumps_ = 0;
-    std::uint32_t sent_ = 0, told_ = 0;  // newest
+    std::uint32_t last_sent_sequence_ = 0, last_margin_sequence_ = 0;  // newest
 };
 
 }  // namespace jostle::client

@@ -7,11 +7,11 @@
 namespace jostle::client {
 namespace {
 
-constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitters_kept = 4;
+constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitter_margin_factor = 4;
 constexpr double first_jitter_us = 4000;
 constexpr double speed_correction = 0.05, jump_ticks = 10;
-constexpr int margins_in_a_row = 3;
-constexpr int frames_told_for = 120;
+constexpr int consecutive_margins = 3;
+constexpr int margin_timeout_frames = 120;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void InputClock::begin(double tick_hz) {
 }
 
 double InputClock::target_us() const {
-    return tick_us_ + jitters_kept * jitter_us_;
+    return tick_us_ + jitter_margin_factor * jitter_us_;
 }
 
 void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double one_way_us,
@@ -36,7 +36,7 @@ void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double one_way_
     }
     // Margins know better; but without inputs there are none.
     const double off = wanted - position(now_us);
-    if (++frames_since_margin_ > frames_told_for && std::abs(off) > jump_ticks) jump(off);
+    if (++frames_since_margin_ > margin_timeout_frames && std::abs(off) > jump_ticks) jump(off);
 }
 
 void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
@@ -59,7 +59,7 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     }
     correction_us_ = std::abs(off_us);
     consecutive_out_of_range_ = off_us > 0 ? std::max(0, consecutive_out_of_range_) + 1 : std::min(0, consecutive_out_of_range_) - 1;
-    if (consecutive_out_of_range_ >= margins_in_a_row) speed_ = 1 - speed_correction;
+    if (consecutive_out_of_range_ >= consecutive_margins) speed_ = 1 - speed_correction;
     if (consecutive_out_of_range_ <= -margins_in_a_row) speed_ = 1 + speed_correction;
 }
 

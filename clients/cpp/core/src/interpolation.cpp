@@ -50,7 +50,7 @@ void InterpolationBuffer::hold(std::int64_t server_us) {
     if (frames_.size() > frames_max) frames_.pop_front();
 }
 
-InterpolationBuffer::Moment InterpolationBuffer::moment(double at_us) const {
+InterpolationBuffer::FramePair InterpolationBuffer::moment(double at_us) const {
     // The first frame after it, or the newest.
     std::size_t next = 0;
     while (next + 1 < frames_.size() && static_cast<double>(frames_[next].server_us) < at_us)

@@ -51,11 +51,11 @@ private:
         PoseError error;
     };
     // The two frames around a moment, and where between them it is; beyond 1 when it is later.
-    struct Moment {
+    struct FramePair {
         const Timed *a, *b;
         double t;
     };
-    Moment moment(double at_us) const;
+    FramePair moment(double at_us) const;
     std::vector<Drawn> right_at(double at_us, const wire::QuantSpec& spec) const;
     bool jumped_since(std::uint32_t entity, std::int64_t server_us,
                       const wire::QuantSpec& spec) const;

@@ -50,7 +50,7 @@ void InterpolationBuffer::hold(std::int64_t server_us) {
     if (frames_.size() > frames_max) frames_.pop_front();
 }
 
-InterpolationBuffer::FramePair InterpolationBuffer::moment(double at_us) const {
+InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) const {
     // The first frame after it, or the newest.
     std::size_t next = 0;
     while (next + 1 < frames_.size() && static_cast<double>(frames_[next].server_us) < at_us)
@@ -63,9 +63,9 @@ InterpolationBuffer::FramePair InterpolationBuffer::moment(double at_us) const {
 }
 
 // Without errors.
-std::vector<InterpolationBuffer::Drawn> InterpolationBuffer::right_at(
+std::vector<InterpolationBuffer::Drawn> InterpolationBuffer::poses_at(
     double at_us, const wire::QuantSpec& spec) const {
-    const auto [a, b, t] = moment(at_us);
+    const auto [a, b, t] = frames_around(at_us);
     const auto width = static_cast<double>(b->server_us - a->server_us);
     const auto& old = a->frame.entities;
     std::vector<Drawn> out;
@@ -103,7 +103,7 @@ bool InterpolationBuffer::jumped_since(std::uint32_t entity, std::int64_t server
 // The last picture was a guess, and now there are the frames that it lacked: what would it have
 // shown?
 void InterpolationBuffer::note_errors(const wire::QuantSpec& spec) {
-    const auto right = right_at(static_cast<double>(drawn_at_us_), spec);
+    const auto right = poses_at(static_cast<double>(drawn_at_us_), spec);
     std::size_t k = 0;
     for (Drawn& drawn : drawn_) {
         while (k < right.size() && right[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
@@ -126,7 +126,7 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
     else if (drawn_at_us_ > drawn_newest_us_ && newest_us > drawn_newest_us_)
         note_errors(spec);
 
-    std::vector<Drawn> now = right_at(static_cast<double>(at_us), spec);
+    std::vector<Drawn> now = poses_at(static_cast<double>(at_us), spec);
     out.reserve(now.size());
     std::size_t k = 0;
     for (Drawn& drawn : now) {

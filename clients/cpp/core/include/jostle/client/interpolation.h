@@ -55,8 +55,8 @@ private:
         const Timed *a, *b;
         double t;
     };
-    FramePair moment(double at_us) const;
-    std::vector<Drawn> right_at(double at_us, const wire::QuantSpec& spec) const;
+    FramePair frames_around(double at_us) const;
+    std::vector<Drawn> poses_at(double at_us, const wire::QuantSpec& spec) const;
     bool jumped_since(std::uint32_t entity, std::int64_t server_us,
                       const wire::QuantSpec& spec) const;
     void note_errors(const wire::QuantSpec& spec);

@@ -63,18 +63,18 @@ InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) 
 }
 
 // Without errors.
-std::vector<InterpolationBuffer::Drawn> InterpolationBuffer::poses_at(
+std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
     double at_us, const wire::QuantSpec& spec) const {
     const auto [a, b, t] = frames_around(at_us);
     const auto width = static_cast<double>(b->server_us - a->server_us);
     const auto& old = a->frame.entities;
-    std::vector<Drawn> out;
+    std::vector<RenderedPose> out;
     out.reserve(b->frame.entities.size());
     std::size_t from = 0;
     for (const wire::EntityState& state : b->frame.entities) {
         while (from < old.size() && old[from].id < state.id) from++;
         const wire::Pose to = wire::dequantize(state, spec);
-        Drawn& drawn = out.emplace_back(Drawn{{state.id, to}, {}, {}});
+        RenderedPose& drawn = out.emplace_back(RenderedPose{{state.id, to}, {}, {}});
         if (width == 0 || from == old.size() || old[from].id != state.id) continue;
         const wire::Pose before = wire::dequantize(old[from], spec);
         if (is_jump(before, to, width)) {
@@ -105,7 +105,7 @@ bool InterpolationBuffer::jumped_since(std::uint32_t entity, std::int64_t server
 void InterpolationBuffer::note_errors(const wire::QuantSpec& spec) {
     const auto right = poses_at(static_cast<double>(drawn_at_us_), spec);
     std::size_t k = 0;
-    for (Drawn& drawn : drawn_) {
+    for (RenderedPose& drawn : drawn_) {
         while (k < right.size() && right[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
         if (k == right.size() || right[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
         drawn.error = walkable(pose_error(drawn.smooth_pose.pose, right[k].smooth_pose.pose), right[k].pace);
@@ -126,10 +126,10 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
     else if (drawn_at_us_ > drawn_newest_us_ && newest_us > drawn_newest_us_)
         note_errors(spec);
 
-    std::vector<Drawn> now = poses_at(static_cast<double>(at_us), spec);
+    std::vector<RenderedPose> now = poses_at(static_cast<double>(at_us), spec);
     out.reserve(now.size());
     std::size_t k = 0;
-    for (Drawn& drawn : now) {
+    for (RenderedPose& drawn : now) {
         while (k < drawn_.size() && drawn_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
         if (k < drawn_.size() && drawn_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
             drawn.error =

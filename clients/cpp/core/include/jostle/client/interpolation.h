@@ -45,7 +45,7 @@ private:
         wire::QuantizedFrame frame;
         std::int64_t server_us;
     };
-    struct Drawn {
+    struct RenderedPose {
         SmoothPose shown;
         Pace pace;
         PoseError error;
@@ -56,7 +56,7 @@ private:
         double t;
     };
     FramePair frames_around(double at_us) const;
-    std::vector<Drawn> poses_at(double at_us, const wire::QuantSpec& spec) const;
+    std::vector<RenderedPose> poses_at(double at_us, const wire::QuantSpec& spec) const;
     bool jumped_since(std::uint32_t entity, std::int64_t server_us,
                       const wire::QuantSpec& spec) const;
     void note_errors(const wire::QuantSpec& spec);
@@ -65,7 +65,7 @@ private:
     std::deque<Timed> frames_;  // in order of time; at most 64
     // The last picture: its time on our clock and on the server's, and what was the newest frame.
     std::int64_t drawn_now_us_ = 0, drawn_at_us_ = 0, drawn_newest_us_ = 0;
-    std::vector<Drawn> drawn_;  // by entity
+    std::vector<RenderedPose> drawn_;  // by entity
 };
 
 }  // namespace jostle::client

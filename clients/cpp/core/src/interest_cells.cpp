@@ -86,7 +86,7 @@ wire::EntityState interpolate_entity(const wire::EntityState& a, const wire::Ent
                           const wire::QuantSpec& spec, double width_us) {
     if (wire::same_pose(a, b)) return b;
     const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
-    if (is_jump(from, to, width_us)) return a;
+    if (is_teleport(from, to, width_us)) return a;
     return wire::quantize(b.id, blend(from, to, t), b.at_rest, spec);
 }
 

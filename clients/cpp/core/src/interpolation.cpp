@@ -11,9 +11,9 @@ namespace jostle::client {
 namespace {
 
 constexpr std::size_t frames_max = 64;
-constexpr double extrapolate_us = 50'000;
+constexpr double extrapolation_max_us = 50'000;
 // Who did not draw for so long shows the world anew: nobody saw what it looked like before.
-constexpr std::int64_t unseen_us = 250'000;
+constexpr std::int64_t sample_gap_max_us = 250'000;
 
 const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint32_t id) {
     const auto& entities = frame.entities;
@@ -59,7 +59,7 @@ InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) 
     if (a.server_us == b.server_us) return {&a, &b, 1};
     const auto width = static_cast<double>(b.server_us - a.server_us);
     const double t = (at_us - static_cast<double>(a.server_us)) / width;
-    return {&a, &b, std::clamp(t, 0.0, 1 + extrapolate_us / width)};
+    return {&a, &b, std::clamp(t, 0.0, 1 + extrapolation_max_us / width)};
 }
 
 // Without errors.
@@ -77,7 +77,7 @@ std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
         RenderedPose& drawn = out.emplace_back(RenderedPose{{state.id, to}, {}, {}});
         if (width == 0 || from == old.size() || old[from].id != state.id) continue;
         const wire::Pose before = wire::dequantize(old[from], spec);
-        if (is_jump(before, to, width)) {
+        if (is_teleport(before, to, width)) {
             if (t < 1) drawn.smooth_pose.pose = before;
             continue;
         }
@@ -87,14 +87,14 @@ std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
     return out;
 }
 
-bool InterpolationBuffer::jumped_since(std::uint32_t entity, std::int64_t server_us,
+bool InterpolationBuffer::teleported_since(std::uint32_t entity, std::int64_t server_us,
                                        const wire::QuantSpec& spec) const {
     for (std::size_t k = 1; k < frames_.size(); k++) {
         if (frames_[k].server_us <= server_us) continue;
         const wire::EntityState* a = find_state(frames_[k - 1].frame, entity);
         const wire::EntityState* b = find_state(frames_[k].frame, entity);
         const auto width = static_cast<double>(frames_[k].server_us - frames_[k - 1].server_us);
-        if (a && b && is_jump(wire::dequantize(*a, spec), wire::dequantize(*b, spec), width))
+        if (a && b && is_teleport(wire::dequantize(*a, spec), wire::dequantize(*b, spec), width))
             return true;
     }
     return false;
@@ -102,14 +102,14 @@ bool InterpolationBuffer::jumped_since(std::uint32_t entity, std::int64_t server
 
 // The last picture was a guess, and now there are the frames that it lacked: what would it have
 // shown?
-void InterpolationBuffer::note_errors(const wire::QuantSpec& spec) {
-    const auto right = poses_at(static_cast<double>(drawn_at_us_), spec);
+void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
+    const auto poses = poses_at(static_cast<double>(last_render_time_us_), spec);
     std::size_t k = 0;
-    for (RenderedPose& drawn : drawn_) {
-        while (k < right.size() && right[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
-        if (k == right.size() || right[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
-        drawn.error = walkable(pose_error(drawn.smooth_pose.pose, right[k].smooth_pose.pose), right[k].pace);
-        if (!drawn.error.none() && jumped_since(drawn.smooth_pose.entity, drawn_newest_us_, spec))
+    for (RenderedPose& drawn : rendered_) {
+        while (k < poses.size() && poses[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
+        if (k == poses.size() || poses[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
+        drawn.error = smoothable_error(pose_error(drawn.smooth_pose.pose, poses[k].smooth_pose.pose), poses[k].pace);
+        if (!drawn.error.none() && teleported_since(drawn.smooth_pose.entity, last_newest_frame_us_, spec))
             drawn.error = {};
     }
 }
@@ -120,28 +120,28 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
     if (frames_.empty()) return out;
     const std::int64_t at_us = clock_.advance(now_us);
     const std::int64_t newest_us = frames_.back().server_us;
-    const std::int64_t passed_us = std::max<std::int64_t>(0, now_us - drawn_now_us_);
-    if (passed_us > unseen_us)
-        drawn_.clear();
-    else if (drawn_at_us_ > drawn_newest_us_ && newest_us > drawn_newest_us_)
-        note_errors(spec);
+    const std::int64_t passed_us = std::max<std::int64_t>(0, now_us - last_sample_us_);
+    if (passed_us > sample_gap_max_us)
+        rendered_.clear();
+    else if (last_render_time_us_ > last_newest_frame_us_ && newest_us > last_newest_frame_us_)
+        update_errors(spec);
 
     std::vector<RenderedPose> now = poses_at(static_cast<double>(at_us), spec);
     out.reserve(now.size());
     std::size_t k = 0;
     for (RenderedPose& drawn : now) {
-        while (k < drawn_.size() && drawn_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
-        if (k < drawn_.size() && drawn_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
+        while (k < rendered_.size() && rendered_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
+        if (k < rendered_.size() && rendered_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
             drawn.error =
-                decayed(drawn_[k].error, drawn.pace, static_cast<double>(passed_us) / 1e6);
-            drawn.smooth_pose.pose = with_error(drawn.smooth_pose.pose, drawn.error);
+                decayed(rendered_[k].error, drawn.pace, static_cast<double>(passed_us) / 1e6);
+            drawn.smooth_pose.pose = apply_error(drawn.smooth_pose.pose, drawn.error);
         }
         out.push_back(drawn.smooth_pose);
     }
-    drawn_ = std::move(now);
-    drawn_now_us_ = now_us;
-    drawn_at_us_ = at_us;
-    drawn_newest_us_ = newest_us;
+    rendered_ = std::move(now);
+    last_sample_us_ = now_us;
+    last_render_time_us_ = at_us;
+    last_newest_frame_us_ = newest_us;
     return out;
 }
 

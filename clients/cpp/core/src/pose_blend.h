@@ -9,7 +9,7 @@
 
 namespace jostle::client {
 
-inline constexpr double fastest_m_s = 100;
+inline constexpr double teleport_speed_m_s = 100;
 
 inline double distance(const wire::Pose& a, const wire::Pose& b) {
     return std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],
@@ -17,8 +17,8 @@ inline double distance(const wire::Pose& a, const wire::Pose& b) {
 }
 
 // It did not fly there.
-inline bool is_jump(const wire::Pose& a, const wire::Pose& b, double width_us) {
-    return distance(a, b) * 1e6 > fastest_m_s * width_us;
+inline bool is_teleport(const wire::Pose& a, const wire::Pose& b, double width_us) {
+    return distance(a, b) * 1e6 > teleport_speed_m_s * width_us;
 }
 
 // t in 0..1 between a and b; beyond 1 the motion goes on.

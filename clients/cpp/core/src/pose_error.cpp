@@ -61,7 +61,7 @@ PoseError pose_error(const wire::Pose& shown, const wire::Pose& right) {
     return error;
 }
 
-wire::Pose with_error(const wire::Pose& right, const PoseError& error) {
+wire::Pose apply_error(const wire::Pose& right, const PoseError& error) {
     if (error.none()) return right;
     wire::Pose shown;
     for (std::size_t k = 0; k < 3; k++) shown.position[k] = right.position[k] + error.position[k];
@@ -84,7 +84,7 @@ PoseError decayed(const PoseError& error, const Pace& pace, double seconds) {
     return left;
 }
 
-PoseError walkable(const PoseError& error, const Pace& pace) {
+PoseError smoothable_error(const PoseError& error, const Pace& pace) {
     PoseError kept = error;
     if (length_of(error.position) > longest_walk_s * speed_of_walk(pace)) kept = {};
     return kept;

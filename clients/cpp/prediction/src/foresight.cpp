@@ -25,7 +25,7 @@ constexpr double rim_factor = 2;
 constexpr std::size_t rim_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
 constexpr std::size_t inputs_max = 1024;
-constexpr std::int64_t unseen_us = 250'000;
+constexpr std::int64_t sample_gap_max_us = 250'000;
 // What is driven is told by the stream, and frames may overtake that.
 constexpr std::uint32_t late_ticks = 8;
 constexpr std::uint32_t drive_patience_ticks = 60;
@@ -477,13 +477,13 @@ std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position,
 // Who was foreseen and is no longer, or the other way round, is walked over.
 PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
                               const Shown* before, const Pace& pace, double seconds) {
-    if (!before) return walkable(pose_error(drawn.pose, *ahead), pace);
+    if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), pace);
     PoseError error = before->error;
     if (!ahead && before->foreseen)
-        error = walkable(pose_error(before->pose, drawn.pose), pace);
+        error = smoothable_error(pose_error(before->pose, drawn.pose), pace);
     else if (ahead && changed_)
         error =
-            walkable(pose_error(before->pose,
+            smoothable_error(pose_error(before->pose,
                                 foreseen(drawn.entity, drawn_position_, nullptr).value_or(*ahead)),
                      pace);
     return decayed(error, pace, seconds);
@@ -492,7 +492,7 @@ PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire:
 std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
                                           std::vector<SmoothPose> poses) {
     const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - drawn_us_)) / 1e6;
-    if (now_us - drawn_us_ > unseen_us) shown_.clear();
+    if (now_us - drawn_us_ > sample_gap_max_us) shown_.clear();
     if (!moments_.empty()) {
         const double most = newest_frame_ + options_.ticks_max;
         step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
@@ -505,7 +505,7 @@ std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
         if (!ahead && before == shown_.end()) continue;
         const PoseError error = error_of(
             drawn, ahead, before == shown_.end() ? nullptr : &before->second, pace, seconds);
-        drawn.pose = with_error(ahead ? *ahead : drawn.pose, error);
+        drawn.pose = apply_error(ahead ? *ahead : drawn.pose, error);
         if (ahead || !error.none()) now[drawn.entity] = {drawn.pose, error, ahead.has_value()};
     }
     shown_ = std::move(now);

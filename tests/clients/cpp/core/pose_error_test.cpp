@@ -18,7 +18,7 @@ PoseError metres(double x) {
 
 TEST(PoseError, put_back_onto_what_is_right_gives_what_was_shown) {
     const wire::Pose shown{{1.5, 2, 2}, {std::sin(0.3), 0, 0, std::cos(0.3)}};
-    const wire::Pose again = with_error(right_pose, pose_error(shown, right_pose));
+    const wire::Pose again = apply_error(right_pose, pose_error(shown, right_pose));
     for (std::size_t k = 0; k < 3; k++) EXPECT_NEAR(again.position[k], shown.position[k], 1e-12);
     for (std::size_t k = 0; k < 4; k++) EXPECT_NEAR(again.rotation[k], shown.rotation[k], 1e-12);
     EXPECT_TRUE(pose_error(right_pose, right_pose).none());
@@ -38,9 +38,9 @@ TEST(PoseError, a_great_one_is_walked_at_1_1_metres_a_second_or_0_35_of_the_spee
 }
 
 TEST(PoseError, what_would_take_more_than_three_seconds_is_a_jump) {
-    EXPECT_FALSE(walkable(metres(3.2), {}).none());
-    EXPECT_TRUE(walkable(metres(3.4), {}).none());
-    EXPECT_FALSE(walkable(metres(3.4), {.speed = 10, .spin = 0}).none());
+    EXPECT_FALSE(smoothable_error(metres(3.2), {}).none());
+    EXPECT_TRUE(smoothable_error(metres(3.4), {}).none());
+    EXPECT_FALSE(smoothable_error(metres(3.4), {.speed = 10, .spin = 0}).none());
 }
 
 }  // namespace jostle::client

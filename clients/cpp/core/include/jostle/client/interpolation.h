@@ -46,7 +46,7 @@ private:
         std::int64_t server_us;
     };
     struct RenderedPose {
-        SmoothPose shown;
+        SmoothPose smooth_pose;
         Pace pace;
         PoseError error;
     };
@@ -57,15 +57,15 @@ private:
     };
     FramePair frames_around(double at_us) const;
     std::vector<RenderedPose> poses_at(double at_us, const wire::QuantSpec& spec) const;
-    bool jumped_since(std::uint32_t entity, std::int64_t server_us,
+    bool teleported_since(std::uint32_t entity, std::int64_t server_us,
                       const wire::QuantSpec& spec) const;
-    void note_errors(const wire::QuantSpec& spec);
+    void update_errors(const wire::QuantSpec& spec);
 
     RenderClock clock_;
     std::deque<Timed> frames_;  // in order of time; at most 64
     // The last picture: its time on our clock and on the server's, and what was the newest frame.
-    std::int64_t drawn_now_us_ = 0, drawn_at_us_ = 0, drawn_newest_us_ = 0;
-    std::vector<RenderedPose> drawn_;  // by entity
+    std::int64_t last_sample_us_ = 0, last_render_time_us_ = 0, last_newest_frame_us_ = 0;
+    std::vector<RenderedPose> rendered_;  // by entity
 };
 
 }  // namespace jostle::client

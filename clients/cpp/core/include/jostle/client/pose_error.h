@@ -26,10 +26,10 @@ struct Pace {
 };
 
 PoseError pose_error(const wire::Pose& shown, const wire::Pose& right);
-wire::Pose with_error(const wire::Pose& right, const PoseError& error);
+wire::Pose apply_error(const wire::Pose& right, const PoseError& error);
 // What is left of it after so many seconds.
 PoseError decayed(const PoseError& error, const Pace& pace, double seconds);
 // The error, or none when it is too great to be walked.
-PoseError walkable(const PoseError& error, const Pace& pace);
+PoseError smoothable_error(const PoseError& error, const Pace& pace);
 
 }  // namespace jostle::client

@@ -23,7 +23,7 @@ const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint
     return at != entities.end() && at->id == id ? &*at : nullptr;
 }
 
-Pace pace_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
+BodySpeed pace_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
     double dot = 0;
     for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
     const double angle = 2 * std::acos(std::min(1.0, std::abs(dot)));

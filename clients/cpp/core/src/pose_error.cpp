@@ -37,11 +37,11 @@ Quaternion turned_to(const Quaternion& q, double angle) {
     return {q[0] * scale, q[1] * scale, q[2] * scale, std::cos(angle / 2)};
 }
 
-double speed_of_walk(const Pace& pace) {
+double speed_of_walk(const BodySpeed& pace) {
     return std::max(least_speed, share_of_pace * pace.speed);
 }
 
-double spin_of_walk(const Pace& pace) {
+double spin_of_walk(const BodySpeed& pace) {
     return std::max(least_spin, share_of_pace * pace.spin);
 }
 
@@ -72,7 +72,7 @@ wire::Pose apply_error(const wire::Pose& right, const PoseError& error) {
     return shown;
 }
 
-PoseError decayed(const PoseError& error, const Pace& pace, double seconds) {
+PoseError decayed(const PoseError& error, const BodySpeed& pace, double seconds) {
     if (error.none()) return error;
     PoseError left;
     const double distance = length_of(error.position);
@@ -84,7 +84,7 @@ PoseError decayed(const PoseError& error, const Pace& pace, double seconds) {
     return left;
 }
 
-PoseError smoothable_error(const PoseError& error, const Pace& pace) {
+PoseError smoothable_error(const PoseError& error, const BodySpeed& pace) {
     PoseError kept = error;
     if (length_of(error.position) > longest_walk_s * speed_of_walk(pace)) kept = {};
     return kept;

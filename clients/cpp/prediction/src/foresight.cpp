@@ -461,7 +461,7 @@ std::vector<std::uint32_t> Foresight::drawn() const {
     return ids;
 }
 
-std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, Pace* pace) {
+std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, BodySpeed* pace) {
     if (moments_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
                                  static_cast<double>(tick()));
@@ -476,7 +476,7 @@ std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position,
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
 PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
-                              const Shown* before, const Pace& pace, double seconds) {
+                              const Shown* before, const BodySpeed& pace, double seconds) {
     if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), pace);
     PoseError error = before->error;
     if (!ahead && before->foreseen)
@@ -499,7 +499,7 @@ std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
     }
     std::map<std::uint32_t, Shown> now;
     for (SmoothPose& drawn : poses) {
-        Pace pace;
+        BodySpeed pace;
         const auto ahead = foreseen(drawn.entity, position, &pace);
         const auto before = shown_.find(drawn.entity);
         if (!ahead && before == shown_.end()) continue;

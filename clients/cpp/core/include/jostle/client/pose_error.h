@@ -21,15 +21,15 @@ struct PoseError {
 };
 
 // Of a body that moves at so many m/s and turns at so many rad/s.
-struct Pace {
+struct BodySpeed {
     double speed = 0, spin = 0;
 };
 
 PoseError pose_error(const wire::Pose& shown, const wire::Pose& right);
 wire::Pose apply_error(const wire::Pose& right, const PoseError& error);
 // What is left of it after so many seconds.
-PoseError decayed(const PoseError& error, const Pace& pace, double seconds);
+PoseError decayed(const PoseError& error, const BodySpeed& pace, double seconds);
 // The error, or none when it is too great to be walked.
-PoseError smoothable_error(const PoseError& error, const Pace& pace);
+PoseError smoothable_error(const PoseError& error, const BodySpeed& pace);
 
 }  // namespace jostle::client

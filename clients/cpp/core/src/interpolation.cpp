@@ -23,7 +23,7 @@ const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint
     return at != entities.end() && at->id == id ? &*at : nullptr;
 }
 
-BodySpeed pace_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
+BodySpeed speed_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
     double dot = 0;
     for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
     const double angle = 2 * std::acos(std::min(1.0, std::abs(dot)));
@@ -82,7 +82,7 @@ std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
             continue;
         }
         drawn.smooth_pose.pose = blend(before, to, t);
-        drawn.pace = pace_between(before, to, width);
+        drawn.body_speed = speed_between(before, to, width);
     }
     return out;
 }
@@ -108,7 +108,7 @@ void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
     for (RenderedPose& drawn : rendered_) {
         while (k < poses.size() && poses[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
         if (k == poses.size() || poses[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
-        drawn.error = smoothable_error(pose_error(drawn.smooth_pose.pose, poses[k].smooth_pose.pose), poses[k].pace);
+        drawn.error = smoothable_error(pose_error(drawn.smooth_pose.pose, poses[k].smooth_pose.pose), poses[k].body_speed);
         if (!drawn.error.none() && teleported_since(drawn.smooth_pose.entity, last_newest_frame_us_, spec))
             drawn.error = {};
     }
@@ -133,7 +133,7 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
         while (k < rendered_.size() && rendered_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
         if (k < rendered_.size() && rendered_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
             drawn.error =
-                decayed(rendered_[k].error, drawn.pace, static_cast<double>(passed_us) / 1e6);
+                decayed(rendered_[k].error, drawn.body_speed, static_cast<double>(passed_us) / 1e6);
             drawn.smooth_pose.pose = apply_error(drawn.smooth_pose.pose, drawn.error);
         }
         out.push_back(drawn.smooth_pose);

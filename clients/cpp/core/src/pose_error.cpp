@@ -9,9 +9,9 @@ namespace {
 
 using Quaternion = std::array<double, 4>;
 
-constexpr double half_life_s = 0.1, longest_walk_s = 3;
-constexpr double least_speed = 1.1, least_spin = 1.5, share_of_pace = 0.35;
-constexpr double nothing_m = 1e-5, nothing_rad = 1e-5;
+constexpr double half_life_s = 0.1, correction_time_max_s = 3;
+constexpr double correction_speed_min = 1.1, correction_spin_min = 1.5, correction_speed_ratio = 0.35;
+constexpr double negligible_m = 1e-5, negligible_rad = 1e-5;
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
     return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
@@ -37,56 +37,56 @@ Quaternion turned_to(const Quaternion& q, double angle) {
     return {q[0] * scale, q[1] * scale, q[2] * scale, std::cos(angle / 2)};
 }
 
-double speed_of_walk(const BodySpeed& pace) {
-    return std::max(least_speed, share_of_pace * pace.speed);
+double correction_speed(const BodySpeed& body_speed) {
+    return std::max(correction_speed_min, correction_speed_ratio * body_speed.speed);
 }
 
-double spin_of_walk(const BodySpeed& pace) {
-    return std::max(least_spin, share_of_pace * pace.spin);
+double correction_spin(const BodySpeed& body_speed) {
+    return std::max(correction_spin_min, correction_speed_ratio * body_speed.spin);
 }
 
-double left_of(double error, double most_speed, double seconds) {
+double remaining_error(double error, double most_speed, double seconds) {
     return std::max(error * std::exp2(-seconds / half_life_s), error - most_speed * seconds);
 }
 
 }  // namespace
 
-PoseError pose_error(const wire::Pose& shown, const wire::Pose& right) {
+PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
     PoseError error;
-    for (std::size_t k = 0; k < 3; k++) error.position[k] = shown.position[k] - right.position[k];
-    const Quaternion& q = right.rotation;
-    error.rotation = product(shown.rotation, {-q[0], -q[1], -q[2], q[3]});
+    for (std::size_t k = 0; k < 3; k++) error.position[k] = rendered.position[k] - target.position[k];
+    const Quaternion& q = target.rotation;
+    error.rotation = product(rendered.rotation, {-q[0], -q[1], -q[2], q[3]});
     if (error.rotation[3] < 0)
         for (double& c : error.rotation) c = -c;  // the shorter way
     return error;
 }
 
-wire::Pose apply_error(const wire::Pose& right, const PoseError& error) {
-    if (error.none()) return right;
-    wire::Pose shown;
-    for (std::size_t k = 0; k < 3; k++) shown.position[k] = right.position[k] + error.position[k];
-    shown.rotation = product(error.rotation, right.rotation);
+wire::Pose apply_error(const wire::Pose& target, const PoseError& error) {
+    if (error.none()) return target;
+    wire::Pose rendered;
+    for (std::size_t k = 0; k < 3; k++) rendered.position[k] = target.position[k] + error.position[k];
+    rendered.rotation = product(error.rotation, target.rotation);
     double norm = 0;
-    for (const double c : shown.rotation) norm += c * c;
-    for (double& c : shown.rotation) c /= std::sqrt(norm);
-    return shown;
+    for (const double c : rendered.rotation) norm += c * c;
+    for (double& c : rendered.rotation) c /= std::sqrt(norm);
+    return rendered;
 }
 
-PoseError decayed(const PoseError& error, const BodySpeed& pace, double seconds) {
+PoseError decayed(const PoseError& error, const BodySpeed& body_speed, double seconds) {
     if (error.none()) return error;
     PoseError left;
     const double distance = length_of(error.position);
-    const double still = left_of(distance, speed_of_walk(pace), seconds);
-    if (still > nothing_m)
+    const double still = remaining_error(distance, correction_speed(body_speed), seconds);
+    if (still > negligible_m)
         for (std::size_t k = 0; k < 3; k++) left.position[k] = error.position[k] * still / distance;
-    const double angle = left_of(angle_of(error.rotation), spin_of_walk(pace), seconds);
-    if (angle > nothing_rad) left.rotation = turned_to(error.rotation, angle);
+    const double angle = remaining_error(angle_of(error.rotation), correction_spin(body_speed), seconds);
+    if (angle > negligible_rad) left.rotation = turned_to(error.rotation, angle);
     return left;
 }
 
-PoseError smoothable_error(const PoseError& error, const BodySpeed& pace) {
+PoseError smoothable_error(const PoseError& error, const BodySpeed& body_speed) {
     PoseError kept = error;
-    if (length_of(error.position) > longest_walk_s * speed_of_walk(pace)) kept = {};
+    if (length_of(error.position) > correction_time_max_s * correction_speed(body_speed)) kept = {};
     return kept;
 }
 

@@ -8,16 +8,16 @@ namespace jostle::client {
 namespace {
 
 constexpr std::size_t arrivals_max = 256;
-constexpr int frames_per_look = 8;
-constexpr double rest_us = 200'000, silence_us = 500'000, longest_delay_us = 300'000;
+constexpr int frames_per_update = 8;
+constexpr double rest_us = 200'000, frame_gap_us = 500'000, longest_delay_us = 300'000;
 // Frames that come one after the other faster than this share of their interval came at once.
-constexpr double at_once_share = 0.25;
-constexpr double intervals_behind = 1.7, jitter_share = 0.95;
+constexpr double burst_interval_ratio = 0.25;
+constexpr double intervals_behind = 1.7, jitter_percentile = 0.95;
 // Of the difference to the delay that is wanted, by each frame.
-constexpr double grow_share = 1.0 / 60, shrink_share = 1.0 / 240;
+constexpr double delay_growth_rate = 1.0 / 60, delay_shrink_rate = 1.0 / 240;
 constexpr double speed_change_max = 0.08, settle_us = 500'000, jump_us = 1'000'000;
 
-double share_of(std::vector<double>& values, double share) {
+double percentile(std::vector<double>& values, double share) {
     const auto at = values.begin() +
                     static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
@@ -31,10 +31,10 @@ void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us, bool
     if (!first && server_us <= newest_us_) return;
     const auto interval = static_cast<double>(first ? 0 : server_us - newest_us_);
     const double gap = static_cast<double>(first ? 0 : arrived_us - arrived_us_);
-    silence_ended_ =
-        (gap > silence_us && !after_rest) || (silence_ended_ && gap < at_once_share * interval);
+    gap_ended_ =
+        (gap > frame_gap_us && !after_rest) || (gap_ended_ && gap < burst_interval_ratio * interval);
     arrivals_.push_back({static_cast<double>(arrived_us - server_us), interval,
-                         !first && !after_rest && interval < rest_us && !silence_ended_});
+                         !first && !after_rest && interval < rest_us && !gap_ended_});
     if (arrivals_.size() > arrivals_max) arrivals_.pop_front();
     newest_us_ = server_us;
     arrived_us_ = arrived_us;
@@ -42,33 +42,33 @@ void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us, bool
 }
 
 void RenderClock::adapt() {
-    shortest_us_ = arrivals_.front().lateness_us;
+    min_lateness_us_ = arrivals_.front().lateness_us;
     for (const Arrival& arrival : arrivals_)
-        shortest_us_ = std::min(shortest_us_, arrival.lateness_us);
-    if (until_look_-- == 0) {
-        until_look_ = frames_per_look - 1;
-        look();
+        min_lateness_us_ = std::min(min_lateness_us_, arrival.lateness_us);
+    if (frames_until_update_-- == 0) {
+        frames_until_update_ = frames_per_update - 1;
+        update_target_delay();
     }
-    const double share = wanted_us_ > delay_us_ ? grow_share : shrink_share;
-    delay_us_ += share * (wanted_us_ - delay_us_);
+    const double share = target_delay_us_ > delay_us_ ? delay_growth_rate : delay_shrink_rate;
+    delay_us_ += share * (target_delay_us_ - delay_us_);
 }
 
-void RenderClock::look() {
+void RenderClock::update_target_delay() {
     std::vector<double> intervals, late;
     for (const Arrival& arrival : arrivals_) {
         if (!arrival.in_rhythm) continue;
         intervals.push_back(arrival.interval_us);
-        late.push_back(arrival.lateness_us - shortest_us_);
+        late.push_back(arrival.lateness_us - min_lateness_us_);
     }
     if (late.empty()) return;
-    const double interval = share_of(intervals, 0.5), jitter = share_of(late, jitter_share);
-    wanted_us_ =
+    const double interval = percentile(intervals, 0.5), jitter = percentile(late, jitter_percentile);
+    target_delay_us_ =
         std::min(longest_delay_us, std::max(intervals_behind * interval, interval + jitter));
 }
 
 std::int64_t RenderClock::advance(std::int64_t now_us) {
     if (arrivals_.empty()) return 0;
-    const double target = static_cast<double>(now_us) - shortest_us_ - delay_us_;
+    const double target = static_cast<double>(now_us) - min_lateness_us_ - delay_us_;
     if (!started_) {
         started_ = true;
         now_us_ = now_us;

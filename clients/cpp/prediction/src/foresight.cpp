@@ -461,7 +461,7 @@ std::vector<std::uint32_t> Foresight::drawn() const {
     return ids;
 }
 
-std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, BodySpeed* pace) {
+std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, BodySpeed* body_speed) {
     if (moments_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
                                  static_cast<double>(tick()));
@@ -470,23 +470,23 @@ std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position,
     const Moment& b = before < tick() ? *find(before + 1) : a;
     const auto from = a.motions.find(id), to = b.motions.find(id);
     if (from == a.motions.end() || to == b.motions.end()) return std::nullopt;
-    if (pace) *pace = {length(to->second.linear), length(to->second.angular)};
+    if (body_speed) *body_speed = {length(to->second.linear), length(to->second.angular)};
     return to_pose(mix(from->second.pose, to->second.pose, at - before));
 }
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
 PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
-                              const Shown* before, const BodySpeed& pace, double seconds) {
-    if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), pace);
+                              const Shown* before, const BodySpeed& body_speed, double seconds) {
+    if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), body_speed);
     PoseError error = before->error;
     if (!ahead && before->foreseen)
-        error = smoothable_error(pose_error(before->pose, drawn.pose), pace);
+        error = smoothable_error(pose_error(before->pose, drawn.pose), body_speed);
     else if (ahead && changed_)
         error =
             smoothable_error(pose_error(before->pose,
                                 foreseen(drawn.entity, drawn_position_, nullptr).value_or(*ahead)),
-                     pace);
-    return decayed(error, pace, seconds);
+                     body_speed);
+    return decayed(error, body_speed, seconds);
 }
 
 std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
@@ -499,12 +499,12 @@ std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
     }
     std::map<std::uint32_t, Shown> now;
     for (SmoothPose& drawn : poses) {
-        BodySpeed pace;
-        const auto ahead = foreseen(drawn.entity, position, &pace);
+        BodySpeed body_speed;
+        const auto ahead = foreseen(drawn.entity, position, &body_speed);
         const auto before = shown_.find(drawn.entity);
         if (!ahead && before == shown_.end()) continue;
         const PoseError error = error_of(
-            drawn, ahead, before == shown_.end() ? nullptr : &before->second, pace, seconds);
+            drawn, ahead, before == shown_.end() ? nullptr : &before->second, body_speed, seconds);
         drawn.pose = apply_error(ahead ? *ahead : drawn.pose, error);
         if (ahead || !error.none()) now[drawn.entity] = {drawn.pose, error, ahead.has_value()};
     }

@@ -124,9 +124,9 @@ private:
     void compare(const ToldFrame& frame, const Around& around);
 
     // --- pictures ---
-    std::optional<wire::Pose> foreseen(std::uint32_t id, double position, BodySpeed* pace);
+    std::optional<wire::Pose> foreseen(std::uint32_t id, double position, BodySpeed* body_speed);
     PoseError error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
-                       const Shown* before, const BodySpeed& pace, double seconds);
+                       const Shown* before, const BodySpeed& body_speed, double seconds);
 
     PredictorOptions options_;
     PredictorStats stats_;

@@ -47,7 +47,7 @@ private:
     };
     struct RenderedPose {
         SmoothPose smooth_pose;
-        BodySpeed pace;
+        BodySpeed body_speed;
         PoseError error;
     };
     // The two frames around a moment, and where between them it is; beyond 1 when it is later.

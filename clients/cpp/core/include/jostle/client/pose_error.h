@@ -25,11 +25,11 @@ struct BodySpeed {
     double speed = 0, spin = 0;
 };
 
-PoseError pose_error(const wire::Pose& shown, const wire::Pose& right);
-wire::Pose apply_error(const wire::Pose& right, const PoseError& error);
+PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target);
+wire::Pose apply_error(const wire::Pose& target, const PoseError& error);
 // What is left of it after so many seconds.
-PoseError decayed(const PoseError& error, const BodySpeed& pace, double seconds);
+PoseError decayed(const PoseError& error, const BodySpeed& body_speed, double seconds);
 // The error, or none when it is too great to be walked.
-PoseError smoothable_error(const PoseError& error, const BodySpeed& pace);
+PoseError smoothable_error(const PoseError& error, const BodySpeed& body_speed);
 
 }  // namespace jostle::client

@@ -43,14 +43,14 @@ private:
         bool in_rhythm;      // tells of the jitter
     };
     void adapt();
-    void look();
+    void update_target_delay();
 
     std::deque<Arrival> arrivals_;  // the last 256
     std::int64_t newest_us_ = 0, arrived_us_ = 0;
-    double shortest_us_ = 0;  // lateness of the quickest of them
-    double delay_us_ = 60'000, wanted_us_ = delay_us_;
-    int until_look_ = 0;          // frames; what is wanted is looked at with every eighth
-    bool silence_ended_ = false;  // and what it held up still comes
+    double min_lateness_us_ = 0;  // lateness of the quickest of them
+    double delay_us_ = 60'000, target_delay_us_ = delay_us_;
+    int frames_until_update_ = 0;          // frames; what is wanted is looked at with every eighth
+    bool gap_ended_ = false;  // and what it held up still comes
     bool started_ = false;
     std::int64_t now_us_ = 0;
     double render_time_us_ = 0, speed_ = 1;

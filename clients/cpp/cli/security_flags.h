@@ -11,7 +11,7 @@ namespace jostle::client {
 
 inline void add_security_flags(CLI::App& app, SecurityFiles& files) {
     app.add_flag("--tls", files.tls, "Speaks TLS; the system's authorities are believed");
-    app.add_option("--ca", files.authorities,
+    app.add_option("--ca", files.root_certificates,
                    "Speaks TLS; the authorities in this PEM file are believed");
     app.add_option("--cert", files.certificate, "PEM file of an own certificate to show");
     app.add_option("--key", files.key, "PEM file of its private key");

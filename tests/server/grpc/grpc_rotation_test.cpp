@@ -54,7 +54,7 @@ protected:
         server->stop();
     }
     client::Security believing(const TestCertificate& authority) const {
-        return {.tls = true, .authorities_pem = authority.pem()};
+        return {.tls = true, .root_certificates_pem = authority.pem()};
     }
 
     const test::TempFolder folder;

@@ -6,7 +6,7 @@ namespace jostle::client {
 std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& security) {
     if (!security.tls) return grpc::InsecureChannelCredentials();
     grpc::SslCredentialsOptions options;
-    options.pem_root_certs = security.authorities_pem;
+    options.pem_root_certs = security.root_certificates_pem;
     options.pem_cert_chain = security.certificate_pem;
     options.pem_private_key = security.key_pem;
     return grpc::SslCredentials(options);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t arrivals_max = 256;
 constexpr int frames_per_update = 8;
-constexpr double rest_us = 200'000, frame_gap_us = 500'000, longest_delay_us = 300'000;
+constexpr double rest_us = 200'000, frame_gap_us = 500'000, delay_max_us = 300'000;
 // Frames that come one after the other faster than this share of their interval came at once.
 constexpr double burst_interval_ratio = 0.25;
 constexpr double intervals_behind = 1.7, jitter_percentile = 0.95;
@@ -56,14 +56,14 @@ void RenderClock::adapt() {
 void RenderClock::update_target_delay() {
     std::vector<double> intervals, late;
     for (const Arrival& arrival : arrivals_) {
-        if (!arrival.in_rhythm) continue;
+        if (!arrival.counts_for_jitter) continue;
         intervals.push_back(arrival.interval_us);
         late.push_back(arrival.lateness_us - min_lateness_us_);
     }
     if (late.empty()) return;
     const double interval = percentile(intervals, 0.5), jitter = percentile(late, jitter_percentile);
     target_delay_us_ =
-        std::min(longest_delay_us, std::max(intervals_behind * interval, interval + jitter));
+        std::min(delay_max_us, std::max(intervals_behind * interval, interval + jitter));
 }
 
 std::int64_t RenderClock::advance(std::int64_t now_us) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t file_bytes_max = 1u << 20;
 
-bool is_this_machine(const std::string& target) {
+bool is_loopback(const std::string& target) {
     const std::string host = target.substr(0, target.rfind(':'));
     const bool is_ipv4 = host.find_first_not_of("0123456789.") == std::string::npos;
     return host == "localhost" || (is_ipv4 && host.starts_with("127.")) || host == "[::1]";
@@ -53,13 +53,13 @@ Result<Security> read_security(const SecurityFiles& files, const std::string& ta
     if (files.certificate.empty() != files.key.empty())
         return invalid_argument(
             "--cert and --key go together: the certificate and its private key");
-    security.tls = files.tls || !files.certificate.empty() || !files.authorities.empty();
-    for (const auto& [path, out] : {std::pair(&files.authorities, &security.authorities_pem),
+    security.tls = files.tls || !files.certificate.empty() || !files.root_certificates.empty();
+    for (const auto& [path, out] : {std::pair(&files.root_certificates, &security.root_certificates_pem),
                                     std::pair(&files.certificate, &security.certificate_pem),
                                     std::pair(&files.key, &security.key_pem)})
         if (Status s = read_pem(*path, *out); !s.ok()) return s.error();
     if (Status s = read_token(files.token, security.token); !s.ok()) return s.error();
-    if (!security.token.empty() && !security.tls && !is_this_machine(target))
+    if (!security.token.empty() && !security.tls && !is_loopback(target))
         return invalid_argument(
             "without TLS everybody on the way could read the token; give --tls, or --ca FILE for "
             "an authority of your own");

@@ -34,7 +34,7 @@ TEST_F(SecurityTest, nothing_given_is_in_the_clear_and_nobody_in_particular) {
 
 TEST_F(SecurityTest, an_authority_or_a_certificate_means_tls) {
     const std::string file = folder.write("a.pem", pem);
-    EXPECT_TRUE(read_security({.authorities = file}, "h:1")->tls);
+    EXPECT_TRUE(read_security({.root_certificates = file}, "h:1")->tls);
     const auto own = read_security({.certificate = file, .key = file}, "h:1");
     ASSERT_TRUE(own.ok());
     EXPECT_TRUE(own->tls);
@@ -56,12 +56,12 @@ TEST_F(SecurityTest, a_token_is_read_without_its_line_end_and_goes_out_encrypted
 }
 
 TEST_F(SecurityTest, faults_name_the_file) {
-    EXPECT_EQ(fault_of({.authorities = folder / "none"}),
+    EXPECT_EQ(fault_of({.root_certificates = folder / "none"}),
               "cannot read none: it is not there, or not yours to read");
-    EXPECT_EQ(fault_of({.authorities = folder.write("text", "hello")}),
+    EXPECT_EQ(fault_of({.root_certificates = folder.write("text", "hello")}),
               "text is no PEM file: it has no line -----BEGIN ...-----");
     EXPECT_EQ(fault_of({.token = folder.write("empty", "\n")}), "empty holds no token");
-    EXPECT_EQ(fault_of({.authorities = folder.write("big", std::string(2'000'000, 'x'))}),
+    EXPECT_EQ(fault_of({.root_certificates = folder.write("big", std::string(2'000'000, 'x'))}),
               "big has more than 1 MiB");
     EXPECT_EQ(fault_of({.certificate = folder / "a"}),
               "--cert and --key go together: the certificate and its private key");

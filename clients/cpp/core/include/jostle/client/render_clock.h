@@ -40,7 +40,7 @@ private:
     struct Arrival {
         double lateness_us;  // arrival less tick: the way, and how the clocks differ
         double interval_us;  // since the tick before
-        bool in_rhythm;      // tells of the jitter
+        bool counts_for_jitter;      // tells of the jitter
     };
     void adapt();
     void update_target_delay();

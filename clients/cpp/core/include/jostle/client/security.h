@@ -12,7 +12,7 @@ namespace jostle::client {
 
 struct Security {
     bool tls = false;
-    std::string authorities_pem;           // whose certificates the server may show; empty: the
+    std::string root_certificates_pem;           // whose certificates the server may show; empty: the
                                            // system's authorities
     std::string certificate_pem, key_pem;  // shown to the server; empty: none
     std::string token;                     // sent with each call; empty: none
@@ -21,7 +21,7 @@ struct Security {
 // Paths, as flags name them; empty: not given.
 struct SecurityFiles {
     bool tls = false;  // a CA or a certificate means it, too
-    std::string authorities, certificate, key, token;
+    std::string root_certificates, certificate, key, token;
 };
 
 // Reads them. An error names the file and what to do. A token goes out only encrypted, or to this

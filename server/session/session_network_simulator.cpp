@@ -54,7 +54,7 @@ std::optional<OutMessage> SessionNetworkSimulator::take_outgoing(Clock::time_poi
 std::unique_ptr<SessionNetworkSimulator> make_network_simulator(const DevelopmentSettings& settings,
                                           const std::string& world_name, std::uint32_t number) {
     const Result<NetworkConditions> link = parse_network_conditions(settings.network_conditions);
-    if (!link.ok() || !link->bad()) return nullptr;
+    if (!link.ok() || !link->impaired()) return nullptr;
     const auto& worlds = settings.network_conditions_worlds;
     if (!worlds.empty() && std::ranges::find(worlds, world_name) == worlds.end()) return nullptr;
     return std::make_unique<SessionNetworkSimulator>(*link, number);

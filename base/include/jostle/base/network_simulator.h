@@ -28,7 +28,7 @@ struct NetworkConditions {
     std::uint32_t seed = 1;
 
     // Whether it does anything.
-    bool bad() const {
+    bool impaired() const {
         return delay_ms > 0 || jitter_ms > 0 || tail_ms > 0 || stalls_ms > 0 || loss > 0;
     }
 };
@@ -45,7 +45,7 @@ public:
     std::int64_t arrival_us(std::int64_t sent_us);
 
 private:
-    double chance();  // 0 to 1, less than 1
+    double next_uniform();  // 0 to 1, less than 1
     std::int64_t after_stalls(std::int64_t arrival_us);
 
     NetworkConditions settings_;
@@ -125,7 +125,7 @@ inline NetworkSimulator::NetworkSimulator(const NetworkConditions& settings)
     : settings_(settings), random_(settings.seed) {}
 
 // Mulberry32 by Tommy Ettinger: 32-bit words only, so that a browser draws the same numbers.
-inline double NetworkSimulator::chance() {
+inline double NetworkSimulator::next_uniform() {
     random_ += 0x6d2b79f5u;
     std::uint32_t t = (random_ ^ (random_ >> 15)) * (random_ | 1u);
     t ^= t + (t ^ (t >> 7)) * (t | 61u);
@@ -136,7 +136,7 @@ inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
     const std::int64_t length = network_simulator_detail::us_of(settings_.stalls_ms);
     while (arrival_us >= stall_us_ + length) {
         // A stall begins after the one before has ended.
-        const double gap_ms = settings_.stall_every_ms * (0.5 + chance());
+        const double gap_ms = settings_.stall_every_ms * (0.5 + next_uniform());
         stall_us_ += std::max(network_simulator_detail::us_of(gap_ms), length + 1000);
     }
     return arrival_us >= stall_us_ ? stall_us_ + length : arrival_us;
@@ -145,12 +145,12 @@ inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
 inline std::int64_t NetworkSimulator::arrival_us(std::int64_t sent_us) {
     if (!begun_) {
         begun_ = true;
-        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms * (0.5 + chance()));
+        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms * (0.5 + next_uniform()));
     }
     double transit_ms = settings_.delay_ms;
-    if (settings_.jitter_ms > 0) transit_ms += settings_.jitter_ms * chance();
-    if (settings_.tail_ms > 0) transit_ms -= settings_.tail_ms * std::log(1 - chance());
-    if (settings_.loss > 0 && chance() < settings_.loss) transit_ms += settings_.retransmit_ms;
+    if (settings_.jitter_ms > 0) transit_ms += settings_.jitter_ms * next_uniform();
+    if (settings_.tail_ms > 0) transit_ms -= settings_.tail_ms * std::log(1 - next_uniform());
+    if (settings_.loss > 0 && next_uniform() < settings_.loss) transit_ms += settings_.retransmit_ms;
     std::int64_t arrival = std::max(sent_us + network_simulator_detail::us_of(transit_ms), last_arrival_us_);
     if (settings_.stalls_ms > 0) arrival = after_stalls(arrival);
     return last_arrival_us_ = arrival;

@@ -11,11 +11,11 @@ namespace {
 
 // How long each of so many messages, 60 a second, is on its way, ms.
 std::vector<double> ways_of(const NetworkConditions& settings, int count = 36'000) {
-    NetworkSimulator link(settings);
+    NetworkSimulator network(settings);
     std::vector<double> ways;
     std::int64_t last = 0;
     for (int k = 0; k < count; k++) {
-        const std::int64_t sent = k * 16'667LL, arrives = link.arrival_us(sent);
+        const std::int64_t sent = k * 16'667LL, arrives = network.arrival_us(sent);
         EXPECT_GE(arrives, last) << "nothing is overtaken";
         last = arrives;
         ways.push_back(static_cast<double>(arrives - sent) / 1000);
@@ -66,7 +66,7 @@ TEST(NetworkSimulator, what_is_lost_comes_a_retransmission_later) {
 }
 
 TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
-    NetworkSimulator link({.delay_ms = 40,
+    NetworkSimulator network({.delay_ms = 40,
                           .jitter_ms = 20,
                           .tail_ms = 5,
                           .stalls_ms = 100,
@@ -74,20 +74,20 @@ TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
                           .loss = 0.05,
                           .seed = 7});
     std::int64_t sum = 0;
-    for (int k = 0; k < 1000; k++) sum += link.arrival_us(k * 16'667LL) - k * 16'667LL;
+    for (int k = 0; k < 1000; k++) sum += network.arrival_us(k * 16'667LL) - k * 16'667LL;
     EXPECT_EQ(sum, 109'097'580);  // clients/web/src/network_simulator.test.ts has the same number
 }
 
 TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
-    const auto link = parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
-    ASSERT_TRUE(link.ok());
-    EXPECT_EQ(link->delay_ms, 80);
-    EXPECT_EQ(link->jitter_ms, 20.5);
-    EXPECT_EQ(link->stalls_ms, 250);
-    EXPECT_EQ(link->loss, 0.02);
-    EXPECT_EQ(link->seed, 9u);
-    EXPECT_TRUE(link->bad());
-    EXPECT_FALSE(parse_network_conditions("")->bad());
+    const auto network = parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
+    ASSERT_TRUE(network.ok());
+    EXPECT_EQ(network->delay_ms, 80);
+    EXPECT_EQ(network->jitter_ms, 20.5);
+    EXPECT_EQ(network->stalls_ms, 250);
+    EXPECT_EQ(network->loss, 0.02);
+    EXPECT_EQ(network->seed, 9u);
+    EXPECT_TRUE(network->impaired());
+    EXPECT_FALSE(parse_network_conditions("")->impaired());
     for (const char* wrong : {"delay", "delay=", "delay=-1", "delay=nan", "delay=99999", "loss=2",
                               "speed=3", "delay=5ms", "seed=5000000000"}) {
         const auto read = parse_network_conditions(wrong);

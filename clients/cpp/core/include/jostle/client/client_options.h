@@ -58,7 +58,7 @@ struct ClientOptions {
     bool attach_view_time = true;
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.
-    NetworkConditions link = {};
+    NetworkConditions network_conditions = {};
     // Is handed each message as it came, before anything is made of it: recordings (without
     // datagrams, for what is late is of no use to them). Called on the
     // loop's thread; it must be quick and call nothing of this client.

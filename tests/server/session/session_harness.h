@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clients/cpp/core/src/play_protocol.h"
-#include "clients/cpp/core/src/held_messages.h"
+#include "clients/cpp/core/src/delayed_messages.h"
 #include "server/session/client_session.h"
 
 namespace jostle::test {
@@ -51,8 +51,8 @@ struct SessionHarness {
         connect();
     }
     void drop_in_flight() {
-        outgoing = client::HeldMessages(settings);
-        incoming = client::HeldMessages(settings);
+        outgoing = client::DelayedMessages(settings);
+        incoming = client::DelayedMessages(settings);
     }
     // A new connection.
     void connect() {
@@ -86,7 +86,7 @@ struct SessionHarness {
     TestServer& server;
     client::PlayProtocol conversation;
     client::NetworkConditions settings;
-    client::HeldMessages outgoing, incoming;
+    client::DelayedMessages outgoing, incoming;
     std::optional<server::ClientSession> session;
     std::function<void(std::string&)> tamper;  // with what the server says
 };

@@ -12,7 +12,7 @@
 #include "clients/cpp/core/src/connection.h"
 #include "clients/cpp/core/src/play_protocol.h"
 #include "clients/cpp/core/src/datagram_socket.h"
-#include "clients/cpp/core/src/held_messages.h"
+#include "clients/cpp/core/src/delayed_messages.h"
 
 namespace jostle::client {
 
@@ -28,7 +28,7 @@ struct ClientState {
     std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
     std::uint64_t socket_id = 0;           // for the watch
     // Of a client with a bad link: what is on its way in and out. Empty otherwise.
-    std::optional<HeldMessages> incoming, outgoing;
+    std::optional<DelayedMessages> incoming, outgoing;
     Clock::time_point connect_at{};
     Clock::duration reconnect_delay = std::chrono::milliseconds(250);
     std::optional<Clock::time_point> disconnect_deadline;  // of a client that is gone

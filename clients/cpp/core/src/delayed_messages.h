@@ -13,9 +13,9 @@
 
 namespace jostle::client {
 
-class HeldMessages {
+class DelayedMessages {
 public:
-    explicit HeldMessages(const NetworkConditions& settings) : link_(settings) {}
+    explicit DelayedMessages(const NetworkConditions& settings) : link_(settings) {}
 
     void push(std::string bytes, Clock::time_point now) {
         const std::int64_t due_us = link_.arrival_us(static_cast<std::int64_t>(to_us(now)));

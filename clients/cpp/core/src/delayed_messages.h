@@ -19,17 +19,17 @@ public:
 
     void push(std::string bytes, Clock::time_point now) {
         const std::int64_t due_us = link_.arrival_us(static_cast<std::int64_t>(to_us(now)));
-        held_.push_back({std::move(bytes), due_us});
+        queue_.push_back({std::move(bytes), due_us});
     }
     // The next one that has arrived.
     std::optional<std::string> take(Clock::time_point now) {
-        if (held_.empty() || held_.front().due_us > static_cast<std::int64_t>(to_us(now)))
+        if (queue_.empty() || queue_.front().due_us > static_cast<std::int64_t>(to_us(now)))
             return std::nullopt;
-        std::string bytes = std::move(held_.front().bytes);
-        held_.pop_front();
+        std::string bytes = std::move(queue_.front().bytes);
+        queue_.pop_front();
         return bytes;
     }
-    bool empty() const { return held_.empty(); }
+    bool empty() const { return queue_.empty(); }
 
 private:
     struct Held {
@@ -37,7 +37,7 @@ private:
         std::int64_t due_us;
     };
     NetworkSimulator link_;
-    std::deque<Held> held_;
+    std::deque<Held> queue_;
 };
 
 }  // namespace jostle::client

@@ -32,12 +32,12 @@ public:
     bool empty() const { return queue_.empty(); }
 
 private:
-    struct Held {
+    struct DelayedMessage {
         std::string bytes;
         std::int64_t due_us;
     };
     NetworkSimulator link_;
-    std::deque<Held> queue_;
+    std::deque<DelayedMessage> queue_;
 };
 
 }  // namespace jostle::client

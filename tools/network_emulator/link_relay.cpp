@@ -97,11 +97,11 @@ void LinkRelay::accept_all(Clock::time_point now) {
         pairs_.push_back(std::make_unique<Pair>(
             Pair{.directions = {Direction{.from = server,
                                           .to = client,
-                                          .link = BadLink(settings_.down, number, now),
+                                          .link = PathEmulator(settings_.down, number, now),
                                           .pieces = {}},
                                 Direction{.from = client,
                                           .to = server,
-                                          .link = BadLink(up, number + 1, now),
+                                          .link = PathEmulator(up, number + 1, now),
                                           .pieces = {}}}}));
     }
 }

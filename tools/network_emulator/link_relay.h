@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "tools/network_emulator/bad_link.h"
+#include "tools/network_emulator/path_emulator.h"
 
 namespace jostle::network_emulator {
 
@@ -45,7 +45,7 @@ private:
     };
     struct Direction {
         int from, to;
-        BadLink link;
+        PathEmulator link;
         std::deque<Piece> pieces;
         std::size_t queued = 0;
         bool ended = false;  // nothing more comes

@@ -77,8 +77,8 @@ void PacketRelay::write_due(Way& way, Clock::time_point now) {
 
 void PacketRelay::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
-    std::array<Way, 2> ways{Way{devices_[0], devices_[1], BadLink(settings_.link, 0, begun), {}},
-                            Way{devices_[1], devices_[0], BadLink(settings_.link, 1, begun), {}}};
+    std::array<Way, 2> ways{Way{devices_[0], devices_[1], PathEmulator(settings_.link, 0, begun), {}},
+                            Way{devices_[1], devices_[0], PathEmulator(settings_.link, 1, begun), {}}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;

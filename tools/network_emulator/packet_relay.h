@@ -12,7 +12,7 @@
 #include <string>
 
 #include "jostle/base/result.h"
-#include "tools/network_emulator/bad_link.h"
+#include "tools/network_emulator/path_emulator.h"
 
 namespace jostle::network_emulator {
 
@@ -42,7 +42,7 @@ private:
     };
     struct Way {
         int from, to;
-        BadLink link;
+        PathEmulator link;
         std::deque<Packet> packets;
     };
     void read(Way& way, Clock::time_point now);

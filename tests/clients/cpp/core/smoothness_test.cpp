@@ -12,20 +12,20 @@
 namespace jostle::client {
 namespace {
 
-struct BadLink {
+struct PathEmulator {
     const char* name;
     NetworkConditions link;
     // What this link is allowed to cost; measured figures are a little below.
     double usual_error_mm, error_mm, behind_ms;
 };
 
-void PrintTo(const BadLink& told, std::ostream* out) {
+void PrintTo(const PathEmulator& told, std::ostream* out) {
     *out << told.name;
 }
 
 // Errors are those of who guesses: a bounce is cut by 23 mm between two frames, and who holds while
 // a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.
-const BadLink bad_links[] = {
+const PathEmulator bad_links[] = {
     {"even", {.delay_ms = 40}, 2, 25, 75},
     {"uniform_20", {.delay_ms = 40, .jitter_ms = 20}, 2, 25, 82},
     {"uniform_80", {.delay_ms = 40, .jitter_ms = 80}, 3, 50, 140},
@@ -43,7 +43,7 @@ const BadLink bad_links[] = {
     {"loss_2_percent", {.delay_ms = 40, .jitter_ms = 5, .loss = 0.02}, 35, 360, 220},
 };
 
-class Smoothness : public testing::TestWithParam<BadLink> {};
+class Smoothness : public testing::TestWithParam<PathEmulator> {};
 
 }  // namespace
 

@@ -23,10 +23,10 @@ struct NetworkConditions {
     std::uint64_t seed = 1;
 };
 
-class BadLink {
+class PathEmulator {
 public:
     // `stream`: links of the same settings and different numbers differ.
-    BadLink(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now);
+    PathEmulator(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now);
 
     // When bytes that came now arrive; never before those that came earlier.
     Clock::time_point arrival_of(std::size_t bytes, Clock::time_point now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/network_emulator/bad_link.h"
+#include "tools/network_emulator/path_emulator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ Clock::duration link_seconds(double s) {
 
 }  // namespace
 
-BadLink::BadLink(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now)
+PathEmulator::PathEmulator(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now)
     : settings_(settings),
       generator_(settings.seed * 0x9e3779b97f4a7c15ull + stream),
       free_at_(now),
@@ -22,12 +22,12 @@ BadLink::BadLink(const NetworkConditions& settings, std::uint64_t stream, Clock:
       stall_ends_(now) {}
 
 // The standard library's distributions differ between platforms.
-double BadLink::random() {
+double PathEmulator::random() {
     return static_cast<double>(generator_() >> 11) * 0x1p-53;
 }
 
 // Moves to the stall that is on then, or to the next one.
-void BadLink::pass_stalls(Clock::time_point until) {
+void PathEmulator::pass_stalls(Clock::time_point until) {
     while (stall_ends_ <= until) {
         const double pause = -settings_.stall_every_s * std::log(1 - random());
         stall_begins_ = stall_ends_ + link_seconds(pause);
@@ -35,7 +35,7 @@ void BadLink::pass_stalls(Clock::time_point until) {
     }
 }
 
-Clock::time_point BadLink::arrival_of(std::size_t bytes, Clock::time_point now) {
+Clock::time_point PathEmulator::arrival_of(std::size_t bytes, Clock::time_point now) {
     free_at_ = std::max(free_at_, now);
     if (settings_.kbit_per_second > 0)
         free_at_ += link_seconds(8e-3 * static_cast<double>(bytes) / settings_.kbit_per_second);

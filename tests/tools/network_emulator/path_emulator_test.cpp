@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/network_emulator/bad_link.h"
+#include "tools/network_emulator/path_emulator.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ double ms(Clock::duration d) {
 
 // How long each of `count` pieces of 1 kB takes, one every millisecond.
 std::vector<double> delays_of(const NetworkConditions& settings, int count, std::uint64_t stream = 0) {
-    BadLink link(settings, stream, start);
+    PathEmulator link(settings, stream, start);
     std::vector<double> delays;
     for (int k = 0; k < count; k++) {
         const auto now = start + k * 1ms;
@@ -30,8 +30,8 @@ std::vector<double> delays_of(const NetworkConditions& settings, int count, std:
 
 }  // namespace
 
-TEST(BadLink, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
-    BadLink link({.delay_ms = 30, .jitter_ms = 20}, 0, start);
+TEST(PathEmulator, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
+    PathEmulator link({.delay_ms = 30, .jitter_ms = 20}, 0, start);
     Clock::time_point last = start;
     double sum = 0;
     for (int k = 0; k < 1000; k++) {
@@ -47,14 +47,14 @@ TEST(BadLink, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
     EXPECT_NEAR(sum / 1000, 40, 1) << "uniform: the mean of 30 and 50";
 }
 
-TEST(BadLink, a_thousand_kilobit_a_second_take_8_ms_for_a_kilobyte) {
+TEST(PathEmulator, a_thousand_kilobit_a_second_take_8_ms_for_a_kilobyte) {
     // One comes every millisecond and takes eight: the queue grows by seven.
     const auto delays = delays_of({.kbit_per_second = 1000}, 100);
     for (int k = 0; k < 100; k++)
         EXPECT_NEAR(delays[static_cast<std::size_t>(k)], 8 + 7 * k, 1e-3) << k;
 }
 
-TEST(BadLink, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
+TEST(PathEmulator, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
     // A second goes well in the mean, then 200 ms do not.
     const auto delays = delays_of({.stall_every_s = 1, .stall_ms = 200}, 200'000);
     const auto held = std::count_if(delays.begin(), delays.end(), [](double d) { return d > 0; });
@@ -63,7 +63,7 @@ TEST(BadLink, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
     EXPECT_GT(*std::max_element(delays.begin(), delays.end()), 195);
 }
 
-TEST(BadLink, a_seed_is_a_link_and_each_connection_has_its_own) {
+TEST(PathEmulator, a_seed_is_a_link_and_each_connection_has_its_own) {
     const NetworkConditions settings{.jitter_ms = 20, .stall_every_s = 0.1};
     EXPECT_EQ(delays_of(settings, 1000, 4), delays_of(settings, 1000, 4));
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(settings, 1000, 5));
@@ -72,9 +72,9 @@ TEST(BadLink, a_seed_is_a_link_and_each_connection_has_its_own) {
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(other, 1000, 4));
 }
 
-TEST(BadLink, loses_the_share_of_packets_that_it_is_told_and_none_unless_told) {
+TEST(PathEmulator, loses_the_share_of_packets_that_it_is_told_and_none_unless_told) {
     const Clock::time_point now{};
-    BadLink lossy({.loss = 0.02}, 3, now), whole({}, 3, now);
+    PathEmulator lossy({.loss = 0.02}, 3, now), whole({}, 3, now);
     int lost = 0, lost_in_a_row = 0, longest = 0;
     for (int k = 0; k < 100'000; k++) {
         EXPECT_FALSE(whole.loses());

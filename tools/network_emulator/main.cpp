@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/network_emulator/link_relay.h"
+#include "tools/network_emulator/tcp_proxy.h"
 #include "tools/network_emulator/packet_relay.h"
 
 namespace {
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     std::signal(SIGTERM, [](int) { stop = true; });
     settings.down.loss = loss_percent / 100;
     if (!between.empty()) return relay_packets(between, settings.down);
-    jostle::network_emulator::LinkRelay relay(settings);
+    jostle::network_emulator::TcpProxy relay(settings);
     if (const auto status = relay.listen(listen); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;

@@ -12,7 +12,7 @@
 #include "server/grpc/grpc_server.h"
 #include "tests/support/small_scene.h"
 #include "tests/support/wait_until.h"
-#include "tools/network_emulator/link_relay.h"
+#include "tools/network_emulator/tcp_proxy.h"
 
 namespace jostle::server {
 namespace {
@@ -36,7 +36,7 @@ public:
     int port() const { return relay_.port(); }
 
 private:
-    relay::LinkRelay relay_;
+    relay::TcpProxy relay_;
     std::atomic<bool> stop_{false};
     std::thread thread_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/network_emulator/link_relay.h"
+#include "tools/network_emulator/tcp_proxy.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -49,13 +49,13 @@ bool would_block() {
 
 }  // namespace
 
-LinkRelay::~LinkRelay() {
+TcpProxy::~TcpProxy() {
     for (const auto& pair : pairs_)
         for (const Direction& direction : pair->directions) close(direction.from);
     if (listener_ >= 0) close(listener_);
 }
 
-Status LinkRelay::listen(const std::string& address) {
+Status TcpProxy::listen(const std::string& address) {
     const auto target = find(settings_.target), here = find(address);
     if (!target.ok()) return target.error();
     if (!here.ok()) return here.error();
@@ -76,7 +76,7 @@ Status LinkRelay::listen(const std::string& address) {
     return {};
 }
 
-void LinkRelay::accept_all(Clock::time_point now) {
+void TcpProxy::accept_all(Clock::time_point now) {
     for (;;) {
         const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (client < 0) return;
@@ -106,7 +106,7 @@ void LinkRelay::accept_all(Clock::time_point now) {
     }
 }
 
-void LinkRelay::read(Direction& direction, Pair& pair, Clock::time_point now) const {
+void TcpProxy::read(Direction& direction, Pair& pair, Clock::time_point now) const {
     while (!direction.ended && direction.queued < settings_.queue_bytes) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
@@ -123,7 +123,7 @@ void LinkRelay::read(Direction& direction, Pair& pair, Clock::time_point now) co
     }
 }
 
-void LinkRelay::write_due(Direction& direction, Pair& pair, Clock::time_point now) {
+void TcpProxy::write_due(Direction& direction, Pair& pair, Clock::time_point now) {
     while (!direction.pieces.empty() && direction.pieces.front().at <= now) {
         std::string& bytes = direction.pieces.front().bytes;
         const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -141,7 +141,7 @@ void LinkRelay::write_due(Direction& direction, Pair& pair, Clock::time_point no
 }
 
 // When to look again.
-Clock::time_point LinkRelay::serve(Pair& pair, Clock::time_point now) const {
+Clock::time_point TcpProxy::serve(Pair& pair, Clock::time_point now) const {
     Clock::time_point next = now + longest_sleep;
     for (Direction& direction : pair.directions) {
         read(direction, pair, now);
@@ -151,7 +151,7 @@ Clock::time_point LinkRelay::serve(Pair& pair, Clock::time_point now) const {
     return next;
 }
 
-void LinkRelay::run(const std::atomic<bool>& stop) {
+void TcpProxy::run(const std::atomic<bool>& stop) {
     Clock::time_point next = Clock::now();
     std::vector<pollfd> watched;
     while (!stop) {

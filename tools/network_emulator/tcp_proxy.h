@@ -26,12 +26,12 @@ struct RelaySettings {
     std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
 };
 
-class LinkRelay {
+class TcpProxy {
 public:
-    explicit LinkRelay(RelaySettings settings) : settings_(std::move(settings)) {}
-    ~LinkRelay();
-    LinkRelay(const LinkRelay&) = delete;
-    LinkRelay& operator=(const LinkRelay&) = delete;
+    explicit TcpProxy(RelaySettings settings) : settings_(std::move(settings)) {}
+    ~TcpProxy();
+    TcpProxy(const TcpProxy&) = delete;
+    TcpProxy& operator=(const TcpProxy&) = delete;
 
     // HOST:PORT; port 0: any that is free.
     Status listen(const std::string& address);

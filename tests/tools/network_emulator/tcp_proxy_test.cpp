@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/network_emulator/link_relay.h"
+#include "tools/network_emulator/tcp_proxy.h"
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -56,9 +56,9 @@ private:
 
 }  // namespace
 
-TEST(LinkRelay, bytes_come_back_whole_and_two_delays_late) {
+TEST(TcpProxy, bytes_come_back_whole_and_two_delays_late) {
     const Echo echo;
-    LinkRelay relay({.target = "127.0.0.1:" + std::to_string(echo.port),
+    TcpProxy relay({.target = "127.0.0.1:" + std::to_string(echo.port),
                      .down = {.delay_ms = 30, .jitter_ms = 5}});
     ASSERT_TRUE(relay.listen("127.0.0.1:0"));
     std::atomic<bool> stop{false};
@@ -86,8 +86,8 @@ TEST(LinkRelay, bytes_come_back_whole_and_two_delays_late) {
     thread.join();
 }
 
-TEST(LinkRelay, an_address_that_is_none_is_refused) {
-    LinkRelay nowhere({.target = "here", .down = {}});
+TEST(TcpProxy, an_address_that_is_none_is_refused) {
+    TcpProxy nowhere({.target = "here", .down = {}});
     EXPECT_EQ(nowhere.listen("127.0.0.1:0").error().message, "here is not HOST:PORT");
 }
 

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     CLI::App app{
         "Hands on TCP connections, or IP packets, as a bad link would: late, unsteadily, in "
         "stalls, slowly."};
-    jostle::network_emulator::RelaySettings settings{.target = "127.0.0.1:50051"};
+    jostle::network_emulator::TcpProxySettings settings{.target = "127.0.0.1:50051"};
     std::string listen = "127.0.0.1:0";
     std::vector<std::string> between;
     double loss_percent = 0;

@@ -20,7 +20,7 @@
 
 namespace jostle::network_emulator {
 
-struct RelaySettings {
+struct TcpProxySettings {
     std::string target;  // HOST:PORT
     NetworkConditions down;   // to those who connected; up has the same delay and jitter, and no limit
     std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
@@ -28,7 +28,7 @@ struct RelaySettings {
 
 class TcpProxy {
 public:
-    explicit TcpProxy(RelaySettings settings) : settings_(std::move(settings)) {}
+    explicit TcpProxy(TcpProxySettings settings) : settings_(std::move(settings)) {}
     ~TcpProxy();
     TcpProxy(const TcpProxy&) = delete;
     TcpProxy& operator=(const TcpProxy&) = delete;
@@ -60,7 +60,7 @@ private:
     static void write_due(Direction& direction, Pair& pair, Clock::time_point now);
     Clock::time_point serve(Pair& pair, Clock::time_point now) const;
 
-    RelaySettings settings_;
+    TcpProxySettings settings_;
     sockaddr_storage target_{};
     socklen_t target_size_ = 0;
     int listener_ = -1, port_ = 0;

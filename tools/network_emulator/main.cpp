@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tools/network_emulator/tcp_proxy.h"
-#include "tools/network_emulator/packet_relay.h"
+#include "tools/network_emulator/packet_forwarder.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
 int relay_packets(const std::vector<std::string>& devices,
                   const jostle::network_emulator::NetworkConditions& link) {
-    jostle::network_emulator::PacketRelay relay({.devices = {devices[0], devices[1]}, .link = link});
+    jostle::network_emulator::PacketForwarder relay({.devices = {devices[0], devices[1]}, .link = link});
     if (const auto status = relay.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;

@@ -21,12 +21,12 @@ struct PacketRelaySettings {
     NetworkConditions link;                   // both ways alike
 };
 
-class PacketRelay {
+class PacketForwarder {
 public:
-    explicit PacketRelay(PacketRelaySettings settings) : settings_(std::move(settings)) {}
-    ~PacketRelay();
-    PacketRelay(const PacketRelay&) = delete;
-    PacketRelay& operator=(const PacketRelay&) = delete;
+    explicit PacketForwarder(PacketRelaySettings settings) : settings_(std::move(settings)) {}
+    ~PacketForwarder();
+    PacketForwarder(const PacketForwarder&) = delete;
+    PacketForwarder& operator=(const PacketForwarder&) = delete;
 
     // Makes the devices, which go when this does. An error says which and why.
     Status open();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/network_emulator/packet_relay.h"
+#include "tools/network_emulator/packet_forwarder.h"
 
 #include <fcntl.h>
 #include <linux/if.h>
@@ -40,12 +40,12 @@ Result<int> make_device(const std::string& name) {
 
 }  // namespace
 
-PacketRelay::~PacketRelay() {
+PacketForwarder::~PacketForwarder() {
     for (const int device : devices_)
         if (device >= 0) close(device);
 }
 
-Status PacketRelay::open() {
+Status PacketForwarder::open() {
     for (std::size_t k = 0; k < devices_.size(); k++) {
         const auto device = make_device(settings_.devices[k]);
         if (!device.ok()) return device.error();
@@ -54,7 +54,7 @@ Status PacketRelay::open() {
     return {};
 }
 
-void PacketRelay::read(Way& way, Clock::time_point now) {
+void PacketForwarder::read(Way& way, Clock::time_point now) {
     std::array<char, packet_bytes_max> bytes;
     for (;;) {
         const ssize_t size = ::read(way.from, bytes.data(), bytes.size());
@@ -68,14 +68,14 @@ void PacketRelay::read(Way& way, Clock::time_point now) {
     }
 }
 
-void PacketRelay::write_due(Way& way, Clock::time_point now) {
+void PacketForwarder::write_due(Way& way, Clock::time_point now) {
     for (; !way.packets.empty() && way.packets.front().at <= now; way.packets.pop_front()) {
         const std::string& bytes = way.packets.front().bytes;
         if (write(way.to, bytes.data(), bytes.size()) >= 0) handed_on_++;
     }
 }
 
-void PacketRelay::run(const std::atomic<bool>& stop) {
+void PacketForwarder::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
     std::array<Way, 2> ways{Way{devices_[0], devices_[1], PathEmulator(settings_.link, 0, begun), {}},
                             Way{devices_[1], devices_[0], PathEmulator(settings_.link, 1, begun), {}}};

@@ -16,14 +16,14 @@
 
 namespace jostle::network_emulator {
 
-struct PacketRelaySettings {
+struct PacketForwarderSettings {
     std::array<std::string, 2> devices;  // their names, which nobody has yet
     NetworkConditions link;                   // both ways alike
 };
 
 class PacketForwarder {
 public:
-    explicit PacketForwarder(PacketRelaySettings settings) : settings_(std::move(settings)) {}
+    explicit PacketForwarder(PacketForwarderSettings settings) : settings_(std::move(settings)) {}
     ~PacketForwarder();
     PacketForwarder(const PacketForwarder&) = delete;
     PacketForwarder& operator=(const PacketForwarder&) = delete;
@@ -48,7 +48,7 @@ private:
     void read(Way& way, Clock::time_point now);
     void write_due(Way& way, Clock::time_point now);
 
-    const PacketRelaySettings settings_;
+    const PacketForwarderSettings settings_;
     std::array<int, 2> devices_{-1, -1};
     std::uint64_t handed_on_ = 0, lost_ = 0;
 };

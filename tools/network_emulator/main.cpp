@@ -29,8 +29,8 @@ Examples:
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
 int relay_packets(const std::vector<std::string>& devices,
-                  const jostle::network_emulator::NetworkConditions& link) {
-    jostle::network_emulator::PacketForwarder relay({.devices = {devices[0], devices[1]}, .link = link});
+                  const jostle::network_emulator::NetworkConditions& path) {
+    jostle::network_emulator::PacketForwarder relay({.devices = {devices[0], devices[1]}, .path = path});
     if (const auto status = relay.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;

@@ -59,12 +59,12 @@ void PacketForwarder::read(Way& way, Clock::time_point now) {
     for (;;) {
         const ssize_t size = ::read(way.from, bytes.data(), bytes.size());
         if (size <= 0) return;
-        if (way.link.loses() || way.packets.size() >= packets_on_way_max) {
+        if (way.path.drops_packet() || way.packets.size() >= packets_on_way_max) {
             lost_++;
             continue;
         }
         const auto count = static_cast<std::size_t>(size);
-        way.packets.push_back({std::string(bytes.data(), count), way.link.arrival_of(count, now)});
+        way.packets.push_back({std::string(bytes.data(), count), way.path.arrival_time(count, now)});
     }
 }
 
@@ -77,8 +77,8 @@ void PacketForwarder::write_due(Way& way, Clock::time_point now) {
 
 void PacketForwarder::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
-    std::array<Way, 2> ways{Way{devices_[0], devices_[1], PathEmulator(settings_.link, 0, begun), {}},
-                            Way{devices_[1], devices_[0], PathEmulator(settings_.link, 1, begun), {}}};
+    std::array<Way, 2> ways{Way{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
+                            Way{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;

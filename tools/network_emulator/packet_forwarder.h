@@ -18,7 +18,7 @@ namespace jostle::network_emulator {
 
 struct PacketForwarderSettings {
     std::array<std::string, 2> devices;  // their names, which nobody has yet
-    NetworkConditions link;                   // both ways alike
+    NetworkConditions path;                   // both ways alike
 };
 
 class PacketForwarder {
@@ -42,7 +42,7 @@ private:
     };
     struct Way {
         int from, to;
-        PathEmulator link;
+        PathEmulator path;
         std::deque<Packet> packets;
     };
     void read(Way& way, Clock::time_point now);

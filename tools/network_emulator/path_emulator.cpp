@@ -35,7 +35,7 @@ void PathEmulator::pass_stalls(Clock::time_point until) {
     }
 }
 
-Clock::time_point PathEmulator::arrival_of(std::size_t bytes, Clock::time_point now) {
+Clock::time_point PathEmulator::arrival_time(std::size_t bytes, Clock::time_point now) {
     free_at_ = std::max(free_at_, now);
     if (settings_.kbit_per_second > 0)
         free_at_ += link_seconds(8e-3 * static_cast<double>(bytes) / settings_.kbit_per_second);

@@ -29,10 +29,10 @@ public:
     PathEmulator(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now);
 
     // When bytes that came now arrive; never before those that came earlier.
-    Clock::time_point arrival_of(std::size_t bytes, Clock::time_point now);
+    Clock::time_point arrival_time(std::size_t bytes, Clock::time_point now);
 
     // Whether this packet is lost.
-    bool loses() { return settings_.loss > 0 && random() < settings_.loss; }
+    bool drops_packet() { return settings_.loss > 0 && random() < settings_.loss; }
 
 private:
     double random();  // 0 to 1

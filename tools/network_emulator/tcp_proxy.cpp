@@ -97,11 +97,11 @@ void TcpProxy::accept_all(Clock::time_point now) {
         pairs_.push_back(std::make_unique<Pair>(
             Pair{.directions = {Direction{.from = server,
                                           .to = client,
-                                          .link = PathEmulator(settings_.down, number, now),
+                                          .path = PathEmulator(settings_.down, number, now),
                                           .pieces = {}},
                                 Direction{.from = client,
                                           .to = server,
-                                          .link = PathEmulator(up, number + 1, now),
+                                          .path = PathEmulator(up, number + 1, now),
                                           .pieces = {}}}}));
     }
 }
@@ -118,7 +118,7 @@ void TcpProxy::read(Direction& direction, Pair& pair, Clock::time_point now) con
         }
         const auto count = static_cast<std::size_t>(size);
         direction.pieces.push_back(
-            {std::string(scratch.data(), count), direction.link.arrival_of(count, now)});
+            {std::string(scratch.data(), count), direction.path.arrival_time(count, now)});
         direction.queued += count;
     }
 }

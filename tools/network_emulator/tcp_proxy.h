@@ -45,7 +45,7 @@ private:
     };
     struct Direction {
         int from, to;
-        PathEmulator link;
+        PathEmulator path;
         std::deque<Piece> pieces;
         std::size_t queued = 0;
         bool ended = false;  // nothing more comes

@@ -19,11 +19,11 @@ double ms(Clock::duration d) {
 
 // How long each of `count` pieces of 1 kB takes, one every millisecond.
 std::vector<double> delays_of(const NetworkConditions& settings, int count, std::uint64_t stream = 0) {
-    PathEmulator link(settings, stream, start);
+    PathEmulator path(settings, stream, start);
     std::vector<double> delays;
     for (int k = 0; k < count; k++) {
         const auto now = start + k * 1ms;
-        delays.push_back(ms(link.arrival_of(1000, now) - now));
+        delays.push_back(ms(path.arrival_time(1000, now) - now));
     }
     return delays;
 }
@@ -31,12 +31,12 @@ std::vector<double> delays_of(const NetworkConditions& settings, int count, std:
 }  // namespace
 
 TEST(PathEmulator, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
-    PathEmulator link({.delay_ms = 30, .jitter_ms = 20}, 0, start);
+    PathEmulator path({.delay_ms = 30, .jitter_ms = 20}, 0, start);
     Clock::time_point last = start;
     double sum = 0;
     for (int k = 0; k < 1000; k++) {
         const auto now = start + k * 100ms;  // too rare to wait for each other
-        const auto at = link.arrival_of(1000, now);
+        const auto at = path.arrival_time(1000, now);
         ASSERT_GE(at, last);
         last = at;
         const double delay = ms(at - now);
@@ -77,8 +77,8 @@ TEST(PathEmulator, loses_the_share_of_packets_that_it_is_told_and_none_unless_to
     PathEmulator lossy({.loss = 0.02}, 3, now), whole({}, 3, now);
     int lost = 0, lost_in_a_row = 0, longest = 0;
     for (int k = 0; k < 100'000; k++) {
-        EXPECT_FALSE(whole.loses());
-        lost_in_a_row = lossy.loses() ? lost_in_a_row + 1 : 0;
+        EXPECT_FALSE(whole.drops_packet());
+        lost_in_a_row = lossy.drops_packet() ? lost_in_a_row + 1 : 0;
         lost += lost_in_a_row > 0 ? 1 : 0;
         longest = std::max(longest, lost_in_a_row);
     }

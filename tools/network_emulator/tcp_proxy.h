@@ -39,14 +39,14 @@ public:
     void run(const std::atomic<bool>& stop);
 
 private:
-    struct Piece {
+    struct Chunk {
         std::string bytes;
         Clock::time_point at;
     };
     struct Direction {
         int from, to;
         PathEmulator path;
-        std::deque<Piece> pieces;
+        std::deque<Chunk> pieces;
         std::size_t queued = 0;
         bool ended = false;  // nothing more comes
     };

@@ -98,11 +98,11 @@ void TcpProxy::accept_all(Clock::time_point now) {
             Pair{.directions = {Direction{.from = server,
                                           .to = client,
                                           .path = PathEmulator(settings_.down, number, now),
-                                          .pieces = {}},
+                                          .chunks = {}},
                                 Direction{.from = client,
                                           .to = server,
                                           .path = PathEmulator(up, number + 1, now),
-                                          .pieces = {}}}}));
+                                          .chunks = {}}}}));
     }
 }
 
@@ -117,15 +117,15 @@ void TcpProxy::read(Direction& direction, Pair& pair, Clock::time_point now) con
             return;
         }
         const auto count = static_cast<std::size_t>(size);
-        direction.pieces.push_back(
+        direction.chunks.push_back(
             {std::string(scratch.data(), count), direction.path.arrival_time(count, now)});
         direction.queued += count;
     }
 }
 
 void TcpProxy::write_due(Direction& direction, Pair& pair, Clock::time_point now) {
-    while (!direction.pieces.empty() && direction.pieces.front().at <= now) {
-        std::string& bytes = direction.pieces.front().bytes;
+    while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
+        std::string& bytes = direction.chunks.front().bytes;
         const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (size < 0 && would_block()) return;
         if (size < 0) {
@@ -135,9 +135,9 @@ void TcpProxy::write_due(Direction& direction, Pair& pair, Clock::time_point now
         direction.queued -= static_cast<std::size_t>(size);
         bytes.erase(0, static_cast<std::size_t>(size));
         if (!bytes.empty()) return;
-        direction.pieces.pop_front();
+        direction.chunks.pop_front();
     }
-    if (direction.ended && direction.pieces.empty()) shutdown(direction.to, SHUT_WR);
+    if (direction.ended && direction.chunks.empty()) shutdown(direction.to, SHUT_WR);
 }
 
 // When to look again.
@@ -146,7 +146,7 @@ Clock::time_point TcpProxy::serve(Pair& pair, Clock::time_point now) const {
     for (Direction& direction : pair.directions) {
         read(direction, pair, now);
         write_due(direction, pair, now);
-        if (!direction.pieces.empty()) next = std::min(next, direction.pieces.front().at);
+        if (!direction.chunks.empty()) next = std::min(next, direction.chunks.front().at);
     }
     return next;
 }
@@ -169,7 +169,7 @@ void TcpProxy::run(const std::atomic<bool>& stop) {
         for (const auto& pair : pairs_) next = std::min(next, serve(*pair, now));
         std::erase_if(pairs_, [](const auto& pair) {
             const auto& [down, up] = pair->directions;
-            const bool over = pair->broken || (down.ended && down.pieces.empty() && up.ended);
+            const bool over = pair->broken || (down.ended && down.chunks.empty() && up.ended);
             if (over)
                 for (const Direction& direction : pair->directions) close(direction.from);
             return over;

@@ -46,7 +46,7 @@ private:
     struct Direction {
         int from, to;
         PathEmulator path;
-        std::deque<Chunk> pieces;
+        std::deque<Chunk> chunks;
         std::size_t queued = 0;
         bool ended = false;  // nothing more comes
     };

@@ -94,8 +94,8 @@ void TcpProxy::accept_all(Clock::time_point now) {
         up.kbit_per_second = 0;
         up.stall_every_s = 0;
         const std::uint64_t number = 2 * accepted_++;
-        pairs_.push_back(std::make_unique<Pair>(
-            Pair{.directions = {Direction{.from = server,
+        pairs_.push_back(std::make_unique<ProxiedConnection>(
+            ProxiedConnection{.directions = {Direction{.from = server,
                                           .to = client,
                                           .path = PathEmulator(settings_.down, number, now),
                                           .chunks = {}},
@@ -106,7 +106,7 @@ void TcpProxy::accept_all(Clock::time_point now) {
     }
 }
 
-void TcpProxy::read(Direction& direction, Pair& pair, Clock::time_point now) const {
+void TcpProxy::read(Direction& direction, ProxiedConnection& pair, Clock::time_point now) const {
     while (!direction.ended && direction.queued < settings_.queue_bytes) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
@@ -123,7 +123,7 @@ void TcpProxy::read(Direction& direction, Pair& pair, Clock::time_point now) con
     }
 }
 
-void TcpProxy::write_due(Direction& direction, Pair& pair, Clock::time_point now) {
+void TcpProxy::write_due(Direction& direction, ProxiedConnection& pair, Clock::time_point now) {
     while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
         std::string& bytes = direction.chunks.front().bytes;
         const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -141,7 +141,7 @@ void TcpProxy::write_due(Direction& direction, Pair& pair, Clock::time_point now
 }
 
 // When to look again.
-Clock::time_point TcpProxy::serve(Pair& pair, Clock::time_point now) const {
+Clock::time_point TcpProxy::serve(ProxiedConnection& pair, Clock::time_point now) const {
     Clock::time_point next = now + longest_sleep;
     for (Direction& direction : pair.directions) {
         read(direction, pair, now);

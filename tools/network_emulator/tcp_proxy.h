@@ -50,21 +50,21 @@ private:
         std::size_t queued = 0;
         bool ended = false;  // nothing more comes
     };
-    struct Pair {
+    struct ProxiedConnection {
         std::array<Direction, 2> directions;  // down, up
         bool broken = false;
     };
 
     void accept_all(Clock::time_point now);
-    void read(Direction& direction, Pair& pair, Clock::time_point now) const;
-    static void write_due(Direction& direction, Pair& pair, Clock::time_point now);
-    Clock::time_point serve(Pair& pair, Clock::time_point now) const;
+    void read(Direction& direction, ProxiedConnection& pair, Clock::time_point now) const;
+    static void write_due(Direction& direction, ProxiedConnection& pair, Clock::time_point now);
+    Clock::time_point serve(ProxiedConnection& pair, Clock::time_point now) const;
 
     TcpProxySettings settings_;
     sockaddr_storage target_{};
     socklen_t target_size_ = 0;
     int listener_ = -1, port_ = 0;
-    std::vector<std::unique_ptr<Pair>> pairs_;
+    std::vector<std::unique_ptr<ProxiedConnection>> pairs_;
     std::uint64_t accepted_ = 0;
 };
 

@@ -50,8 +50,8 @@ bool would_block() {
 }  // namespace
 
 TcpProxy::~TcpProxy() {
-    for (const auto& pair : pairs_)
-        for (const Direction& direction : pair->directions) close(direction.from);
+    for (const auto& connection : connections_)
+        for (const Direction& direction : connection->directions) close(direction.from);
     if (listener_ >= 0) close(listener_);
 }
 
@@ -94,7 +94,7 @@ void TcpProxy::accept_all(Clock::time_point now) {
         up.kbit_per_second = 0;
         up.stall_every_s = 0;
         const std::uint64_t number = 2 * accepted_++;
-        pairs_.push_back(std::make_unique<ProxiedConnection>(
+        connections_.push_back(std::make_unique<ProxiedConnection>(
             ProxiedConnection{.directions = {Direction{.from = server,
                                           .to = client,
                                           .path = PathEmulator(settings_.down, number, now),
@@ -106,12 +106,12 @@ void TcpProxy::accept_all(Clock::time_point now) {
     }
 }
 
-void TcpProxy::read(Direction& direction, ProxiedConnection& pair, Clock::time_point now) const {
+void TcpProxy::read(Direction& direction, ProxiedConnection& connection, Clock::time_point now) const {
     while (!direction.ended && direction.queued < settings_.queue_bytes) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
         if (size < 0 && would_block()) return;
-        if (size < 0) pair.broken = true;
+        if (size < 0) connection.broken = true;
         if (size <= 0) {
             direction.ended = true;
             return;
@@ -123,13 +123,13 @@ void TcpProxy::read(Direction& direction, ProxiedConnection& pair, Clock::time_p
     }
 }
 
-void TcpProxy::write_due(Direction& direction, ProxiedConnection& pair, Clock::time_point now) {
+void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection, Clock::time_point now) {
     while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
         std::string& bytes = direction.chunks.front().bytes;
         const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (size < 0 && would_block()) return;
         if (size < 0) {
-            pair.broken = true;
+            connection.broken = true;
             return;
         }
         direction.queued -= static_cast<std::size_t>(size);
@@ -141,11 +141,11 @@ void TcpProxy::write_due(Direction& direction, ProxiedConnection& pair, Clock::t
 }
 
 // When to look again.
-Clock::time_point TcpProxy::serve(ProxiedConnection& pair, Clock::time_point now) const {
+Clock::time_point TcpProxy::serve(ProxiedConnection& connection, Clock::time_point now) const {
     Clock::time_point next = now + longest_sleep;
-    for (Direction& direction : pair.directions) {
-        read(direction, pair, now);
-        write_due(direction, pair, now);
+    for (Direction& direction : connection.directions) {
+        read(direction, connection, now);
+        write_due(direction, connection, now);
         if (!direction.chunks.empty()) next = std::min(next, direction.chunks.front().at);
     }
     return next;
@@ -156,8 +156,8 @@ void TcpProxy::run(const std::atomic<bool>& stop) {
     std::vector<pollfd> watched;
     while (!stop) {
         watched.assign(1, {.fd = listener_, .events = POLLIN, .revents = 0});
-        for (const auto& pair : pairs_)
-            for (const Direction& direction : pair->directions)
+        for (const auto& connection : connections_)
+            for (const Direction& direction : connection->directions)
                 if (!direction.ended && direction.queued < settings_.queue_bytes)
                     watched.push_back({.fd = direction.from, .events = POLLIN, .revents = 0});
         const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
@@ -166,12 +166,12 @@ void TcpProxy::run(const std::atomic<bool>& stop) {
         const auto now = Clock::now();
         accept_all(now);
         next = now + longest_sleep;
-        for (const auto& pair : pairs_) next = std::min(next, serve(*pair, now));
-        std::erase_if(pairs_, [](const auto& pair) {
-            const auto& [down, up] = pair->directions;
-            const bool over = pair->broken || (down.ended && down.chunks.empty() && up.ended);
+        for (const auto& connection : connections_) next = std::min(next, serve(*connection, now));
+        std::erase_if(connections_, [](const auto& connection) {
+            const auto& [down, up] = connection->directions;
+            const bool over = connection->broken || (down.ended && down.chunks.empty() && up.ended);
             if (over)
-                for (const Direction& direction : pair->directions) close(direction.from);
+                for (const Direction& direction : connection->directions) close(direction.from);
             return over;
         });
         next = std::max(next, now + std::chrono::milliseconds(1));

@@ -56,15 +56,15 @@ private:
     };
 
     void accept_all(Clock::time_point now);
-    void read(Direction& direction, ProxiedConnection& pair, Clock::time_point now) const;
-    static void write_due(Direction& direction, ProxiedConnection& pair, Clock::time_point now);
-    Clock::time_point serve(ProxiedConnection& pair, Clock::time_point now) const;
+    void read(Direction& direction, ProxiedConnection& connection, Clock::time_point now) const;
+    static void write_due(Direction& direction, ProxiedConnection& connection, Clock::time_point now);
+    Clock::time_point serve(ProxiedConnection& connection, Clock::time_point now) const;
 
     TcpProxySettings settings_;
     sockaddr_storage target_{};
     socklen_t target_size_ = 0;
     int listener_ = -1, port_ = 0;
-    std::vector<std::unique_ptr<ProxiedConnection>> pairs_;
+    std::vector<std::unique_ptr<ProxiedConnection>> connections_;
     std::uint64_t accepted_ = 0;
 };
 

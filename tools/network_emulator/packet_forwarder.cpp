@@ -54,7 +54,7 @@ Status PacketForwarder::open() {
     return {};
 }
 
-void PacketForwarder::read(Way& way, Clock::time_point now) {
+void PacketForwarder::read(Direction& way, Clock::time_point now) {
     std::array<char, packet_bytes_max> bytes;
     for (;;) {
         const ssize_t size = ::read(way.from, bytes.data(), bytes.size());
@@ -68,7 +68,7 @@ void PacketForwarder::read(Way& way, Clock::time_point now) {
     }
 }
 
-void PacketForwarder::write_due(Way& way, Clock::time_point now) {
+void PacketForwarder::write_due(Direction& way, Clock::time_point now) {
     for (; !way.packets.empty() && way.packets.front().at <= now; way.packets.pop_front()) {
         const std::string& bytes = way.packets.front().bytes;
         if (write(way.to, bytes.data(), bytes.size()) >= 0) handed_on_++;
@@ -77,8 +77,8 @@ void PacketForwarder::write_due(Way& way, Clock::time_point now) {
 
 void PacketForwarder::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
-    std::array<Way, 2> ways{Way{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
-                            Way{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
+    std::array<Direction, 2> ways{Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
+                            Direction{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;
@@ -91,7 +91,7 @@ void PacketForwarder::run(const std::atomic<bool>& stop) {
         const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(wait.count())};
         ppoll(watched.data(), watched.size(), &timeout, nullptr);
         const Clock::time_point now = Clock::now();
-        for (Way& way : ways) {
+        for (Direction& way : ways) {
             read(way, now);
             write_due(way, now);
         }

@@ -40,13 +40,13 @@ private:
         std::string bytes;
         Clock::time_point at;
     };
-    struct Way {
+    struct Direction {
         int from, to;
         PathEmulator path;
         std::deque<Packet> packets;
     };
-    void read(Way& way, Clock::time_point now);
-    void write_due(Way& way, Clock::time_point now);
+    void read(Direction& way, Clock::time_point now);
+    void write_due(Direction& way, Clock::time_point now);
 
     const PacketForwarderSettings settings_;
     std::array<int, 2> devices_{-1, -1};

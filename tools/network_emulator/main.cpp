@@ -28,7 +28,7 @@ Examples:
 
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
-int relay_packets(const std::vector<std::string>& devices,
+int forward_packets(const std::vector<std::string>& devices,
                   const jostle::network_emulator::NetworkConditions& path) {
     jostle::network_emulator::PacketForwarder relay({.devices = {devices[0], devices[1]}, .path = path});
     if (const auto status = relay.open(); !status.ok()) {
@@ -39,7 +39,7 @@ int relay_packets(const std::vector<std::string>& devices,
     std::fflush(stdout);
     relay.run(stop);
     std::printf("%llu packets handed on, %llu lost\n",
-                static_cast<unsigned long long>(relay.handed_on()),
+                static_cast<unsigned long long>(relay.forwarded()),
                 static_cast<unsigned long long>(relay.lost()));
     return 0;
 }
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
     settings.down.loss = loss_percent / 100;
-    if (!between.empty()) return relay_packets(between, settings.down);
+    if (!between.empty()) return forward_packets(between, settings.down);
     jostle::network_emulator::TcpProxy relay(settings);
     if (const auto status = relay.listen(listen); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());

@@ -17,7 +17,7 @@ namespace jostle::network_emulator {
 namespace {
 
 constexpr auto longest_wait = std::chrono::milliseconds(50);
-constexpr std::size_t packet_bytes_max = 65'536, packets_on_way_max = 20'000;
+constexpr std::size_t packet_bytes_max = 65'536, packets_in_flight_max = 20'000;
 
 Result<int> make_device(const std::string& name) {
     const auto failed = [&](const char* what) {
@@ -54,46 +54,46 @@ Status PacketForwarder::open() {
     return {};
 }
 
-void PacketForwarder::read(Direction& way, Clock::time_point now) {
+void PacketForwarder::read(Direction& direction, Clock::time_point now) {
     std::array<char, packet_bytes_max> bytes;
     for (;;) {
-        const ssize_t size = ::read(way.from, bytes.data(), bytes.size());
+        const ssize_t size = ::read(direction.from, bytes.data(), bytes.size());
         if (size <= 0) return;
-        if (way.path.drops_packet() || way.packets.size() >= packets_on_way_max) {
+        if (direction.path.drops_packet() || direction.packets.size() >= packets_in_flight_max) {
             lost_++;
             continue;
         }
         const auto count = static_cast<std::size_t>(size);
-        way.packets.push_back({std::string(bytes.data(), count), way.path.arrival_time(count, now)});
+        direction.packets.push_back({std::string(bytes.data(), count), direction.path.arrival_time(count, now)});
     }
 }
 
-void PacketForwarder::write_due(Direction& way, Clock::time_point now) {
-    for (; !way.packets.empty() && way.packets.front().at <= now; way.packets.pop_front()) {
-        const std::string& bytes = way.packets.front().bytes;
-        if (write(way.to, bytes.data(), bytes.size()) >= 0) handed_on_++;
+void PacketForwarder::write_due(Direction& direction, Clock::time_point now) {
+    for (; !direction.packets.empty() && direction.packets.front().at <= now; direction.packets.pop_front()) {
+        const std::string& bytes = direction.packets.front().bytes;
+        if (write(direction.to, bytes.data(), bytes.size()) >= 0) forwarded_++;
     }
 }
 
 void PacketForwarder::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
-    std::array<Direction, 2> ways{Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
+    std::array<Direction, 2> directions{Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
                             Direction{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;
-        for (std::size_t k = 0; k < ways.size(); k++) {
-            watched[k] = {.fd = ways[k].from, .events = POLLIN, .revents = 0};
-            if (!ways[k].packets.empty()) next = std::min(next, ways[k].packets.front().at);
+        for (std::size_t k = 0; k < directions.size(); k++) {
+            watched[k] = {.fd = directions[k].from, .events = POLLIN, .revents = 0};
+            if (!directions[k].packets.empty()) next = std::min(next, directions[k].packets.front().at);
         }
         // To the microsecond: poll() knows milliseconds only.
         const auto wait = std::max(Clock::duration::zero(), next - Clock::now());
         const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(wait.count())};
         ppoll(watched.data(), watched.size(), &timeout, nullptr);
         const Clock::time_point now = Clock::now();
-        for (Direction& way : ways) {
-            read(way, now);
-            write_due(way, now);
+        for (Direction& direction : directions) {
+            read(direction, now);
+            write_due(direction, now);
         }
     }
 }

@@ -32,7 +32,7 @@ public:
     Status open();
     void run(const std::atomic<bool>& stop);
 
-    std::uint64_t handed_on() const { return handed_on_; }
+    std::uint64_t forwarded() const { return forwarded_; }
     std::uint64_t lost() const { return lost_; }
 
 private:
@@ -45,12 +45,12 @@ private:
         PathEmulator path;
         std::deque<Packet> packets;
     };
-    void read(Direction& way, Clock::time_point now);
-    void write_due(Direction& way, Clock::time_point now);
+    void read(Direction& direction, Clock::time_point now);
+    void write_due(Direction& direction, Clock::time_point now);
 
     const PacketForwarderSettings settings_;
     std::array<int, 2> devices_{-1, -1};
-    std::uint64_t handed_on_ = 0, lost_ = 0;
+    std::uint64_t forwarded_ = 0, lost_ = 0;
 };
 
 }  // namespace jostle::network_emulator

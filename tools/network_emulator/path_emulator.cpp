@@ -27,7 +27,7 @@ double PathEmulator::random() {
 }
 
 // Moves to the stall that is on then, or to the next one.
-void PathEmulator::pass_stalls(Clock::time_point until) {
+void PathEmulator::advance_stalls(Clock::time_point until) {
     while (stall_ends_ <= until) {
         const double pause = -settings_.stall_every_s * std::log(1 - random());
         stall_begins_ = stall_ends_ + link_seconds(pause);
@@ -42,7 +42,7 @@ Clock::time_point PathEmulator::arrival_time(std::size_t bytes, Clock::time_poin
     Clock::time_point at =
         free_at_ + link_seconds((settings_.delay_ms + settings_.jitter_ms * random()) / 1000);
     if (settings_.stall_every_s > 0 && settings_.stall_ms > 0) {
-        pass_stalls(at);
+        advance_stalls(at);
         if (at >= stall_begins_) at = stall_ends_;
     }
     return last_ = std::max(last_, at);

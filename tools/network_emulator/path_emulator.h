@@ -36,7 +36,7 @@ public:
 
 private:
     double random();  // 0 to 1
-    void pass_stalls(Clock::time_point until);
+    void advance_stalls(Clock::time_point until);
 
     NetworkConditions settings_;
     std::mt19937_64 generator_;

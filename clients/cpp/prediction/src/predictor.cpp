@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "clients/cpp/prediction/src/foresight.h"
+#include "clients/cpp/prediction/src/prediction_engine.h"
 #include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 
@@ -133,13 +133,13 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
 }  // namespace
 
 struct Predictor::Impl {
-    Foresight foresight;
+    PredictionEngine foresight;
     std::uint32_t followed = 0;
     std::uint32_t newest_frame = 0, newest_drive = 0;
 };
 
 Predictor::Predictor(PredictorOptions options)
-    : impl_(std::make_unique<Impl>(Impl{.foresight = Foresight(options)})) {}
+    : impl_(std::make_unique<Impl>(Impl{.foresight = PredictionEngine(options)})) {}
 Predictor::~Predictor() = default;
 
 void Predictor::begin(const v1::Welcome& welcome) {

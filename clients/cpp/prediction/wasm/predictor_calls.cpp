@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "clients/cpp/prediction/src/foresight.h"
+#include "clients/cpp/prediction/src/prediction_engine.h"
 #include "clients/cpp/prediction/wasm/shape_numbers.h"
 #include "jostle/modules/driven.h"
 
@@ -26,7 +26,7 @@ struct JostlePredictor {
         std::optional<std::vector<ShapeDef>> shapes;  // hulls and meshes are built once
     };
 
-    Foresight foresight{{}};
+    PredictionEngine foresight{{}};
     std::map<std::uint32_t, Known> known;
     std::vector<double> numbers;
     std::vector<ToldBody> told;

@@ -49,9 +49,9 @@ struct ToldFrame {
     ToldDrive drive = {};
 };
 
-class Foresight {
+class PredictionEngine {
 public:
-    explicit Foresight(PredictorOptions options) : options_(options) {}
+    explicit PredictionEngine(PredictorOptions options) : options_(options) {}
 
     // A stream begins: everything is forgotten but whom it follows.
     void begin(physics::Vec3 gravity, double tick_hz, int substeps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/prediction/src/foresight.h"
+#include "clients/cpp/prediction/src/prediction_engine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
 
 }  // namespace
 
-void Foresight::begin(Vec3 gravity, double tick_hz, int substeps) {
+void PredictionEngine::begin(Vec3 gravity, double tick_hz, int substeps) {
     forget_world();
     newest_drive_ = 0;
     substeps_ = substeps >= 1 && substeps <= 64 ? substeps : options_.substeps;
@@ -82,14 +82,14 @@ void Foresight::begin(Vec3 gravity, double tick_hz, int substeps) {
     if (tick_hz >= 4 && tick_hz <= 1e4) tick_s_ = 1 / tick_hz;
 }
 
-void Foresight::follow(std::uint32_t entity) {
+void PredictionEngine::follow(std::uint32_t entity) {
     if (entity_ == entity) return;
     entity_ = entity;
     forget_world();
     newest_drive_ = 0;
 }
 
-void Foresight::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act act) {
+void PredictionEngine::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act act) {
     if (sequence == 0 || tick_wanted == 0) return;
     std::uint32_t first = tick_wanted;
     if (!inputs_.empty() && inputs_.back().sequence == sequence) {
@@ -105,7 +105,7 @@ void Foresight::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act a
     changed_ = changed || late;
 }
 
-void Foresight::on_result(std::uint32_t sequence, std::uint32_t applied_in, bool applied) {
+void PredictionEngine::on_result(std::uint32_t sequence, std::uint32_t applied_in, bool applied) {
     const auto sent = std::find_if(inputs_.begin(), inputs_.end(),
                                    [&](const Sent& s) { return s.sequence == sequence; });
     if (sent == inputs_.end()) return;
@@ -121,7 +121,7 @@ void Foresight::on_result(std::uint32_t sequence, std::uint32_t applied_in, bool
 
 // --- ticks ---
 
-void Foresight::forget_world() {
+void PredictionEngine::forget_world() {
     world_.reset();
     moments_.clear();
     told_.clear();
@@ -131,12 +131,12 @@ void Foresight::forget_world() {
     reach_ = 0;
 }
 
-Foresight::Moment* Foresight::find(std::uint32_t wanted) {
+PredictionEngine::Moment* PredictionEngine::find(std::uint32_t wanted) {
     if (moments_.empty() || wanted < moments_.front().tick || wanted > tick()) return nullptr;
     return &moments_[wanted - moments_.front().tick];
 }
 
-void Foresight::keep(std::uint32_t at) {
+void PredictionEngine::keep(std::uint32_t at) {
     moments_.emplace_back();
     if (!spare_.empty()) {
         moments_.back() = std::move(spare_.back());
@@ -145,17 +145,17 @@ void Foresight::keep(std::uint32_t at) {
     world_->keep(moments_.back(), at);
 }
 
-void Foresight::drop_oldest() {
+void PredictionEngine::drop_oldest() {
     spare_.push_back(std::move(moments_.front()));
     moments_.pop_front();
 }
 
-void Foresight::drop_newest() {
+void PredictionEngine::drop_newest() {
     spare_.push_back(std::move(moments_.back()));
     moments_.pop_back();
 }
 
-void Foresight::step() {
+void PredictionEngine::step() {
     const std::uint32_t next = tick() + 1;
     for (const Sent& sent : inputs_)
         if (sent.tick == next) world_->apply(sent.act);
@@ -164,19 +164,19 @@ void Foresight::step() {
     keep(next);
 }
 
-void Foresight::step_to(std::uint32_t wanted) {
+void PredictionEngine::step_to(std::uint32_t wanted) {
     while (tick() < wanted) step();
 }
 
 // The world as it was after that tick; later moments are gone.
-void Foresight::go_back(std::uint32_t to) {
+void PredictionEngine::go_back(std::uint32_t to) {
     world_->go_back(*find(to));
     while (tick() > to) drop_newest();
     changed_ = true;
 }
 
 // Something is otherwise from that tick on.
-void Foresight::again_from(std::uint32_t first) {
+void PredictionEngine::again_from(std::uint32_t first) {
     if (moments_.empty() || first > tick() || first == 0) return;
     const std::uint32_t now = tick();
     // What was so in the newest frame is known.
@@ -188,7 +188,7 @@ void Foresight::again_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& center) const {
+PredictionEngine::Around PredictionEngine::look_around(const ToldFrame& frame, const Vec3& center) const {
     std::vector<std::pair<double, const ToldBody*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
     for (const ToldBody& body : frame.bodies) {
@@ -217,13 +217,13 @@ Foresight::Around Foresight::look_around(const ToldFrame& frame, const Vec3& cen
     return around;
 }
 
-bool Foresight::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
+bool PredictionEngine::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
     const auto shapes = frame.shapes_of(body.entity);
     return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
                                  motion, body.at_rest);
 }
 
-void Foresight::add_fixed(const ToldFrame& frame, const Bodies& near) {
+void PredictionEngine::add_fixed(const ToldFrame& frame, const Bodies& near) {
     for (const ToldBody& body : frame.bodies) {
         if (body.type == BodyType::dynamic || near.contains(body.entity)) continue;
         if (world_->members().fixed.contains(body.entity)) {
@@ -240,12 +240,12 @@ void Foresight::add_fixed(const ToldFrame& frame, const Bodies& near) {
 
 // How long a body moved since the frame before. While nothing moves no frames are sent, so that
 // what rested then began with this one.
-double Foresight::seconds_of(const ToldBody& before, std::uint32_t frame) const {
+double PredictionEngine::seconds_of(const ToldBody& before, std::uint32_t frame) const {
     return (before.at_rest ? 1 : frame - newest_frame_) * tick_s_;
 }
 
 // Of one that is new here: what it did since the frame before.
-Motion Foresight::measured(const ToldBody& now, std::uint32_t frame) const {
+Motion PredictionEngine::measured(const ToldBody& now, std::uint32_t frame) const {
     Motion motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
@@ -260,14 +260,14 @@ Motion Foresight::measured(const ToldBody& now, std::uint32_t frame) const {
 }
 
 // Where the frame says, as fast as it says.
-Motion Foresight::put_right(const ToldBody& now, std::uint32_t frame) {
+Motion PredictionEngine::put_right(const ToldBody& now, std::uint32_t frame) {
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     return explained(now, frame);
 }
 
 // Where the frame says, at the velocity that explains how it came there.
-Motion Foresight::explained(const ToldBody& now, std::uint32_t frame) {
+Motion PredictionEngine::explained(const ToldBody& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
@@ -297,14 +297,14 @@ Motion Foresight::explained(const ToldBody& now, std::uint32_t frame) {
     return right;
 }
 
-bool Foresight::rim_changed(const Bodies& rim) const {
+bool PredictionEngine::rim_changed(const Bodies& rim) const {
     return !std::equal(
         rim.begin(), rim.end(), rim_.begin(), rim_.end(), [](const auto& now, const auto& before) {
             return now.first == before.first && agrees(now.second.pose, before.second.pose);
         });
 }
 
-void Foresight::change_members(const ToldFrame& frame, const Around& around) {
+void PredictionEngine::change_members(const ToldFrame& frame, const Around& around) {
     const LocalWorld::Members& members = world_->members();
     std::vector<std::uint32_t> gone;
     for (const auto& [id, body] : members.moving)
@@ -320,7 +320,7 @@ void Foresight::change_members(const ToldFrame& frame, const Around& around) {
     change_rim(frame, around.rim);
 }
 
-void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
+void PredictionEngine::change_rim(const ToldFrame& frame, const Bodies& rim) {
     for (const auto& [id, now] : rim) {
         const auto before = rim_.find(id);
         if (!world_->members().rim.contains(id)) {
@@ -332,7 +332,7 @@ void Foresight::change_rim(const ToldFrame& frame, const Bodies& rim) {
     rim_ = rim;
 }
 
-void Foresight::start(const ToldFrame& frame, const Around& around) {
+void PredictionEngine::start(const ToldFrame& frame, const Around& around) {
     moments_.clear();
     rim_.clear();
     world_.emplace(gravity_, substeps_);
@@ -347,7 +347,7 @@ void Foresight::start(const ToldFrame& frame, const Around& around) {
     changed_ = true;
 }
 
-void Foresight::compare(const ToldFrame& told, const Around& around) {
+void PredictionEngine::compare(const ToldFrame& told, const Around& around) {
     const Bodies& near = around.near;
     const std::uint32_t frame = told.number, now = tick();
     const Moment& guess = *find(frame);
@@ -380,7 +380,7 @@ void Foresight::compare(const ToldFrame& told, const Around& around) {
 
 // Frames went past what was foreseen, for nobody drew. The world goes on as it is, with what hands
 // hold in it. False: too far.
-bool Foresight::catch_up(std::uint32_t frame) {
+bool PredictionEngine::catch_up(std::uint32_t frame) {
     if (!world_ || frame <= newest_frame_ || frame - newest_frame_ > options_.ticks_max)
         return false;
     step_to(frame);
@@ -388,7 +388,7 @@ bool Foresight::catch_up(std::uint32_t frame) {
 }
 
 // Whether it was told lately how the followed body is driven.
-bool Foresight::is_driven(const ToldFrame& frame) const {
+bool PredictionEngine::is_driven(const ToldFrame& frame) const {
     const ToldDrive& drive = frame.drive;
     return drive.tick != 0 && drive.entity == entity_ &&
            drive.tick + drive_patience_ticks >= frame.number &&
@@ -397,7 +397,7 @@ bool Foresight::is_driven(const ToldFrame& frame) const {
 
 // All that is so of what is driven, to the bit of a single float. Where the guess is as good as
 // frames are, it stays.
-void Foresight::take_drive(const ToldDrive& drive) {
+void PredictionEngine::take_drive(const ToldDrive& drive) {
     if (drive.tick <= newest_drive_) return;
     const Moment* const guess = find(drive.tick);
     const auto right = modules::motion_of_driven(drive.words);
@@ -422,7 +422,7 @@ void Foresight::take_drive(const ToldDrive& drive) {
     step_to(now);
 }
 
-void Foresight::on_frame(const ToldFrame& told) {
+void PredictionEngine::on_frame(const ToldFrame& told) {
     const std::uint32_t frame = told.number;
     const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     const bool driven = own && is_driven(told);
@@ -451,7 +451,7 @@ void Foresight::on_frame(const ToldFrame& told) {
 
 // --- pictures ---
 
-std::vector<std::uint32_t> Foresight::drawn() const {
+std::vector<std::uint32_t> PredictionEngine::drawn() const {
     std::vector<std::uint32_t> ids;
     if (world_)
         for (const auto& [id, body] : world_->members().moving) ids.push_back(id);
@@ -461,7 +461,7 @@ std::vector<std::uint32_t> Foresight::drawn() const {
     return ids;
 }
 
-std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position, BodySpeed* body_speed) {
+std::optional<wire::Pose> PredictionEngine::foreseen(std::uint32_t id, double position, BodySpeed* body_speed) {
     if (moments_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
                                  static_cast<double>(tick()));
@@ -475,7 +475,7 @@ std::optional<wire::Pose> Foresight::foreseen(std::uint32_t id, double position,
 }
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
-PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
+PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
                               const Shown* before, const BodySpeed& body_speed, double seconds) {
     if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), body_speed);
     PoseError error = before->error;
@@ -489,7 +489,7 @@ PoseError Foresight::error_of(const SmoothPose& drawn, const std::optional<wire:
     return decayed(error, body_speed, seconds);
 }
 
-std::vector<SmoothPose> Foresight::sample(double position, std::int64_t now_us,
+std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t now_us,
                                           std::vector<SmoothPose> poses) {
     const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - drawn_us_)) / 1e6;
     if (now_us - drawn_us_ > sample_gap_max_us) shown_.clear();

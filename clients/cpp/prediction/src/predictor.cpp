@@ -133,17 +133,17 @@ std::vector<ToldBody> bodies_of(const WorldView& view) {
 }  // namespace
 
 struct Predictor::Impl {
-    PredictionEngine foresight;
+    PredictionEngine engine;
     std::uint32_t followed = 0;
     std::uint32_t newest_frame = 0, newest_drive = 0;
 };
 
 Predictor::Predictor(PredictorOptions options)
-    : impl_(std::make_unique<Impl>(Impl{.foresight = PredictionEngine(options)})) {}
+    : impl_(std::make_unique<Impl>(Impl{.engine = PredictionEngine(options)})) {}
 Predictor::~Predictor() = default;
 
 void Predictor::begin(const v1::Welcome& welcome) {
-    impl_->foresight.begin(to_vector(welcome.gravity()), welcome.tick_hz(),
+    impl_->engine.begin(to_vector(welcome.gravity()), welcome.tick_hz(),
                            static_cast<int>(std::min(welcome.substeps(), 64u)));
     impl_->newest_frame = impl_->newest_drive = 0;
 }
@@ -152,16 +152,16 @@ void Predictor::follow(std::uint32_t entity) {
     if (impl_->followed == entity) return;
     impl_->followed = entity;
     impl_->newest_frame = 0;
-    impl_->foresight.follow(entity);
+    impl_->engine.follow(entity);
 }
 
 void Predictor::add_input(std::uint32_t sequence, const v1::Input& input) {
-    if (auto act = to_act(input)) impl_->foresight.add_act(sequence, input.tick(), *std::move(act));
+    if (auto act = to_act(input)) impl_->engine.add_act(sequence, input.tick(), *std::move(act));
 }
 
 void Predictor::on_results(const std::vector<v1::InputResult>& results) {
     for (const v1::InputResult& result : results)
-        impl_->foresight.on_result(result.sequence(), result.tick(),
+        impl_->engine.on_result(result.sequence(), result.tick(),
                                    result.code() == v1::INPUT_CODE_APPLIED);
 }
 
@@ -174,7 +174,7 @@ void Predictor::on_frame(const WorldView& view) {
     impl_->newest_drive = controlled_entity.tick;
     std::vector<ToldBody> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
-    impl_->foresight.on_frame({.number = frame,
+    impl_->engine.on_frame({.number = frame,
                                .bodies = bodies,
                                .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
                                .drive = {controlled_entity.entity, controlled_entity.tick, controlled_entity.module, controlled_entity.words}});
@@ -182,15 +182,15 @@ void Predictor::on_frame(const WorldView& view) {
 
 std::vector<SmoothPose> Predictor::sample(double position, std::int64_t now_us,
                                           std::vector<SmoothPose> interpolated) {
-    return impl_->foresight.sample(position, now_us, std::move(interpolated));
+    return impl_->engine.sample(position, now_us, std::move(interpolated));
 }
 
 const Predictor::Stats& Predictor::stats() const {
-    return impl_->foresight.stats();
+    return impl_->engine.stats();
 }
 
 std::size_t Predictor::bodies() const {
-    return impl_->foresight.bodies();
+    return impl_->engine.bodies();
 }
 
 }  // namespace jostle::client

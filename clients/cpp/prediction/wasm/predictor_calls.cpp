@@ -26,7 +26,7 @@ struct JostlePredictor {
         std::optional<std::vector<ShapeDef>> shapes;  // hulls and meshes are built once
     };
 
-    PredictionEngine foresight{{}};
+    PredictionEngine engine{{}};
     std::map<std::uint32_t, Known> known;
     std::vector<double> numbers;
     std::vector<ToldBody> told;
@@ -64,7 +64,7 @@ wire::Pose pose_at(const double* n) {
 }
 
 void act(JostlePredictor* p, std::uint32_t sequence, std::uint32_t tick, Act what) {
-    p->foresight.add_act(sequence, tick, std::move(what));
+    p->engine.add_act(sequence, tick, std::move(what));
 }
 
 }  // namespace
@@ -88,8 +88,8 @@ void jostle_predictor_begin(JostlePredictor* p, double tick_hz, double x, double
     p->drive = {};
     p->known.clear();
     p->unusable = 0;
-    p->foresight.follow(0);
-    p->foresight.begin({x, y, z}, tick_hz, static_cast<int>(substeps < 65 ? substeps : 0));
+    p->engine.follow(0);
+    p->engine.begin({x, y, z}, tick_hz, static_cast<int>(substeps < 65 ? substeps : 0));
 }
 
 void jostle_predictor_add_body(JostlePredictor* p, uint32_t entity, uint32_t type, double mass) {
@@ -127,7 +127,7 @@ uint32_t jostle_predictor_set_shapes(JostlePredictor* p, uint32_t entity, uint32
 }
 
 void jostle_predictor_follow(JostlePredictor* p, uint32_t entity) {
-    p->foresight.follow(entity);
+    p->engine.follow(entity);
 }
 
 void jostle_predictor_push(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t entity,
@@ -169,7 +169,7 @@ void jostle_predictor_steer(JostlePredictor* p, uint32_t sequence, uint32_t tick
 
 void jostle_predictor_result(JostlePredictor* p, uint32_t sequence, uint32_t tick,
                              uint32_t applied) {
-    p->foresight.on_result(sequence, tick, applied != 0);
+    p->engine.on_result(sequence, tick, applied != 0);
 }
 
 uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
@@ -223,7 +223,7 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
         body.at_rest = n[8] != 0;
         if (motion != motions.end()) body.velocity = motion->second;
     }
-    p->foresight.on_frame({.number = number,
+    p->engine.on_frame({.number = number,
                            .bodies = p->told,
                            .shapes_of = [p](auto entity) { return p->shapes_of(entity); },
                            .drive = p->drive});
@@ -231,7 +231,7 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
 }
 
 uint32_t jostle_predictor_drawn(JostlePredictor* p) {
-    const std::vector<std::uint32_t> drawn = p->foresight.drawn();
+    const std::vector<std::uint32_t> drawn = p->engine.drawn();
     p->numbers.assign(drawn.begin(), drawn.end());
     return static_cast<uint32_t>(drawn.size());
 }
@@ -246,7 +246,7 @@ uint32_t jostle_predictor_sample(JostlePredictor* p, double position, double now
         if (!is_entity(n[0])) return 0;
         poses.push_back({static_cast<std::uint32_t>(n[0]), pose_at(n + 1)});
     }
-    poses = p->foresight.sample(position, static_cast<std::int64_t>(now_us), std::move(poses));
+    poses = p->engine.sample(position, static_cast<std::int64_t>(now_us), std::move(poses));
     double* n = p->numbers.data();
     for (const SmoothPose& drawn : poses) {
         *n++ = drawn.entity;
@@ -257,12 +257,12 @@ uint32_t jostle_predictor_sample(JostlePredictor* p, double position, double now
 }
 
 double jostle_predictor_figure(const JostlePredictor* p, uint32_t which) {
-    const PredictorStats& stats = p->foresight.stats();
+    const PredictorStats& stats = p->engine.stats();
     const double figures[] = {static_cast<double>(stats.frames),
                               static_cast<double>(stats.corrections),
                               static_cast<double>(stats.steps),
                               stats.last_error_m,
-                              static_cast<double>(p->foresight.bodies()),
+                              static_cast<double>(p->engine.bodies()),
                               static_cast<double>(p->unusable),
                               static_cast<double>(stats.drives),
                               static_cast<double>(stats.drive_corrections),

@@ -40,7 +40,7 @@ bool agrees(const Transform& a, const Transform& b) {
 }
 
 // A push shows in the velocity before it shows in the pose.
-bool was_pushed(const Motion& guess, const ToldBody& told) {
+bool was_pushed(const Motion& guess, const BodyUpdate& told) {
     return told.velocity && !told.at_rest &&
            (gap(guess.linear, told.velocity->linear) > pushed_speed ||
             gap(guess.angular, told.velocity->angular) > pushed_spin);
@@ -48,7 +48,7 @@ bool was_pushed(const Motion& guess, const ToldBody& told) {
 
 // What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
 // on as it goes there, and nothing here moves it.
-LocalBody local_body(const ToldBody& told, bool own) {
+LocalBody local_body(const BodyUpdate& told, bool own) {
     return {
         .type = told.jointed && told.type == BodyType::dynamic ? BodyType::kinematic : told.type,
         .mass = told.mass,
@@ -59,14 +59,14 @@ LocalBody local_body(const ToldBody& told, bool own) {
 }
 
 // Statics do not, nor what stands on its rails.
-bool moves(const ToldBody& body) {
+bool moves(const BodyUpdate& body) {
     return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
 }
 
-const ToldBody* find_body(const ToldFrame& frame, std::uint32_t entity) {
+const BodyUpdate* find_body(const ToldFrame& frame, std::uint32_t entity) {
     const auto at =
         std::lower_bound(frame.bodies.begin(), frame.bodies.end(), entity,
-                         [](const ToldBody& body, std::uint32_t id) { return body.entity < id; });
+                         [](const BodyUpdate& body, std::uint32_t id) { return body.entity < id; });
     return at != frame.bodies.end() && at->entity == entity ? &*at : nullptr;
 }
 
@@ -189,9 +189,9 @@ void PredictionEngine::again_from(std::uint32_t first) {
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
 PredictionEngine::Around PredictionEngine::look_around(const ToldFrame& frame, const Vec3& center) const {
-    std::vector<std::pair<double, const ToldBody*>> candidates;
+    std::vector<std::pair<double, const BodyUpdate*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
-    for (const ToldBody& body : frame.bodies) {
+    for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
         if (!moves(body) && !own) continue;
         const Vec3& at = body.pose.position;
@@ -217,14 +217,14 @@ PredictionEngine::Around PredictionEngine::look_around(const ToldFrame& frame, c
     return around;
 }
 
-bool PredictionEngine::add(const ToldFrame& frame, const ToldBody& body, const Motion& motion) {
+bool PredictionEngine::add(const ToldFrame& frame, const BodyUpdate& body, const Motion& motion) {
     const auto shapes = frame.shapes_of(body.entity);
     return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
                                  motion, body.at_rest);
 }
 
 void PredictionEngine::add_fixed(const ToldFrame& frame, const Bodies& near) {
-    for (const ToldBody& body : frame.bodies) {
+    for (const BodyUpdate& body : frame.bodies) {
         if (body.type == BodyType::dynamic || near.contains(body.entity)) continue;
         if (world_->members().fixed.contains(body.entity)) {
             if (body.type == BodyType::kinematic) world_->put(body.entity, body.pose);
@@ -240,12 +240,12 @@ void PredictionEngine::add_fixed(const ToldFrame& frame, const Bodies& near) {
 
 // How long a body moved since the frame before. While nothing moves no frames are sent, so that
 // what rested then began with this one.
-double PredictionEngine::seconds_of(const ToldBody& before, std::uint32_t frame) const {
+double PredictionEngine::seconds_of(const BodyUpdate& before, std::uint32_t frame) const {
     return (before.at_rest ? 1 : frame - newest_frame_) * tick_s_;
 }
 
 // Of one that is new here: what it did since the frame before.
-Motion PredictionEngine::measured(const ToldBody& now, std::uint32_t frame) const {
+Motion PredictionEngine::measured(const BodyUpdate& now, std::uint32_t frame) const {
     Motion motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
@@ -260,14 +260,14 @@ Motion PredictionEngine::measured(const ToldBody& now, std::uint32_t frame) cons
 }
 
 // Where the frame says, as fast as it says.
-Motion PredictionEngine::put_right(const ToldBody& now, std::uint32_t frame) {
+Motion PredictionEngine::put_right(const BodyUpdate& now, std::uint32_t frame) {
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     return explained(now, frame);
 }
 
 // Where the frame says, at the velocity that explains how it came there.
-Motion PredictionEngine::explained(const ToldBody& now, std::uint32_t frame) {
+Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
@@ -424,7 +424,7 @@ void PredictionEngine::take_drive(const ToldDrive& drive) {
 
 void PredictionEngine::on_frame(const ToldFrame& told) {
     const std::uint32_t frame = told.number;
-    const ToldBody* own = entity_ == 0 ? nullptr : find_body(told, entity_);
+    const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     const bool driven = own && is_driven(told);
     const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
     if (!own || (own->controllable ? !driven : !is_free)) return forget_world();

@@ -20,7 +20,7 @@
 namespace jostle::client {
 
 // A body of a frame.
-struct ToldBody {
+struct BodyUpdate {
     std::uint32_t entity = 0;
     physics::BodyType type = physics::BodyType::dynamic;
     double mass = 0;  // kg, of a dynamic one
@@ -43,7 +43,7 @@ struct ToldDrive {
 // A frame of the server.
 struct ToldFrame {
     std::uint32_t number = 0;
-    std::span<const ToldBody> bodies;  // in rising order of entity
+    std::span<const BodyUpdate> bodies;  // in rising order of entity
     // Of one of them; nothing: they were never told, or are none that the solver can have.
     std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
     ToldDrive drive = {};
@@ -84,7 +84,7 @@ private:
         PoseError error;
         bool foreseen;
     };
-    using Bodies = std::map<std::uint32_t, ToldBody>;
+    using Bodies = std::map<std::uint32_t, BodyUpdate>;
     // The dynamic bodies about the one that is followed: who moves in the world, and round these
     // who stands in it, so that nothing falls for want of what carries it.
     struct Around {
@@ -108,15 +108,15 @@ private:
         return world_ && world_->members().moving.contains(id);
     }
     Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
-    bool add(const ToldFrame& frame, const ToldBody& body, const Motion& motion);
+    bool add(const ToldFrame& frame, const BodyUpdate& body, const Motion& motion);
     void add_fixed(const ToldFrame& frame, const Bodies& near);
     bool rim_changed(const Bodies& rim) const;
     void change_members(const ToldFrame& frame, const Around& around);
     void change_rim(const ToldFrame& frame, const Bodies& rim);
-    double seconds_of(const ToldBody& before, std::uint32_t frame) const;
-    Motion measured(const ToldBody& now, std::uint32_t frame) const;
-    Motion put_right(const ToldBody& now, std::uint32_t frame);
-    Motion explained(const ToldBody& now, std::uint32_t frame);
+    double seconds_of(const BodyUpdate& before, std::uint32_t frame) const;
+    Motion measured(const BodyUpdate& now, std::uint32_t frame) const;
+    Motion put_right(const BodyUpdate& now, std::uint32_t frame);
+    Motion explained(const BodyUpdate& now, std::uint32_t frame);
     void start(const ToldFrame& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
     bool is_driven(const ToldFrame& frame) const;

@@ -103,9 +103,9 @@ private:
 };
 
 // Those of the newest frame whose looks are known.
-std::vector<ToldBody> bodies_of(const WorldView& view) {
+std::vector<BodyUpdate> bodies_of(const WorldView& view) {
     Motions motions(view);
-    std::vector<ToldBody> bodies;
+    std::vector<BodyUpdate> bodies;
     bodies.reserve(view.frame().entities.size());
     auto known = view.entities().begin();
     for (const wire::EntityState& state : view.frame().entities) {
@@ -172,7 +172,7 @@ void Predictor::on_frame(const WorldView& view) {
     if (frame == impl_->newest_frame && controlled_entity.tick == impl_->newest_drive) return;
     impl_->newest_frame = frame;
     impl_->newest_drive = controlled_entity.tick;
-    std::vector<ToldBody> bodies;
+    std::vector<BodyUpdate> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
     impl_->engine.on_frame({.number = frame,
                                .bodies = bodies,

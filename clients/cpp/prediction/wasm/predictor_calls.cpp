@@ -21,7 +21,7 @@ using physics::Vec3;
 
 struct JostlePredictor {
     struct Known {
-        ToldBody about;
+        BodyUpdate about;
         bool asked = false;
         std::optional<std::vector<ShapeDef>> shapes;  // hulls and meshes are built once
     };
@@ -29,7 +29,7 @@ struct JostlePredictor {
     PredictionEngine engine{{}};
     std::map<std::uint32_t, Known> known;
     std::vector<double> numbers;
-    std::vector<ToldBody> told;
+    std::vector<BodyUpdate> told;
     std::map<std::uint32_t, Velocity> motions;  // of the next frame
     ToldDrive drive;
     std::vector<std::uint32_t> drive_words;
@@ -105,7 +105,7 @@ void jostle_predictor_set_body(JostlePredictor* p, uint32_t entity, double linea
                                uint32_t moved_by) {
     const auto body = p->known.find(entity);
     if (body == p->known.end()) return;
-    ToldBody& about = body->second.about;
+    BodyUpdate& about = body->second.about;
     about.linear_damping = linear_damping;
     about.angular_damping = angular_damping;
     about.gravity_scale = gravity_scale;
@@ -218,7 +218,7 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
         if (about == p->known.end()) continue;
         if (!p->told.empty() && p->told.back().entity >= entity) return 0;
         const auto motion = motions.find(entity);
-        ToldBody& body = p->told.emplace_back(about->second.about);
+        BodyUpdate& body = p->told.emplace_back(about->second.about);
         body.pose = to_transform(pose_at(n + 1));
         body.at_rest = n[8] != 0;
         if (motion != motions.end()) body.velocity = motion->second;

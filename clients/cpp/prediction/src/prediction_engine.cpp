@@ -63,7 +63,7 @@ bool moves(const BodyUpdate& body) {
     return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
 }
 
-const BodyUpdate* find_body(const ToldFrame& frame, std::uint32_t entity) {
+const BodyUpdate* find_body(const FrameUpdate& frame, std::uint32_t entity) {
     const auto at =
         std::lower_bound(frame.bodies.begin(), frame.bodies.end(), entity,
                          [](const BodyUpdate& body, std::uint32_t id) { return body.entity < id; });
@@ -188,7 +188,7 @@ void PredictionEngine::again_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-PredictionEngine::Around PredictionEngine::look_around(const ToldFrame& frame, const Vec3& center) const {
+PredictionEngine::Around PredictionEngine::look_around(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
@@ -217,13 +217,13 @@ PredictionEngine::Around PredictionEngine::look_around(const ToldFrame& frame, c
     return around;
 }
 
-bool PredictionEngine::add(const ToldFrame& frame, const BodyUpdate& body, const Motion& motion) {
+bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion) {
     const auto shapes = frame.shapes_of(body.entity);
     return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
                                  motion, body.at_rest);
 }
 
-void PredictionEngine::add_fixed(const ToldFrame& frame, const Bodies& near) {
+void PredictionEngine::add_fixed(const FrameUpdate& frame, const Bodies& near) {
     for (const BodyUpdate& body : frame.bodies) {
         if (body.type == BodyType::dynamic || near.contains(body.entity)) continue;
         if (world_->members().fixed.contains(body.entity)) {
@@ -304,7 +304,7 @@ bool PredictionEngine::rim_changed(const Bodies& rim) const {
         });
 }
 
-void PredictionEngine::change_members(const ToldFrame& frame, const Around& around) {
+void PredictionEngine::change_members(const FrameUpdate& frame, const Around& around) {
     const LocalWorld::Members& members = world_->members();
     std::vector<std::uint32_t> gone;
     for (const auto& [id, body] : members.moving)
@@ -320,7 +320,7 @@ void PredictionEngine::change_members(const ToldFrame& frame, const Around& arou
     change_rim(frame, around.rim);
 }
 
-void PredictionEngine::change_rim(const ToldFrame& frame, const Bodies& rim) {
+void PredictionEngine::change_rim(const FrameUpdate& frame, const Bodies& rim) {
     for (const auto& [id, now] : rim) {
         const auto before = rim_.find(id);
         if (!world_->members().rim.contains(id)) {
@@ -332,7 +332,7 @@ void PredictionEngine::change_rim(const ToldFrame& frame, const Bodies& rim) {
     rim_ = rim;
 }
 
-void PredictionEngine::start(const ToldFrame& frame, const Around& around) {
+void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     moments_.clear();
     rim_.clear();
     world_.emplace(gravity_, substeps_);
@@ -347,7 +347,7 @@ void PredictionEngine::start(const ToldFrame& frame, const Around& around) {
     changed_ = true;
 }
 
-void PredictionEngine::compare(const ToldFrame& told, const Around& around) {
+void PredictionEngine::compare(const FrameUpdate& told, const Around& around) {
     const Bodies& near = around.near;
     const std::uint32_t frame = told.number, now = tick();
     const Moment& guess = *find(frame);
@@ -388,7 +388,7 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
 }
 
 // Whether it was told lately how the followed body is driven.
-bool PredictionEngine::is_driven(const ToldFrame& frame) const {
+bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
     const ToldDrive& drive = frame.drive;
     return drive.tick != 0 && drive.entity == entity_ &&
            drive.tick + drive_patience_ticks >= frame.number &&
@@ -422,7 +422,7 @@ void PredictionEngine::take_drive(const ToldDrive& drive) {
     step_to(now);
 }
 
-void PredictionEngine::on_frame(const ToldFrame& told) {
+void PredictionEngine::on_frame(const FrameUpdate& told) {
     const std::uint32_t frame = told.number;
     const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(told, entity_);
     const bool driven = own && is_driven(told);

@@ -41,7 +41,7 @@ struct ToldDrive {
 };
 
 // A frame of the server.
-struct ToldFrame {
+struct FrameUpdate {
     std::uint32_t number = 0;
     std::span<const BodyUpdate> bodies;  // in rising order of entity
     // Of one of them; nothing: they were never told, or are none that the solver can have.
@@ -62,7 +62,7 @@ public:
     void add_act(std::uint32_t sequence, std::uint32_t tick, Act act);
     // What became of it: it was applied in a tick, or it was not.
     void on_result(std::uint32_t sequence, std::uint32_t tick, bool applied);
-    void on_frame(const ToldFrame& frame);
+    void on_frame(const FrameUpdate& frame);
 
     // Who is drawn otherwise than interpolated, now or since the last picture; in rising order.
     std::vector<std::uint32_t> drawn() const;
@@ -107,21 +107,21 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Around look_around(const ToldFrame& frame, const physics::Vec3& center) const;
-    bool add(const ToldFrame& frame, const BodyUpdate& body, const Motion& motion);
-    void add_fixed(const ToldFrame& frame, const Bodies& near);
+    Around look_around(const FrameUpdate& frame, const physics::Vec3& center) const;
+    bool add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion);
+    void add_fixed(const FrameUpdate& frame, const Bodies& near);
     bool rim_changed(const Bodies& rim) const;
-    void change_members(const ToldFrame& frame, const Around& around);
-    void change_rim(const ToldFrame& frame, const Bodies& rim);
+    void change_members(const FrameUpdate& frame, const Around& around);
+    void change_rim(const FrameUpdate& frame, const Bodies& rim);
     double seconds_of(const BodyUpdate& before, std::uint32_t frame) const;
     Motion measured(const BodyUpdate& now, std::uint32_t frame) const;
     Motion put_right(const BodyUpdate& now, std::uint32_t frame);
     Motion explained(const BodyUpdate& now, std::uint32_t frame);
-    void start(const ToldFrame& frame, const Around& around);
+    void start(const FrameUpdate& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
-    bool is_driven(const ToldFrame& frame) const;
+    bool is_driven(const FrameUpdate& frame) const;
     void take_drive(const ToldDrive& drive);
-    void compare(const ToldFrame& frame, const Around& around);
+    void compare(const FrameUpdate& frame, const Around& around);
 
     // --- pictures ---
     std::optional<wire::Pose> foreseen(std::uint32_t id, double position, BodySpeed* body_speed);

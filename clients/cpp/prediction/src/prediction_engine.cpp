@@ -389,7 +389,7 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
 
 // Whether it was told lately how the followed body is driven.
 bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
-    const ToldDrive& drive = frame.drive;
+    const ControlUpdate& drive = frame.drive;
     return drive.tick != 0 && drive.entity == entity_ &&
            drive.tick + drive_patience_ticks >= frame.number &&
            drive.tick <= frame.number + late_ticks;
@@ -397,7 +397,7 @@ bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
 
 // All that is so of what is driven, to the bit of a single float. Where the guess is as good as
 // frames are, it stays.
-void PredictionEngine::take_drive(const ToldDrive& drive) {
+void PredictionEngine::take_drive(const ControlUpdate& drive) {
     if (drive.tick <= newest_drive_) return;
     const Moment* const guess = find(drive.tick);
     const auto right = modules::motion_of_driven(drive.words);

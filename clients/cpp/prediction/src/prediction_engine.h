@@ -34,7 +34,7 @@ struct BodyUpdate {
 };
 
 // What the client drives, as jostle/modules/driven.h tells it.
-struct ToldDrive {
+struct ControlUpdate {
     std::uint32_t entity = 0, tick = 0;  // 0: nothing was told
     std::string module;
     std::span<const std::uint32_t> words;
@@ -46,7 +46,7 @@ struct FrameUpdate {
     std::span<const BodyUpdate> bodies;  // in rising order of entity
     // Of one of them; nothing: they were never told, or are none that the solver can have.
     std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
-    ToldDrive drive = {};
+    ControlUpdate drive = {};
 };
 
 class PredictionEngine {
@@ -120,7 +120,7 @@ private:
     void start(const FrameUpdate& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
     bool is_driven(const FrameUpdate& frame) const;
-    void take_drive(const ToldDrive& drive);
+    void take_drive(const ControlUpdate& drive);
     void compare(const FrameUpdate& frame, const Around& around);
 
     // --- pictures ---

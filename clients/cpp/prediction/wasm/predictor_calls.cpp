@@ -31,7 +31,7 @@ struct JostlePredictor {
     std::vector<double> numbers;
     std::vector<BodyUpdate> told;
     std::map<std::uint32_t, Velocity> motions;  // of the next frame
-    ToldDrive drive;
+    ControlUpdate drive;
     std::vector<std::uint32_t> drive_words;
     std::uint32_t unusable = 0;
 

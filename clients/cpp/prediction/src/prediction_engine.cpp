@@ -40,22 +40,22 @@ bool agrees(const Transform& a, const Transform& b) {
 }
 
 // A push shows in the velocity before it shows in the pose.
-bool was_pushed(const Motion& guess, const BodyUpdate& told) {
-    return told.velocity && !told.at_rest &&
-           (gap(guess.linear, told.velocity->linear) > pushed_speed ||
-            gap(guess.angular, told.velocity->angular) > pushed_spin);
+bool was_pushed(const Motion& guess, const BodyUpdate& update) {
+    return update.velocity && !update.at_rest &&
+           (gap(guess.linear, update.velocity->linear) > pushed_speed ||
+            gap(guess.angular, update.velocity->angular) > pushed_spin);
 }
 
 // What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
 // on as it goes there, and nothing here moves it.
-LocalBody local_body(const BodyUpdate& told, bool own) {
+LocalBody local_body(const BodyUpdate& update, bool own) {
     return {
-        .type = told.jointed && told.type == BodyType::dynamic ? BodyType::kinematic : told.type,
-        .mass = told.mass,
-        .linear_damping = told.linear_damping,
-        .angular_damping = told.angular_damping,
-        .gravity_scale = told.controllable && !own ? 0 : told.gravity_scale,
-        .locks = told.locks};
+        .type = update.jointed && update.type == BodyType::dynamic ? BodyType::kinematic : update.type,
+        .mass = update.mass,
+        .linear_damping = update.linear_damping,
+        .angular_damping = update.angular_damping,
+        .gravity_scale = update.controllable && !own ? 0 : update.gravity_scale,
+        .locks = update.locks};
 }
 
 // Statics do not, nor what stands on its rails.
@@ -124,7 +124,7 @@ void PredictionEngine::on_result(std::uint32_t sequence, std::uint32_t applied_i
 void PredictionEngine::forget_world() {
     world_.reset();
     moments_.clear();
-    told_.clear();
+    near_updates_.clear();
     rim_.clear();
     corrected_.clear();
     newest_frame_ = 0;
@@ -249,8 +249,8 @@ Motion PredictionEngine::measured(const BodyUpdate& now, std::uint32_t frame) co
     Motion motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
-    const auto before = told_.find(now.entity);
-    if (now.at_rest || before == told_.end() || frame <= newest_frame_) return motion;
+    const auto before = near_updates_.find(now.entity);
+    if (now.at_rest || before == near_updates_.end() || frame <= newest_frame_) return motion;
     const double seconds = seconds_of(before->second, frame);
     const Transform& was = before->second.pose;
     motion.linear = (now.pose.position - was.position) * (1 / seconds);
@@ -272,8 +272,8 @@ Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
     const Moment* before = find(newest_frame_);
-    const auto was = told_.find(id);
-    if (before && was != told_.end() && before->motions.contains(id) && frame > newest_frame_) {
+    const auto was = near_updates_.find(id);
+    if (before && was != near_updates_.end() && before->motions.contains(id) && frame > newest_frame_) {
         const Transform& from = before->motions.at(id).pose;
         const double seconds = seconds_of(was->second, frame);
         const Vec3 more =
@@ -338,8 +338,8 @@ void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     world_.emplace(gravity_, substeps_);
     change_members(frame, around);
     if (is_driven(frame)) {
-        newest_drive_ = frame.drive.tick;
-        if (!world_->drive(entity_, frame.drive.module, frame.drive.words)) return forget_world();
+        newest_drive_ = frame.control.tick;
+        if (!world_->control(entity_, frame.control.module, frame.control.words)) return forget_world();
     }
     // Distances are between origins, which tells nothing of what is larger than a step.
     if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
@@ -347,9 +347,9 @@ void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     changed_ = true;
 }
 
-void PredictionEngine::compare(const FrameUpdate& told, const Around& around) {
+void PredictionEngine::compare(const FrameUpdate& update, const Around& around) {
     const Bodies& near = around.near;
-    const std::uint32_t frame = told.number, now = tick();
+    const std::uint32_t frame = update.number, now = tick();
     const Moment& guess = *find(frame);
     stats_.frames++;
     stats_.last_error_m = 0;
@@ -373,7 +373,7 @@ void PredictionEngine::compare(const FrameUpdate& told, const Around& around) {
     drop_newest();
     for (const auto& [id, motion] : wrong)
         if (near.contains(id)) world_->set_motion(id, motion, near.at(id).at_rest);
-    change_members(told, around);
+    change_members(update, around);
     keep(frame);
     step_to(now);
 }
@@ -389,20 +389,20 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
 
 // Whether it was told lately how the followed body is driven.
 bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
-    const ControlUpdate& drive = frame.drive;
-    return drive.tick != 0 && drive.entity == entity_ &&
-           drive.tick + drive_patience_ticks >= frame.number &&
-           drive.tick <= frame.number + late_ticks;
+    const ControlUpdate& control = frame.control;
+    return control.tick != 0 && control.entity == entity_ &&
+           control.tick + drive_patience_ticks >= frame.number &&
+           control.tick <= frame.number + late_ticks;
 }
 
 // All that is so of what is driven, to the bit of a single float. Where the guess is as good as
 // frames are, it stays.
-void PredictionEngine::take_drive(const ControlUpdate& drive) {
-    if (drive.tick <= newest_drive_) return;
-    const Moment* const guess = find(drive.tick);
-    const auto right = modules::motion_of_driven(drive.words);
+void PredictionEngine::take_drive(const ControlUpdate& control) {
+    if (control.tick <= newest_drive_) return;
+    const Moment* const guess = find(control.tick);
+    const auto right = modules::motion_of_driven(control.words);
     if (!guess || !right) return;
-    newest_drive_ = drive.tick;
+    newest_drive_ = control.tick;
     const auto at = guess->motions.find(entity_);
     if (at == guess->motions.end()) return;
     const Motion& guessed = at->second;
@@ -414,39 +414,39 @@ void PredictionEngine::take_drive(const ControlUpdate& drive) {
         return;
     stats_.drive_corrections++;
     const std::uint32_t now = tick();
-    go_back(drive.tick);
+    go_back(control.tick);
     drop_newest();
-    const bool goes_on = world_->drive(entity_, drive.module, drive.words);
-    keep(drive.tick);
+    const bool goes_on = world_->control(entity_, control.module, control.words);
+    keep(control.tick);
     if (!goes_on) return forget_world();
     step_to(now);
 }
 
-void PredictionEngine::on_frame(const FrameUpdate& told) {
-    const std::uint32_t frame = told.number;
-    const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(told, entity_);
-    const bool driven = own && is_driven(told);
+void PredictionEngine::on_frame(const FrameUpdate& update) {
+    const std::uint32_t frame = update.number;
+    const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(update, entity_);
+    const bool driven = own && is_driven(update);
     const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
     if (!own || (own->controllable ? !driven : !is_free)) return forget_world();
     if (frame == newest_frame_) {
-        if (driven) take_drive(told.drive);
+        if (driven) take_drive(update.control);
         return;
     }
-    const Around around = look_around(told, own->pose.position);
+    const Around around = look_around(update, own->pose.position);
     if (catch_up(frame)) {
-        if (driven) take_drive(told.drive);
-        if (world_) compare(told, around);
-    } else if (!driven || told.drive.tick == frame) {
-        start(told, around);
+        if (driven) take_drive(update.control);
+        if (world_) compare(update, around);
+    } else if (!driven || update.control.tick == frame) {
+        start(update, around);
     } else {
         forget_world();  // until both are told of the same tick
     }
     if (!world_) return;
     newest_frame_ = frame;
-    told_ = around.near;
+    near_updates_ = around.near;
     while (moments_.front().tick + late_ticks < frame) drop_oldest();
     while (!inputs_.empty() && inputs_.front().tick + late_ticks + 1 < frame) inputs_.pop_front();
-    std::erase_if(corrected_, [&](const auto& one) { return !told_.contains(one.first); });
+    std::erase_if(corrected_, [&](const auto& one) { return !near_updates_.contains(one.first); });
 }
 
 // --- pictures ---

@@ -46,7 +46,7 @@ struct FrameUpdate {
     std::span<const BodyUpdate> bodies;  // in rising order of entity
     // Of one of them; nothing: they were never told, or are none that the solver can have.
     std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
-    ControlUpdate drive = {};
+    ControlUpdate control = {};
 };
 
 class PredictionEngine {
@@ -120,7 +120,7 @@ private:
     void start(const FrameUpdate& frame, const Around& around);
     bool catch_up(std::uint32_t frame);
     bool is_driven(const FrameUpdate& frame) const;
-    void take_drive(const ControlUpdate& drive);
+    void take_drive(const ControlUpdate& control);
     void compare(const FrameUpdate& frame, const Around& around);
 
     // --- pictures ---
@@ -140,7 +140,7 @@ private:
     std::deque<Sent> inputs_;     // by sequence
     std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
     double reach_ = 0;  // m that the followed body is larger than a metre about its origin
-    Bodies told_;       // of that frame: who was near
+    Bodies near_updates_;       // of that frame: who was near
     Bodies rim_;        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.

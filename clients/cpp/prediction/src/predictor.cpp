@@ -177,7 +177,7 @@ void Predictor::on_frame(const WorldView& view) {
     impl_->engine.on_frame({.number = frame,
                                .bodies = bodies,
                                .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
-                               .drive = {controlled_entity.entity, controlled_entity.tick, controlled_entity.module, controlled_entity.words}});
+                               .control = {controlled_entity.entity, controlled_entity.tick, controlled_entity.module, controlled_entity.words}});
 }
 
 std::vector<SmoothPose> Predictor::sample(double position, std::int64_t now_us,

@@ -183,7 +183,7 @@ void LocalWorld::step(double seconds) {
     static_cast<void>(world_.step(seconds).ok());
 }
 
-void LocalWorld::keep(Moment& moment, std::uint32_t tick) const {
+void LocalWorld::keep(TickState& moment, std::uint32_t tick) const {
     moment.tick = tick;
     moment.point.keep(world_);
     moment.members = members_;
@@ -191,7 +191,7 @@ void LocalWorld::keep(Moment& moment, std::uint32_t tick) const {
     for (const auto& [entity, body] : members_->moving) moment.motions[entity] = motion(entity);
 }
 
-void LocalWorld::go_back(const Moment& moment) {
+void LocalWorld::go_back(const TickState& moment) {
     static_cast<void>(moment.point.restore(world_).ok());
     members_ = moment.members;
 }

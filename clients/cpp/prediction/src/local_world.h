@@ -62,7 +62,7 @@ public:
         std::string driver;
     };
     // After the step of a tick.
-    struct Moment {
+    struct TickState {
         std::uint32_t tick = 0;
         physics::RestorePoint point;
         std::shared_ptr<const Members> members;
@@ -92,8 +92,8 @@ public:
     void apply(const Act& act);
     void step(double seconds);
 
-    void keep(Moment& moment, std::uint32_t tick) const;
-    void go_back(const Moment& moment);
+    void keep(TickState& moment, std::uint32_t tick) const;
+    void go_back(const TickState& moment);
 
 private:
     Members& change();

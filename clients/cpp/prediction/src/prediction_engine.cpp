@@ -131,7 +131,7 @@ void PredictionEngine::forget_world() {
     reach_ = 0;
 }
 
-PredictionEngine::Moment* PredictionEngine::find(std::uint32_t wanted) {
+PredictionEngine::TickState* PredictionEngine::find(std::uint32_t wanted) {
     if (moments_.empty() || wanted < moments_.front().tick || wanted > tick()) return nullptr;
     return &moments_[wanted - moments_.front().tick];
 }
@@ -271,7 +271,7 @@ Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
-    const Moment* before = find(newest_frame_);
+    const TickState* before = find(newest_frame_);
     const auto was = near_updates_.find(id);
     if (before && was != near_updates_.end() && before->motions.contains(id) && frame > newest_frame_) {
         const Transform& from = before->motions.at(id).pose;
@@ -350,7 +350,7 @@ void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
 void PredictionEngine::compare(const FrameUpdate& update, const Around& around) {
     const Bodies& near = around.near;
     const std::uint32_t frame = update.number, now = tick();
-    const Moment& guess = *find(frame);
+    const TickState& guess = *find(frame);
     stats_.frames++;
     stats_.last_error_m = 0;
     std::map<std::uint32_t, Motion> wrong;
@@ -399,7 +399,7 @@ bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
 // frames are, it stays.
 void PredictionEngine::take_drive(const ControlUpdate& control) {
     if (control.tick <= newest_drive_) return;
-    const Moment* const guess = find(control.tick);
+    const TickState* const guess = find(control.tick);
     const auto right = modules::motion_of_driven(control.words);
     if (!guess || !right) return;
     newest_drive_ = control.tick;
@@ -466,8 +466,8 @@ std::optional<wire::Pose> PredictionEngine::foreseen(std::uint32_t id, double po
     const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
                                  static_cast<double>(tick()));
     const auto before = static_cast<std::uint32_t>(std::floor(at));
-    const Moment& a = *find(before);
-    const Moment& b = before < tick() ? *find(before + 1) : a;
+    const TickState& a = *find(before);
+    const TickState& b = before < tick() ? *find(before + 1) : a;
     const auto from = a.motions.find(id), to = b.motions.find(id);
     if (from == a.motions.end() || to == b.motions.end()) return std::nullopt;
     if (body_speed) *body_speed = {length(to->second.linear), length(to->second.angular)};

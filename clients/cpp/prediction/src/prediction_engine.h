@@ -74,7 +74,7 @@ public:
     std::size_t bodies() const { return world_ ? world_->members().moving.size() : 0; }
 
 private:
-    using Moment = LocalWorld::Moment;
+    using TickState = LocalWorld::TickState;
     struct Sent {
         std::uint32_t sequence, tick;
         Act act;
@@ -94,7 +94,7 @@ private:
     // --- ticks ---
     void forget_world();
     std::uint32_t tick() const { return moments_.back().tick; }
-    Moment* find(std::uint32_t tick);
+    TickState* find(std::uint32_t tick);
     void keep(std::uint32_t tick);
     void drop_oldest();
     void drop_newest();
@@ -135,8 +135,8 @@ private:
     double tick_s_ = 1.0 / 60;
     std::uint32_t entity_ = 0;
     std::optional<LocalWorld> world_;
-    std::deque<Moment> moments_;  // one for each tick, the newest last: where the world is
-    std::vector<Moment> spare_;   // for their memory
+    std::deque<TickState> moments_;  // one for each tick, the newest last: where the world is
+    std::vector<TickState> spare_;   // for their memory
     std::deque<Sent> inputs_;     // by sequence
     std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
     double reach_ = 0;  // m that the followed body is larger than a metre about its origin

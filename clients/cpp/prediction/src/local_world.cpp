@@ -183,17 +183,17 @@ void LocalWorld::step(double seconds) {
     static_cast<void>(world_.step(seconds).ok());
 }
 
-void LocalWorld::keep(TickState& moment, std::uint32_t tick) const {
-    moment.tick = tick;
-    moment.point.keep(world_);
-    moment.members = members_;
-    moment.motions.clear();
-    for (const auto& [entity, body] : members_->moving) moment.motions[entity] = motion(entity);
+void LocalWorld::save(TickState& tick_state, std::uint32_t tick) const {
+    tick_state.tick = tick;
+    tick_state.point.save(world_);
+    tick_state.members = members_;
+    tick_state.motions.clear();
+    for (const auto& [entity, body] : members_->moving) tick_state.motions[entity] = motion(entity);
 }
 
-void LocalWorld::go_back(const TickState& moment) {
-    static_cast<void>(moment.point.restore(world_).ok());
-    members_ = moment.members;
+void LocalWorld::roll_back(const TickState& tick_state) {
+    static_cast<void>(tick_state.point.restore(world_).ok());
+    members_ = tick_state.members;
 }
 
 }  // namespace jostle::client

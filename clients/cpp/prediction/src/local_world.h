@@ -92,8 +92,8 @@ public:
     void apply(const Act& act);
     void step(double seconds);
 
-    void keep(TickState& moment, std::uint32_t tick) const;
-    void go_back(const TickState& moment);
+    void save(TickState& tick_state, std::uint32_t tick) const;
+    void roll_back(const TickState& tick_state);
 
 private:
     Members& change();

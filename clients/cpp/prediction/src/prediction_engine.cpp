@@ -100,8 +100,8 @@ void PredictionEngine::add_act(std::uint32_t sequence, std::uint32_t tick_wanted
     if (inputs_.size() > inputs_max) inputs_.pop_front();
     // What we do now is no mistake: it is seen at once.
     const bool changed = changed_;
-    const bool late = !moments_.empty() && tick_wanted < tick();
-    again_from(first);
+    const bool late = !history_.empty() && tick_wanted < tick();
+    resimulate_from(first);
     changed_ = changed || late;
 }
 
@@ -116,14 +116,14 @@ void PredictionEngine::on_result(std::uint32_t sequence, std::uint32_t applied_i
         sent->tick = applied_in;
     else
         return;
-    again_from(std::min(meant, std::max(1u, applied_in)));
+    resimulate_from(std::min(meant, std::max(1u, applied_in)));
 }
 
 // --- ticks ---
 
 void PredictionEngine::forget_world() {
     world_.reset();
-    moments_.clear();
+    history_.clear();
     near_updates_.clear();
     rim_.clear();
     corrected_.clear();
@@ -132,27 +132,27 @@ void PredictionEngine::forget_world() {
 }
 
 PredictionEngine::TickState* PredictionEngine::find(std::uint32_t wanted) {
-    if (moments_.empty() || wanted < moments_.front().tick || wanted > tick()) return nullptr;
-    return &moments_[wanted - moments_.front().tick];
+    if (history_.empty() || wanted < history_.front().tick || wanted > tick()) return nullptr;
+    return &history_[wanted - history_.front().tick];
 }
 
-void PredictionEngine::keep(std::uint32_t at) {
-    moments_.emplace_back();
-    if (!spare_.empty()) {
-        moments_.back() = std::move(spare_.back());
-        spare_.pop_back();
+void PredictionEngine::save(std::uint32_t at) {
+    history_.emplace_back();
+    if (!free_states_.empty()) {
+        history_.back() = std::move(free_states_.back());
+        free_states_.pop_back();
     }
-    world_->keep(moments_.back(), at);
+    world_->save(history_.back(), at);
 }
 
 void PredictionEngine::drop_oldest() {
-    spare_.push_back(std::move(moments_.front()));
-    moments_.pop_front();
+    free_states_.push_back(std::move(history_.front()));
+    history_.pop_front();
 }
 
 void PredictionEngine::drop_newest() {
-    spare_.push_back(std::move(moments_.back()));
-    moments_.pop_back();
+    free_states_.push_back(std::move(history_.back()));
+    history_.pop_back();
 }
 
 void PredictionEngine::step() {
@@ -161,7 +161,7 @@ void PredictionEngine::step() {
         if (sent.tick == next) world_->apply(sent.act);
     world_->step(tick_s_);
     stats_.steps++;
-    keep(next);
+    save(next);
 }
 
 void PredictionEngine::step_to(std::uint32_t wanted) {
@@ -169,18 +169,18 @@ void PredictionEngine::step_to(std::uint32_t wanted) {
 }
 
 // The world as it was after that tick; later moments are gone.
-void PredictionEngine::go_back(std::uint32_t to) {
-    world_->go_back(*find(to));
+void PredictionEngine::roll_back(std::uint32_t to) {
+    world_->roll_back(*find(to));
     while (tick() > to) drop_newest();
     changed_ = true;
 }
 
 // Something is otherwise from that tick on.
-void PredictionEngine::again_from(std::uint32_t first) {
-    if (moments_.empty() || first > tick() || first == 0) return;
+void PredictionEngine::resimulate_from(std::uint32_t first) {
+    if (history_.empty() || first > tick() || first == 0) return;
     const std::uint32_t now = tick();
     // What was so in the newest frame is known.
-    go_back(std::max({first - 1, moments_.front().tick, newest_frame_}));
+    roll_back(std::max({first - 1, history_.front().tick, newest_frame_}));
     step_to(now);
 }
 
@@ -190,7 +190,7 @@ void PredictionEngine::again_from(std::uint32_t first) {
 // nearest of the others.
 PredictionEngine::Around PredictionEngine::look_around(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
-    const Motion* const ahead = is_member(entity_) ? &moments_.back().motions.at(entity_) : nullptr;
+    const Motion* const ahead = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
         if (!moves(body) && !own) continue;
@@ -333,7 +333,7 @@ void PredictionEngine::change_rim(const FrameUpdate& frame, const Bodies& rim) {
 }
 
 void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
-    moments_.clear();
+    history_.clear();
     rim_.clear();
     world_.emplace(gravity_, substeps_);
     change_members(frame, around);
@@ -343,7 +343,7 @@ void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     }
     // Distances are between origins, which tells nothing of what is larger than a step.
     if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
-    keep(frame.number);
+    save(frame.number);
     changed_ = true;
 }
 
@@ -369,12 +369,12 @@ void PredictionEngine::compare(const FrameUpdate& update, const Around& around) 
                           [&](const auto& one) { return !near.contains(one.first); });
     if (wrong.empty() && !others && !rim_changed(around.rim)) return;
     stats_.corrections += wrong.empty() ? 0 : 1;
-    go_back(frame);
+    roll_back(frame);
     drop_newest();
     for (const auto& [id, motion] : wrong)
         if (near.contains(id)) world_->set_motion(id, motion, near.at(id).at_rest);
     change_members(update, around);
-    keep(frame);
+    save(frame);
     step_to(now);
 }
 
@@ -414,10 +414,10 @@ void PredictionEngine::take_drive(const ControlUpdate& control) {
         return;
     stats_.drive_corrections++;
     const std::uint32_t now = tick();
-    go_back(control.tick);
+    roll_back(control.tick);
     drop_newest();
     const bool goes_on = world_->control(entity_, control.module, control.words);
-    keep(control.tick);
+    save(control.tick);
     if (!goes_on) return forget_world();
     step_to(now);
 }
@@ -444,7 +444,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
     if (!world_) return;
     newest_frame_ = frame;
     near_updates_ = around.near;
-    while (moments_.front().tick + late_ticks < frame) drop_oldest();
+    while (history_.front().tick + late_ticks < frame) drop_oldest();
     while (!inputs_.empty() && inputs_.front().tick + late_ticks + 1 < frame) inputs_.pop_front();
     std::erase_if(corrected_, [&](const auto& one) { return !near_updates_.contains(one.first); });
 }
@@ -462,8 +462,8 @@ std::vector<std::uint32_t> PredictionEngine::drawn() const {
 }
 
 std::optional<wire::Pose> PredictionEngine::foreseen(std::uint32_t id, double position, BodySpeed* body_speed) {
-    if (moments_.empty()) return std::nullopt;
-    const double at = std::clamp(position, static_cast<double>(moments_.front().tick),
+    if (history_.empty()) return std::nullopt;
+    const double at = std::clamp(position, static_cast<double>(history_.front().tick),
                                  static_cast<double>(tick()));
     const auto before = static_cast<std::uint32_t>(std::floor(at));
     const TickState& a = *find(before);
@@ -493,7 +493,7 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
                                           std::vector<SmoothPose> poses) {
     const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - drawn_us_)) / 1e6;
     if (now_us - drawn_us_ > sample_gap_max_us) shown_.clear();
-    if (!moments_.empty()) {
+    if (!history_.empty()) {
         const double most = newest_frame_ + options_.ticks_max;
         step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
     }

@@ -93,15 +93,15 @@ private:
 
     // --- ticks ---
     void forget_world();
-    std::uint32_t tick() const { return moments_.back().tick; }
+    std::uint32_t tick() const { return history_.back().tick; }
     TickState* find(std::uint32_t tick);
-    void keep(std::uint32_t tick);
+    void save(std::uint32_t tick);
     void drop_oldest();
     void drop_newest();
     void step();
     void step_to(std::uint32_t tick);
-    void go_back(std::uint32_t tick);
-    void again_from(std::uint32_t first);
+    void roll_back(std::uint32_t tick);
+    void resimulate_from(std::uint32_t first);
 
     // --- frames ---
     bool is_member(std::uint32_t id) const {
@@ -135,8 +135,8 @@ private:
     double tick_s_ = 1.0 / 60;
     std::uint32_t entity_ = 0;
     std::optional<LocalWorld> world_;
-    std::deque<TickState> moments_;  // one for each tick, the newest last: where the world is
-    std::vector<TickState> spare_;   // for their memory
+    std::deque<TickState> history_;  // one for each tick, the newest last: where the world is
+    std::vector<TickState> free_states_;   // for their memory
     std::deque<Sent> inputs_;     // by sequence
     std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
     double reach_ = 0;  // m that the followed body is larger than a metre about its origin

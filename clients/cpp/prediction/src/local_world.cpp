@@ -139,7 +139,7 @@ void LocalWorld::set_motion(std::uint32_t entity, const Motion& motion, bool at_
     if (at_rest) static_cast<void>(world_.set_awake(body, false).ok());
 }
 
-void LocalWorld::apply(const Act& act) {
+void LocalWorld::apply(const InputAction& act) {
     std::visit([this](const auto& one) { perform(one); }, act);
 }
 

@@ -38,7 +38,7 @@ struct Release {};
 struct Steer {
     physics::Controls controls;
 };
-using Act = std::variant<Push, Grab, Drag, Release, Steer>;
+using InputAction = std::variant<Push, Grab, Drag, Release, Steer>;
 
 // What a body is, for this world.
 struct LocalBody {
@@ -89,7 +89,7 @@ public:
     double reach(std::uint32_t entity) const;
     void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
     // As the server does, at the begin of a tick.
-    void apply(const Act& act);
+    void apply(const InputAction& act);
     void step(double seconds);
 
     void save(TickState& tick_state, std::uint32_t tick) const;

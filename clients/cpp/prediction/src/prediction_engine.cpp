@@ -89,7 +89,7 @@ void PredictionEngine::follow(std::uint32_t entity) {
     newest_drive_ = 0;
 }
 
-void PredictionEngine::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, Act act) {
+void PredictionEngine::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, InputAction act) {
     if (sequence == 0 || tick_wanted == 0) return;
     std::uint32_t first = tick_wanted;
     if (!inputs_.empty() && inputs_.back().sequence == sequence) {

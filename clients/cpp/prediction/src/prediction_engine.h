@@ -59,7 +59,7 @@ public:
     void follow(std::uint32_t entity);
     // An input of that number that is meant for a tick. Of the same number as the last one: in its
     // place.
-    void add_act(std::uint32_t sequence, std::uint32_t tick, Act act);
+    void add_act(std::uint32_t sequence, std::uint32_t tick, InputAction act);
     // What became of it: it was applied in a tick, or it was not.
     void on_result(std::uint32_t sequence, std::uint32_t tick, bool applied);
     void on_frame(const FrameUpdate& frame);
@@ -77,7 +77,7 @@ private:
     using TickState = LocalWorld::TickState;
     struct Sent {
         std::uint32_t sequence, tick;
-        Act act;
+        InputAction act;
     };
     struct Shown {
         wire::Pose pose;

@@ -32,7 +32,7 @@ Controls to_controls(const v1::ControlInput& input) {
     return controls;
 }
 
-std::optional<Act> to_act(const v1::Input& input) {
+std::optional<InputAction> to_act(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kImpulse: {
             const v1::ImpulseInput& push = input.impulse();

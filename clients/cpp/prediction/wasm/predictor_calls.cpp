@@ -63,7 +63,7 @@ wire::Pose pose_at(const double* n) {
     return {{n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]}};
 }
 
-void act(JostlePredictor* p, std::uint32_t sequence, std::uint32_t tick, Act what) {
+void act(JostlePredictor* p, std::uint32_t sequence, std::uint32_t tick, InputAction what) {
     p->engine.add_act(sequence, tick, std::move(what));
 }
 

@@ -61,11 +61,11 @@ bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const 
     return true;
 }
 
-bool LocalWorld::add_to_rim(std::uint32_t entity, std::span<const ShapeDef> shapes,
+bool LocalWorld::add_boundary_body(std::uint32_t entity, std::span<const ShapeDef> shapes,
                             const Transform& pose) {
     const Result<BodyId> body =
         world_.create_body({.type = BodyType::static_body, .pose = pose}, shapes);
-    if (body.ok()) change().rim[entity] = *body;
+    if (body.ok()) change().boundary[entity] = *body;
     return body.ok();
 }
 
@@ -76,7 +76,7 @@ void LocalWorld::put(std::uint32_t entity, const Transform& pose) {
 }
 
 BodyId LocalWorld::body_of(std::uint32_t entity) const {
-    for (const auto* list : {&members_->moving, &members_->fixed, &members_->rim})
+    for (const auto* list : {&members_->moving, &members_->fixed, &members_->boundary})
         if (const auto at = list->find(entity); at != list->end()) return at->second;
     return {};
 }
@@ -103,7 +103,7 @@ bool LocalWorld::drive(std::uint32_t entity, const std::string& tag,
 
 void LocalWorld::remove(std::uint32_t entity) {
     Members& members = change();
-    for (auto* list : {&members.moving, &members.fixed, &members.rim}) {
+    for (auto* list : {&members.moving, &members.fixed, &members.boundary}) {
         const auto at = list->find(entity);
         if (at == list->end()) continue;
         static_cast<void>(world_.destroy_body(at->second).ok());
@@ -139,8 +139,8 @@ void LocalWorld::set_motion(std::uint32_t entity, const Motion& motion, bool at_
     if (at_rest) static_cast<void>(world_.set_awake(body, false).ok());
 }
 
-void LocalWorld::apply(const InputAction& act) {
-    std::visit([this](const auto& one) { perform(one); }, act);
+void LocalWorld::apply(const InputAction& action) {
+    std::visit([this](const auto& one) { perform(one); }, action);
 }
 
 void LocalWorld::perform(const Push& push) {

@@ -55,7 +55,7 @@ public:
     struct Members {
         // By entity. Those of the rim are dynamic ones that stand as long as no frame says
         // otherwise.
-        std::map<std::uint32_t, physics::BodyId> moving, fixed, rim;
+        std::map<std::uint32_t, physics::BodyId> moving, fixed, boundary;
         std::optional<physics::JointId> held;
         // Who is driven, and the module that moves it.
         std::uint32_t driven = 0;
@@ -75,7 +75,7 @@ public:
     // False: the solver cannot have such a body.
     bool add(std::uint32_t entity, const LocalBody& body, std::span<const physics::ShapeDef> shapes,
              const Motion& motion, bool at_rest);
-    bool add_to_rim(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
+    bool add_boundary_body(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
                     const physics::Transform& pose);
     // One that stands, or a kinematic one of the fixed.
     void put(std::uint32_t entity, const physics::Transform& pose);
@@ -89,7 +89,7 @@ public:
     double reach(std::uint32_t entity) const;
     void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
     // As the server does, at the begin of a tick.
-    void apply(const InputAction& act);
+    void apply(const InputAction& action);
     void step(double seconds);
 
     void save(TickState& tick_state, std::uint32_t tick) const;

@@ -21,8 +21,8 @@ constexpr double agree_m = 0.003, agree_rad = 0.01;
 constexpr double pushed_speed = 0.25, pushed_spin = 1;                  // m/s, rad/s
 constexpr double driven_speed_agrees = 0.05, driven_spin_agrees = 0.1;  // m/s, rad/s
 constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
-constexpr double rim_factor = 2;
-constexpr std::size_t rim_max = 64;
+constexpr double boundary_factor = 2;
+constexpr std::size_t boundary_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
 constexpr std::size_t inputs_max = 1024;
 constexpr std::int64_t sample_gap_max_us = 250'000;
@@ -89,14 +89,14 @@ void PredictionEngine::follow(std::uint32_t entity) {
     newest_drive_ = 0;
 }
 
-void PredictionEngine::add_act(std::uint32_t sequence, std::uint32_t tick_wanted, InputAction act) {
+void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t tick_wanted, InputAction action) {
     if (sequence == 0 || tick_wanted == 0) return;
     std::uint32_t first = tick_wanted;
     if (!inputs_.empty() && inputs_.back().sequence == sequence) {
         first = std::min(first, inputs_.back().tick);
         inputs_.pop_back();
     }
-    inputs_.push_back({sequence, tick_wanted, std::move(act)});
+    inputs_.push_back({sequence, tick_wanted, std::move(action)});
     if (inputs_.size() > inputs_max) inputs_.pop_front();
     // What we do now is no mistake: it is seen at once.
     const bool changed = changed_;
@@ -125,7 +125,7 @@ void PredictionEngine::forget_world() {
     world_.reset();
     history_.clear();
     near_updates_.clear();
-    rim_.clear();
+    boundary_.clear();
     corrected_.clear();
     newest_frame_ = 0;
     reach_ = 0;
@@ -158,7 +158,7 @@ void PredictionEngine::drop_newest() {
 void PredictionEngine::step() {
     const std::uint32_t next = tick() + 1;
     for (const Sent& sent : inputs_)
-        if (sent.tick == next) world_->apply(sent.act);
+        if (sent.tick == next) world_->apply(sent.action);
     world_->step(tick_s_);
     stats_.steps++;
     save(next);
@@ -188,7 +188,7 @@ void PredictionEngine::resimulate_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-PredictionEngine::Around PredictionEngine::look_around(const FrameUpdate& frame, const Vec3& center) const {
+PredictionEngine::Around PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
@@ -198,7 +198,7 @@ PredictionEngine::Around PredictionEngine::look_around(const FrameUpdate& frame,
         double far = own ? 0 : gap(at, center);
         if (ahead && !own) far = std::min(far, gap(at, ahead->pose.position));
         far = std::max(0.0, far - reach_);
-        if (far <= rim_factor * options_.near_m) candidates.emplace_back(far, &body);
+        if (far <= boundary_factor * options_.near_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
@@ -211,8 +211,8 @@ PredictionEngine::Around PredictionEngine::look_around(const FrameUpdate& frame,
         const bool railed = body->type == BodyType::kinematic;
         if (railed || (far <= most && around.near.size() < options_.near_max))
             around.near[body->entity] = *body;
-        else if (around.rim.size() < rim_max)
-            around.rim[body->entity] = *body;
+        else if (around.boundary.size() < boundary_max)
+            around.boundary[body->entity] = *body;
     }
     return around;
 }
@@ -297,9 +297,9 @@ Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
     return right;
 }
 
-bool PredictionEngine::rim_changed(const Bodies& rim) const {
+bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
     return !std::equal(
-        rim.begin(), rim.end(), rim_.begin(), rim_.end(), [](const auto& now, const auto& before) {
+        boundary.begin(), boundary.end(), boundary_.begin(), boundary_.end(), [](const auto& now, const auto& before) {
             return now.first == before.first && agrees(now.second.pose, before.second.pose);
         });
 }
@@ -311,30 +311,30 @@ void PredictionEngine::change_members(const FrameUpdate& frame, const Around& ar
         if (!around.near.contains(id)) gone.push_back(id);
     for (const auto& [id, body] : members.fixed)
         if (!find_body(frame, id) || around.near.contains(id)) gone.push_back(id);
-    for (const auto& [id, body] : members.rim)
-        if (!around.rim.contains(id)) gone.push_back(id);
+    for (const auto& [id, body] : members.boundary)
+        if (!around.boundary.contains(id)) gone.push_back(id);
     for (const std::uint32_t id : gone) world_->remove(id);
     for (const auto& [id, now] : around.near)
         if (!is_member(id)) add(frame, now, measured(now, frame.number));
     add_fixed(frame, around.near);
-    change_rim(frame, around.rim);
+    update_boundary(frame, around.boundary);
 }
 
-void PredictionEngine::change_rim(const FrameUpdate& frame, const Bodies& rim) {
-    for (const auto& [id, now] : rim) {
-        const auto before = rim_.find(id);
-        if (!world_->members().rim.contains(id)) {
-            if (const auto shapes = frame.shapes_of(id)) world_->add_to_rim(id, *shapes, now.pose);
-        } else if (before == rim_.end() || !(before->second.pose == now.pose)) {
+void PredictionEngine::update_boundary(const FrameUpdate& frame, const Bodies& boundary) {
+    for (const auto& [id, now] : boundary) {
+        const auto before = boundary_.find(id);
+        if (!world_->members().boundary.contains(id)) {
+            if (const auto shapes = frame.shapes_of(id)) world_->add_boundary_body(id, *shapes, now.pose);
+        } else if (before == boundary_.end() || !(before->second.pose == now.pose)) {
             world_->put(id, now.pose);
         }
     }
-    rim_ = rim;
+    boundary_ = boundary;
 }
 
 void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     history_.clear();
-    rim_.clear();
+    boundary_.clear();
     world_.emplace(gravity_, substeps_);
     change_members(frame, around);
     if (is_driven(frame)) {
@@ -367,7 +367,7 @@ void PredictionEngine::compare(const FrameUpdate& update, const Around& around) 
     }
     others |= std::any_of(guess.motions.begin(), guess.motions.end(),
                           [&](const auto& one) { return !near.contains(one.first); });
-    if (wrong.empty() && !others && !rim_changed(around.rim)) return;
+    if (wrong.empty() && !others && !boundary_changed(around.boundary)) return;
     stats_.corrections += wrong.empty() ? 0 : 1;
     roll_back(frame);
     drop_newest();
@@ -432,7 +432,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
         if (driven) take_drive(update.control);
         return;
     }
-    const Around around = look_around(update, own->pose.position);
+    const Around around = collect_neighbors(update, own->pose.position);
     if (catch_up(frame)) {
         if (driven) take_drive(update.control);
         if (world_) compare(update, around);

@@ -59,7 +59,7 @@ public:
     void follow(std::uint32_t entity);
     // An input of that number that is meant for a tick. Of the same number as the last one: in its
     // place.
-    void add_act(std::uint32_t sequence, std::uint32_t tick, InputAction act);
+    void add_action(std::uint32_t sequence, std::uint32_t tick, InputAction action);
     // What became of it: it was applied in a tick, or it was not.
     void on_result(std::uint32_t sequence, std::uint32_t tick, bool applied);
     void on_frame(const FrameUpdate& frame);
@@ -77,7 +77,7 @@ private:
     using TickState = LocalWorld::TickState;
     struct Sent {
         std::uint32_t sequence, tick;
-        InputAction act;
+        InputAction action;
     };
     struct Shown {
         wire::Pose pose;
@@ -88,7 +88,7 @@ private:
     // The dynamic bodies about the one that is followed: who moves in the world, and round these
     // who stands in it, so that nothing falls for want of what carries it.
     struct Around {
-        Bodies near, rim;
+        Bodies near, boundary;
     };
 
     // --- ticks ---
@@ -107,12 +107,12 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Around look_around(const FrameUpdate& frame, const physics::Vec3& center) const;
+    Around collect_neighbors(const FrameUpdate& frame, const physics::Vec3& center) const;
     bool add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion);
     void add_fixed(const FrameUpdate& frame, const Bodies& near);
-    bool rim_changed(const Bodies& rim) const;
+    bool boundary_changed(const Bodies& boundary) const;
     void change_members(const FrameUpdate& frame, const Around& around);
-    void change_rim(const FrameUpdate& frame, const Bodies& rim);
+    void update_boundary(const FrameUpdate& frame, const Bodies& boundary);
     double seconds_of(const BodyUpdate& before, std::uint32_t frame) const;
     Motion measured(const BodyUpdate& now, std::uint32_t frame) const;
     Motion put_right(const BodyUpdate& now, std::uint32_t frame);
@@ -141,7 +141,7 @@ private:
     std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
     double reach_ = 0;  // m that the followed body is larger than a metre about its origin
     Bodies near_updates_;       // of that frame: who was near
-    Bodies rim_;        // as they stand in the world
+    Bodies boundary_;        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
     std::map<std::uint32_t, Shown> shown_;

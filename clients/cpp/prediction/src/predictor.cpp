@@ -156,7 +156,7 @@ void Predictor::follow(std::uint32_t entity) {
 }
 
 void Predictor::add_input(std::uint32_t sequence, const v1::Input& input) {
-    if (auto act = to_act(input)) impl_->engine.add_act(sequence, input.tick(), *std::move(act));
+    if (auto action = to_act(input)) impl_->engine.add_action(sequence, input.tick(), *std::move(action));
 }
 
 void Predictor::on_results(const std::vector<v1::InputResult>& results) {

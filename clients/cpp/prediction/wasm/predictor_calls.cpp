@@ -63,8 +63,8 @@ wire::Pose pose_at(const double* n) {
     return {{n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]}};
 }
 
-void act(JostlePredictor* p, std::uint32_t sequence, std::uint32_t tick, InputAction what) {
-    p->engine.add_act(sequence, tick, std::move(what));
+void action(JostlePredictor* p, std::uint32_t sequence, std::uint32_t tick, InputAction what) {
+    p->engine.add_action(sequence, tick, std::move(what));
 }
 
 }  // namespace
@@ -132,27 +132,27 @@ void jostle_predictor_follow(JostlePredictor* p, uint32_t entity) {
 
 void jostle_predictor_push(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t entity,
                            double x, double y, double z) {
-    act(p, sequence, tick, Push{entity, {x, y, z}, std::nullopt});
+    action(p, sequence, tick, Push{entity, {x, y, z}, std::nullopt});
 }
 
 void jostle_predictor_push_at(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t entity,
                               double x, double y, double z, double point_x, double point_y,
                               double point_z) {
-    act(p, sequence, tick, Push{entity, {x, y, z}, Vec3{point_x, point_y, point_z}});
+    action(p, sequence, tick, Push{entity, {x, y, z}, Vec3{point_x, point_y, point_z}});
 }
 
 void jostle_predictor_grab(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t entity,
                            double x, double y, double z) {
-    act(p, sequence, tick, Grab{entity, {x, y, z}});
+    action(p, sequence, tick, Grab{entity, {x, y, z}});
 }
 
 void jostle_predictor_drag(JostlePredictor* p, uint32_t sequence, uint32_t tick, double x, double y,
                            double z) {
-    act(p, sequence, tick, Drag{{x, y, z}});
+    action(p, sequence, tick, Drag{{x, y, z}});
 }
 
 void jostle_predictor_release(JostlePredictor* p, uint32_t sequence, uint32_t tick) {
-    act(p, sequence, tick, Release{});
+    action(p, sequence, tick, Release{});
 }
 
 void jostle_predictor_steer(JostlePredictor* p, uint32_t sequence, uint32_t tick, uint32_t axes,
@@ -164,7 +164,7 @@ void jostle_predictor_steer(JostlePredictor* p, uint32_t sequence, uint32_t tick
         controls.axes[k] = p->numbers[k];
     }
     controls.buttons = buttons;
-    act(p, sequence, tick, Steer{controls});
+    action(p, sequence, tick, Steer{controls});
 }
 
 void jostle_predictor_result(JostlePredictor* p, uint32_t sequence, uint32_t tick,

@@ -188,7 +188,7 @@ void PredictionEngine::resimulate_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-PredictionEngine::Around PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
+PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
     const Motion* const ahead = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
@@ -203,7 +203,7 @@ PredictionEngine::Around PredictionEngine::collect_neighbors(const FrameUpdate& 
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
     });
-    Around around;
+    Neighborhood around;
     for (const auto& [far, body] : candidates) {
         const double most =
             is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
@@ -304,7 +304,7 @@ bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
         });
 }
 
-void PredictionEngine::change_members(const FrameUpdate& frame, const Around& around) {
+void PredictionEngine::change_members(const FrameUpdate& frame, const Neighborhood& around) {
     const LocalWorld::Members& members = world_->members();
     std::vector<std::uint32_t> gone;
     for (const auto& [id, body] : members.moving)
@@ -332,7 +332,7 @@ void PredictionEngine::update_boundary(const FrameUpdate& frame, const Bodies& b
     boundary_ = boundary;
 }
 
-void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
+void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& around) {
     history_.clear();
     boundary_.clear();
     world_.emplace(gravity_, substeps_);
@@ -347,7 +347,7 @@ void PredictionEngine::start(const FrameUpdate& frame, const Around& around) {
     changed_ = true;
 }
 
-void PredictionEngine::compare(const FrameUpdate& update, const Around& around) {
+void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& around) {
     const Bodies& near = around.near;
     const std::uint32_t frame = update.number, now = tick();
     const TickState& guess = *find(frame);
@@ -432,7 +432,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
         if (driven) take_drive(update.control);
         return;
     }
-    const Around around = collect_neighbors(update, own->pose.position);
+    const Neighborhood around = collect_neighbors(update, own->pose.position);
     if (catch_up(frame)) {
         if (driven) take_drive(update.control);
         if (world_) compare(update, around);

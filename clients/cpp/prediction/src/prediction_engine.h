@@ -87,7 +87,7 @@ private:
     using Bodies = std::map<std::uint32_t, BodyUpdate>;
     // The dynamic bodies about the one that is followed: who moves in the world, and round these
     // who stands in it, so that nothing falls for want of what carries it.
-    struct Around {
+    struct Neighborhood {
         Bodies near, boundary;
     };
 
@@ -107,21 +107,21 @@ private:
     bool is_member(std::uint32_t id) const {
         return world_ && world_->members().moving.contains(id);
     }
-    Around collect_neighbors(const FrameUpdate& frame, const physics::Vec3& center) const;
+    Neighborhood collect_neighbors(const FrameUpdate& frame, const physics::Vec3& center) const;
     bool add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion);
     void add_fixed(const FrameUpdate& frame, const Bodies& near);
     bool boundary_changed(const Bodies& boundary) const;
-    void change_members(const FrameUpdate& frame, const Around& around);
+    void change_members(const FrameUpdate& frame, const Neighborhood& around);
     void update_boundary(const FrameUpdate& frame, const Bodies& boundary);
     double seconds_of(const BodyUpdate& before, std::uint32_t frame) const;
     Motion measured(const BodyUpdate& now, std::uint32_t frame) const;
     Motion put_right(const BodyUpdate& now, std::uint32_t frame);
     Motion explained(const BodyUpdate& now, std::uint32_t frame);
-    void start(const FrameUpdate& frame, const Around& around);
+    void start(const FrameUpdate& frame, const Neighborhood& around);
     bool catch_up(std::uint32_t frame);
     bool is_driven(const FrameUpdate& frame) const;
     void take_drive(const ControlUpdate& control);
-    void compare(const FrameUpdate& frame, const Around& around);
+    void compare(const FrameUpdate& frame, const Neighborhood& around);
 
     // --- pictures ---
     std::optional<wire::Pose> foreseen(std::uint32_t id, double position, BodySpeed* body_speed);

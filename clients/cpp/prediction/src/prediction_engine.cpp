@@ -73,7 +73,7 @@ const BodyUpdate* find_body(const FrameUpdate& frame, std::uint32_t entity) {
 }  // namespace
 
 void PredictionEngine::begin(Vec3 gravity, double tick_hz, int substeps) {
-    forget_world();
+    reset_world();
     newest_drive_ = 0;
     substeps_ = substeps >= 1 && substeps <= 64 ? substeps : options_.substeps;
     inputs_.clear();
@@ -85,7 +85,7 @@ void PredictionEngine::begin(Vec3 gravity, double tick_hz, int substeps) {
 void PredictionEngine::follow(std::uint32_t entity) {
     if (entity_ == entity) return;
     entity_ = entity;
-    forget_world();
+    reset_world();
     newest_drive_ = 0;
 }
 
@@ -121,7 +121,7 @@ void PredictionEngine::on_result(std::uint32_t sequence, std::uint32_t applied_i
 
 // --- ticks ---
 
-void PredictionEngine::forget_world() {
+void PredictionEngine::reset_world() {
     world_.reset();
     history_.clear();
     near_updates_.clear();
@@ -190,31 +190,31 @@ void PredictionEngine::resimulate_from(std::uint32_t first) {
 // nearest of the others.
 PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
-    const Motion* const ahead = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
+    const Motion* const predicted = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
         if (!moves(body) && !own) continue;
         const Vec3& at = body.pose.position;
         double far = own ? 0 : gap(at, center);
-        if (ahead && !own) far = std::min(far, gap(at, ahead->pose.position));
+        if (predicted && !own) far = std::min(far, gap(at, predicted->pose.position));
         far = std::max(0.0, far - reach_);
         if (far <= boundary_factor * options_.near_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
     });
-    Neighborhood around;
+    Neighborhood neighborhood;
     for (const auto& [far, body] : candidates) {
         const double most =
             is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
         // What moves on rails costs nothing to foresee.
         const bool railed = body->type == BodyType::kinematic;
-        if (railed || (far <= most && around.near.size() < options_.near_max))
-            around.near[body->entity] = *body;
-        else if (around.boundary.size() < boundary_max)
-            around.boundary[body->entity] = *body;
+        if (railed || (far <= most && neighborhood.near.size() < options_.near_max))
+            neighborhood.near[body->entity] = *body;
+        else if (neighborhood.boundary.size() < boundary_max)
+            neighborhood.boundary[body->entity] = *body;
     }
-    return around;
+    return neighborhood;
 }
 
 bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion) {
@@ -240,18 +240,18 @@ void PredictionEngine::add_fixed(const FrameUpdate& frame, const Bodies& near) {
 
 // How long a body moved since the frame before. While nothing moves no frames are sent, so that
 // what rested then began with this one.
-double PredictionEngine::seconds_of(const BodyUpdate& before, std::uint32_t frame) const {
+double PredictionEngine::seconds_since(const BodyUpdate& before, std::uint32_t frame) const {
     return (before.at_rest ? 1 : frame - newest_frame_) * tick_s_;
 }
 
 // Of one that is new here: what it did since the frame before.
-Motion PredictionEngine::measured(const BodyUpdate& now, std::uint32_t frame) const {
+Motion PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t frame) const {
     Motion motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     const auto before = near_updates_.find(now.entity);
     if (now.at_rest || before == near_updates_.end() || frame <= newest_frame_) return motion;
-    const double seconds = seconds_of(before->second, frame);
+    const double seconds = seconds_since(before->second, frame);
     const Transform& was = before->second.pose;
     motion.linear = (now.pose.position - was.position) * (1 / seconds);
     motion.angular = turn_between(was.rotation, now.pose.rotation) * (1 / seconds);
@@ -260,14 +260,14 @@ Motion PredictionEngine::measured(const BodyUpdate& now, std::uint32_t frame) co
 }
 
 // Where the frame says, as fast as it says.
-Motion PredictionEngine::put_right(const BodyUpdate& now, std::uint32_t frame) {
+Motion PredictionEngine::corrected_motion(const BodyUpdate& now, std::uint32_t frame) {
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
-    return explained(now, frame);
+    return estimated_motion(now, frame);
 }
 
 // Where the frame says, at the velocity that explains how it came there.
-Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
+Motion PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const Motion& guess = find(frame)->motions.at(id);
     Motion right{now.pose, guess.linear, guess.angular};
@@ -275,7 +275,7 @@ Motion PredictionEngine::explained(const BodyUpdate& now, std::uint32_t frame) {
     const auto was = near_updates_.find(id);
     if (before && was != near_updates_.end() && before->motions.contains(id) && frame > newest_frame_) {
         const Transform& from = before->motions.at(id).pose;
-        const double seconds = seconds_of(was->second, frame);
+        const double seconds = seconds_since(was->second, frame);
         const Vec3 more =
             (now.pose.position - was->second.pose.position) - (guess.pose.position - from.position);
         const Vec3 turned = turn_between(was->second.pose.rotation, now.pose.rotation) -
@@ -304,20 +304,20 @@ bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
         });
 }
 
-void PredictionEngine::change_members(const FrameUpdate& frame, const Neighborhood& around) {
+void PredictionEngine::update_members(const FrameUpdate& frame, const Neighborhood& neighborhood) {
     const LocalWorld::Members& members = world_->members();
     std::vector<std::uint32_t> gone;
     for (const auto& [id, body] : members.moving)
-        if (!around.near.contains(id)) gone.push_back(id);
+        if (!neighborhood.near.contains(id)) gone.push_back(id);
     for (const auto& [id, body] : members.fixed)
-        if (!find_body(frame, id) || around.near.contains(id)) gone.push_back(id);
+        if (!find_body(frame, id) || neighborhood.near.contains(id)) gone.push_back(id);
     for (const auto& [id, body] : members.boundary)
-        if (!around.boundary.contains(id)) gone.push_back(id);
+        if (!neighborhood.boundary.contains(id)) gone.push_back(id);
     for (const std::uint32_t id : gone) world_->remove(id);
-    for (const auto& [id, now] : around.near)
-        if (!is_member(id)) add(frame, now, measured(now, frame.number));
-    add_fixed(frame, around.near);
-    update_boundary(frame, around.boundary);
+    for (const auto& [id, now] : neighborhood.near)
+        if (!is_member(id)) add(frame, now, measured_motion(now, frame.number));
+    add_fixed(frame, neighborhood.near);
+    update_boundary(frame, neighborhood.boundary);
 }
 
 void PredictionEngine::update_boundary(const FrameUpdate& frame, const Bodies& boundary) {
@@ -332,14 +332,14 @@ void PredictionEngine::update_boundary(const FrameUpdate& frame, const Bodies& b
     boundary_ = boundary;
 }
 
-void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& around) {
+void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& neighborhood) {
     history_.clear();
     boundary_.clear();
     world_.emplace(gravity_, substeps_);
-    change_members(frame, around);
-    if (is_driven(frame)) {
+    update_members(frame, neighborhood);
+    if (is_controlled(frame)) {
         newest_drive_ = frame.control.tick;
-        if (!world_->control(entity_, frame.control.module, frame.control.words)) return forget_world();
+        if (!world_->control(entity_, frame.control.module, frame.control.words)) return reset_world();
     }
     // Distances are between origins, which tells nothing of what is larger than a step.
     if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
@@ -347,8 +347,8 @@ void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& aroun
     changed_ = true;
 }
 
-void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& around) {
-    const Bodies& near = around.near;
+void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& neighborhood) {
+    const Bodies& near = neighborhood.near;
     const std::uint32_t frame = update.number, now = tick();
     const TickState& guess = *find(frame);
     stats_.frames++;
@@ -358,22 +358,22 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ar
     for (const auto& [id, body] : near) {
         const auto at = guess.motions.find(id);
         others |= at == guess.motions.end();
-        // What is driven is put right by take_drive().
+        // What is driven is put right by apply_control().
         if (at == guess.motions.end() || id == world_->members().driven) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
         if (!agrees(at->second.pose, body.pose) || was_pushed(at->second, body))
-            wrong[id] = put_right(body, frame);
+            wrong[id] = corrected_motion(body, frame);
     }
     others |= std::any_of(guess.motions.begin(), guess.motions.end(),
                           [&](const auto& one) { return !near.contains(one.first); });
-    if (wrong.empty() && !others && !boundary_changed(around.boundary)) return;
+    if (wrong.empty() && !others && !boundary_changed(neighborhood.boundary)) return;
     stats_.corrections += wrong.empty() ? 0 : 1;
     roll_back(frame);
     drop_newest();
     for (const auto& [id, motion] : wrong)
         if (near.contains(id)) world_->set_motion(id, motion, near.at(id).at_rest);
-    change_members(update, around);
+    update_members(update, neighborhood);
     save(frame);
     step_to(now);
 }
@@ -388,7 +388,7 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
 }
 
 // Whether it was told lately how the followed body is driven.
-bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
+bool PredictionEngine::is_controlled(const FrameUpdate& frame) const {
     const ControlUpdate& control = frame.control;
     return control.tick != 0 && control.entity == entity_ &&
            control.tick + drive_patience_ticks >= frame.number &&
@@ -397,7 +397,7 @@ bool PredictionEngine::is_driven(const FrameUpdate& frame) const {
 
 // All that is so of what is driven, to the bit of a single float. Where the guess is as good as
 // frames are, it stays.
-void PredictionEngine::take_drive(const ControlUpdate& control) {
+void PredictionEngine::apply_control(const ControlUpdate& control) {
     if (control.tick <= newest_drive_) return;
     const TickState* const guess = find(control.tick);
     const auto right = modules::motion_of_driven(control.words);
@@ -418,32 +418,32 @@ void PredictionEngine::take_drive(const ControlUpdate& control) {
     drop_newest();
     const bool goes_on = world_->control(entity_, control.module, control.words);
     save(control.tick);
-    if (!goes_on) return forget_world();
+    if (!goes_on) return reset_world();
     step_to(now);
 }
 
 void PredictionEngine::on_frame(const FrameUpdate& update) {
     const std::uint32_t frame = update.number;
     const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(update, entity_);
-    const bool driven = own && is_driven(update);
+    const bool driven = own && is_controlled(update);
     const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
-    if (!own || (own->controllable ? !driven : !is_free)) return forget_world();
+    if (!own || (own->controllable ? !driven : !is_free)) return reset_world();
     if (frame == newest_frame_) {
-        if (driven) take_drive(update.control);
+        if (driven) apply_control(update.control);
         return;
     }
-    const Neighborhood around = collect_neighbors(update, own->pose.position);
+    const Neighborhood neighborhood = collect_neighbors(update, own->pose.position);
     if (catch_up(frame)) {
-        if (driven) take_drive(update.control);
-        if (world_) compare(update, around);
+        if (driven) apply_control(update.control);
+        if (world_) compare(update, neighborhood);
     } else if (!driven || update.control.tick == frame) {
-        start(update, around);
+        start(update, neighborhood);
     } else {
-        forget_world();  // until both are told of the same tick
+        reset_world();  // until both are told of the same tick
     }
     if (!world_) return;
     newest_frame_ = frame;
-    near_updates_ = around.near;
+    near_updates_ = neighborhood.near;
     while (history_.front().tick + late_ticks < frame) drop_oldest();
     while (!inputs_.empty() && inputs_.front().tick + late_ticks + 1 < frame) inputs_.pop_front();
     std::erase_if(corrected_, [&](const auto& one) { return !near_updates_.contains(one.first); });
@@ -461,7 +461,7 @@ std::vector<std::uint32_t> PredictionEngine::drawn() const {
     return ids;
 }
 
-std::optional<wire::Pose> PredictionEngine::foreseen(std::uint32_t id, double position, BodySpeed* body_speed) {
+std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, double position, BodySpeed* body_speed) {
     if (history_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(history_.front().tick),
                                  static_cast<double>(tick()));
@@ -475,16 +475,16 @@ std::optional<wire::Pose> PredictionEngine::foreseen(std::uint32_t id, double po
 }
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
-PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
+PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& predicted,
                               const Shown* before, const BodySpeed& body_speed, double seconds) {
-    if (!before) return smoothable_error(pose_error(drawn.pose, *ahead), body_speed);
+    if (!before) return smoothable_error(pose_error(drawn.pose, *predicted), body_speed);
     PoseError error = before->error;
-    if (!ahead && before->foreseen)
+    if (!predicted && before->predicted_pose)
         error = smoothable_error(pose_error(before->pose, drawn.pose), body_speed);
-    else if (ahead && changed_)
+    else if (predicted && changed_)
         error =
             smoothable_error(pose_error(before->pose,
-                                foreseen(drawn.entity, drawn_position_, nullptr).value_or(*ahead)),
+                                predicted_pose(drawn.entity, drawn_position_, nullptr).value_or(*predicted)),
                      body_speed);
     return decayed(error, body_speed, seconds);
 }
@@ -500,13 +500,13 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
     std::map<std::uint32_t, Shown> now;
     for (SmoothPose& drawn : poses) {
         BodySpeed body_speed;
-        const auto ahead = foreseen(drawn.entity, position, &body_speed);
+        const auto predicted = predicted_pose(drawn.entity, position, &body_speed);
         const auto before = shown_.find(drawn.entity);
-        if (!ahead && before == shown_.end()) continue;
+        if (!predicted && before == shown_.end()) continue;
         const PoseError error = error_of(
-            drawn, ahead, before == shown_.end() ? nullptr : &before->second, body_speed, seconds);
-        drawn.pose = apply_error(ahead ? *ahead : drawn.pose, error);
-        if (ahead || !error.none()) now[drawn.entity] = {drawn.pose, error, ahead.has_value()};
+            drawn, predicted, before == shown_.end() ? nullptr : &before->second, body_speed, seconds);
+        drawn.pose = apply_error(predicted ? *predicted : drawn.pose, error);
+        if (predicted || !error.none()) now[drawn.entity] = {drawn.pose, error, predicted.has_value()};
     }
     shown_ = std::move(now);
     drawn_position_ = position;

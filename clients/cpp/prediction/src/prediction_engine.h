@@ -65,7 +65,7 @@ public:
     void on_frame(const FrameUpdate& frame);
 
     // Who is drawn otherwise than interpolated, now or since the last picture; in rising order.
-    std::vector<std::uint32_t> drawn() const;
+    std::vector<std::uint32_t> predicted_entities() const;
     // What Predictor::sample() says. Who is not among drawn() may be left out.
     std::vector<SmoothPose> sample(double position, std::int64_t now_us,
                                    std::vector<SmoothPose> interpolated);
@@ -82,7 +82,7 @@ private:
     struct Shown {
         wire::Pose pose;
         PoseError error;
-        bool foreseen;
+        bool predicted_pose;
     };
     using Bodies = std::map<std::uint32_t, BodyUpdate>;
     // The dynamic bodies about the one that is followed: who moves in the world, and round these
@@ -92,7 +92,7 @@ private:
     };
 
     // --- ticks ---
-    void forget_world();
+    void reset_world();
     std::uint32_t tick() const { return history_.back().tick; }
     TickState* find(std::uint32_t tick);
     void save(std::uint32_t tick);
@@ -111,21 +111,21 @@ private:
     bool add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion);
     void add_fixed(const FrameUpdate& frame, const Bodies& near);
     bool boundary_changed(const Bodies& boundary) const;
-    void change_members(const FrameUpdate& frame, const Neighborhood& around);
+    void update_members(const FrameUpdate& frame, const Neighborhood& neighborhood);
     void update_boundary(const FrameUpdate& frame, const Bodies& boundary);
-    double seconds_of(const BodyUpdate& before, std::uint32_t frame) const;
-    Motion measured(const BodyUpdate& now, std::uint32_t frame) const;
-    Motion put_right(const BodyUpdate& now, std::uint32_t frame);
-    Motion explained(const BodyUpdate& now, std::uint32_t frame);
-    void start(const FrameUpdate& frame, const Neighborhood& around);
+    double seconds_since(const BodyUpdate& before, std::uint32_t frame) const;
+    Motion measured_motion(const BodyUpdate& now, std::uint32_t frame) const;
+    Motion corrected_motion(const BodyUpdate& now, std::uint32_t frame);
+    Motion estimated_motion(const BodyUpdate& now, std::uint32_t frame);
+    void start(const FrameUpdate& frame, const Neighborhood& neighborhood);
     bool catch_up(std::uint32_t frame);
-    bool is_driven(const FrameUpdate& frame) const;
-    void take_drive(const ControlUpdate& control);
-    void compare(const FrameUpdate& frame, const Neighborhood& around);
+    bool is_controlled(const FrameUpdate& frame) const;
+    void apply_control(const ControlUpdate& control);
+    void compare(const FrameUpdate& frame, const Neighborhood& neighborhood);
 
     // --- pictures ---
-    std::optional<wire::Pose> foreseen(std::uint32_t id, double position, BodySpeed* body_speed);
-    PoseError error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& ahead,
+    std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position, BodySpeed* body_speed);
+    PoseError error_of(const SmoothPose& predicted_entities, const std::optional<wire::Pose>& predicted,
                        const Shown* before, const BodySpeed& body_speed, double seconds);
 
     PredictorOptions options_;

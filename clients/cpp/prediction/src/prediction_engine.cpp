@@ -476,7 +476,7 @@ std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, dou
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
 PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& predicted,
-                              const Shown* before, const BodySpeed& body_speed, double seconds) {
+                              const RenderedPose* before, const BodySpeed& body_speed, double seconds) {
     if (!before) return smoothable_error(pose_error(drawn.pose, *predicted), body_speed);
     PoseError error = before->error;
     if (!predicted && before->predicted_pose)
@@ -497,7 +497,7 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
         const double most = newest_frame_ + options_.ticks_max;
         step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
     }
-    std::map<std::uint32_t, Shown> now;
+    std::map<std::uint32_t, RenderedPose> now;
     for (SmoothPose& drawn : poses) {
         BodySpeed body_speed;
         const auto predicted = predicted_pose(drawn.entity, position, &body_speed);

@@ -79,7 +79,7 @@ private:
         std::uint32_t sequence, tick;
         InputAction action;
     };
-    struct Shown {
+    struct RenderedPose {
         wire::Pose pose;
         PoseError error;
         bool predicted_pose;
@@ -126,7 +126,7 @@ private:
     // --- pictures ---
     std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position, BodySpeed* body_speed);
     PoseError error_of(const SmoothPose& predicted_entities, const std::optional<wire::Pose>& predicted,
-                       const Shown* before, const BodySpeed& body_speed, double seconds);
+                       const RenderedPose* before, const BodySpeed& body_speed, double seconds);
 
     PredictorOptions options_;
     PredictorStats stats_;
@@ -144,7 +144,7 @@ private:
     Bodies boundary_;        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
-    std::map<std::uint32_t, Shown> shown_;
+    std::map<std::uint32_t, RenderedPose> shown_;
     double drawn_position_ = 0;
     std::int64_t drawn_us_ = 0;
     bool changed_ = false;  // since then, what had been foreseen

@@ -118,17 +118,17 @@ Motion LocalWorld::motion(std::uint32_t entity) const {
     return {body.pose, body.linear_velocity, body.angular_velocity};
 }
 
-double LocalWorld::reach(std::uint32_t entity) const {
+double LocalWorld::bounding_radius(std::uint32_t entity) const {
     const BodyId body = body_of(entity);
     const Vec3 origin = world_.body(body)->pose.position;
-    double reach = 0;
+    double bounding_radius = 0;
     for (const ShapeId shape : world_.shapes_of(body)) {
         const Result<Aabb> bounds = world_.bounds(shape);
         if (!bounds.ok()) continue;
         const Vec3 far = max(abs(bounds->low - origin), abs(bounds->high - origin));
-        reach = maximum(reach, length(far));
+        bounding_radius = maximum(bounding_radius, length(far));
     }
-    return reach;
+    return bounding_radius;
 }
 
 // What is foreign and cannot be so leaves the body as it was.

@@ -86,7 +86,7 @@ public:
     void remove(std::uint32_t entity);
     Motion motion(std::uint32_t entity) const;
     // m from its origin to the furthest corner of what bounds it.
-    double reach(std::uint32_t entity) const;
+    double bounding_radius(std::uint32_t entity) const;
     void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
     // As the server does, at the begin of a tick.
     void apply(const InputAction& action);

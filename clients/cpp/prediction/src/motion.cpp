@@ -17,7 +17,7 @@ wire::Pose to_pose(const Transform& pose) {
     return {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}};
 }
 
-Vec3 turn_between(const Quat& a, const Quat& b) {
+Vec3 rotation_vector_between(const Quat& a, const Quat& b) {
     Quat q = b * conjugate(a);
     if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
     const Vec3 v{q.x, q.y, q.z};
@@ -25,11 +25,11 @@ Vec3 turn_between(const Quat& a, const Quat& b) {
     return sine == 0 ? Vec3{} : v * (2 * arc_tangent(sine, q.w) / sine);
 }
 
-Transform mix(const Transform& a, const Transform& b, double t) {
+Transform interpolate(const Transform& a, const Transform& b, double t) {
     if (t == 0) return a;
     return {
         .position = a.position + (b.position - a.position) * t,
-        .rotation = from_rotation_vector(turn_between(a.rotation, b.rotation) * t) * a.rotation};
+        .rotation = from_rotation_vector(rotation_vector_between(a.rotation, b.rotation) * t) * a.rotation};
 }
 
 }  // namespace jostle::client

@@ -25,8 +25,8 @@ struct Velocity {
 };
 
 // The rotation from a to b as an axis times an angle.
-physics::Vec3 turn_between(const physics::Quat& a, const physics::Quat& b);
+physics::Vec3 rotation_vector_between(const physics::Quat& a, const physics::Quat& b);
 // From a (0) to b (1).
-physics::Transform mix(const physics::Transform& a, const physics::Transform& b, double t);
+physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b, double t);
 
 }  // namespace jostle::client

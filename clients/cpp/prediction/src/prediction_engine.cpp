@@ -15,11 +15,11 @@ namespace {
 
 // A frame and a foresight that agree differ by what is lost in a frame's integers (1.7 mm, 5 mrad
 // at the usual 512 a metre), and a little.
-constexpr double agree_m = 0.003, agree_rad = 0.01;
+constexpr double position_tolerance_m = 0.003, rotation_tolerance_rad = 0.01;
 // What a body did between two frames, against what was foreseen of it: up to this it is the
 // integers' noise, beyond somebody pushed it.
-constexpr double pushed_speed = 0.25, pushed_spin = 1;                  // m/s, rad/s
-constexpr double driven_speed_agrees = 0.05, driven_spin_agrees = 0.1;  // m/s, rad/s
+constexpr double disturbance_speed = 0.25, disturbance_spin = 1;                  // m/s, rad/s
+constexpr double control_speed_tolerance = 0.05, control_spin_tolerance = 0.1;  // m/s, rad/s
 constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
 constexpr double boundary_factor = 2;
 constexpr std::size_t boundary_max = 64;
@@ -28,22 +28,22 @@ constexpr std::size_t inputs_max = 1024;
 constexpr std::int64_t sample_gap_max_us = 250'000;
 // What is driven is told by the stream, and frames may overtake that.
 constexpr std::uint32_t late_ticks = 8;
-constexpr std::uint32_t drive_patience_ticks = 60;
+constexpr std::uint32_t control_timeout_ticks = 60;
 
 double gap(const Vec3& a, const Vec3& b) {
     return length(a - b);
 }
 
-bool agrees(const Transform& a, const Transform& b) {
-    return gap(a.position, b.position) <= agree_m &&
-           length(turn_between(a.rotation, b.rotation)) <= agree_rad;
+bool poses_agree(const Transform& a, const Transform& b) {
+    return gap(a.position, b.position) <= position_tolerance_m &&
+           length(rotation_vector_between(a.rotation, b.rotation)) <= rotation_tolerance_rad;
 }
 
 // A push shows in the velocity before it shows in the pose.
-bool was_pushed(const Motion& guess, const BodyUpdate& update) {
+bool was_disturbed(const Motion& guess, const BodyUpdate& update) {
     return update.velocity && !update.at_rest &&
-           (gap(guess.linear, update.velocity->linear) > pushed_speed ||
-            gap(guess.angular, update.velocity->angular) > pushed_spin);
+           (gap(guess.linear, update.velocity->linear) > disturbance_speed ||
+            gap(guess.angular, update.velocity->angular) > disturbance_spin);
 }
 
 // What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
@@ -74,10 +74,10 @@ const BodyUpdate* find_body(const FrameUpdate& frame, std::uint32_t entity) {
 
 void PredictionEngine::begin(Vec3 gravity, double tick_hz, int substeps) {
     reset_world();
-    newest_drive_ = 0;
+    newest_control_ = 0;
     substeps_ = substeps >= 1 && substeps <= 64 ? substeps : options_.substeps;
     inputs_.clear();
-    shown_.clear();
+    rendered_.clear();
     gravity_ = gravity;
     if (tick_hz >= 4 && tick_hz <= 1e4) tick_s_ = 1 / tick_hz;
 }
@@ -86,21 +86,21 @@ void PredictionEngine::follow(std::uint32_t entity) {
     if (entity_ == entity) return;
     entity_ = entity;
     reset_world();
-    newest_drive_ = 0;
+    newest_control_ = 0;
 }
 
-void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t tick_wanted, InputAction action) {
-    if (sequence == 0 || tick_wanted == 0) return;
-    std::uint32_t first = tick_wanted;
+void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t input_tick, InputAction action) {
+    if (sequence == 0 || input_tick == 0) return;
+    std::uint32_t first = input_tick;
     if (!inputs_.empty() && inputs_.back().sequence == sequence) {
         first = std::min(first, inputs_.back().tick);
         inputs_.pop_back();
     }
-    inputs_.push_back({sequence, tick_wanted, std::move(action)});
+    inputs_.push_back({sequence, input_tick, std::move(action)});
     if (inputs_.size() > inputs_max) inputs_.pop_front();
     // What we do now is no mistake: it is seen at once.
     const bool changed = changed_;
-    const bool late = !history_.empty() && tick_wanted < tick();
+    const bool late = !history_.empty() && input_tick < tick();
     resimulate_from(first);
     changed_ = changed || late;
 }
@@ -128,7 +128,7 @@ void PredictionEngine::reset_world() {
     boundary_.clear();
     corrected_.clear();
     newest_frame_ = 0;
-    reach_ = 0;
+    extra_radius_ = 0;
 }
 
 PredictionEngine::TickState* PredictionEngine::find(std::uint32_t wanted) {
@@ -197,7 +197,7 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
         const Vec3& at = body.pose.position;
         double far = own ? 0 : gap(at, center);
         if (predicted && !own) far = std::min(far, gap(at, predicted->pose.position));
-        far = std::max(0.0, far - reach_);
+        far = std::max(0.0, far - extra_radius_);
         if (far <= boundary_factor * options_.near_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -254,7 +254,7 @@ Motion PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t fr
     const double seconds = seconds_since(before->second, frame);
     const Transform& was = before->second.pose;
     motion.linear = (now.pose.position - was.position) * (1 / seconds);
-    motion.angular = turn_between(was.rotation, now.pose.rotation) * (1 / seconds);
+    motion.angular = rotation_vector_between(was.rotation, now.pose.rotation) * (1 / seconds);
     if (length(motion.linear) > 100 || length(motion.angular) > 100) return {.pose = now.pose};
     return motion;
 }
@@ -278,19 +278,19 @@ Motion PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t f
         const double seconds = seconds_since(was->second, frame);
         const Vec3 more =
             (now.pose.position - was->second.pose.position) - (guess.pose.position - from.position);
-        const Vec3 turned = turn_between(was->second.pose.rotation, now.pose.rotation) -
-                            turn_between(from.rotation, guess.pose.rotation);
+        const Vec3 turned = rotation_vector_between(was->second.pose.rotation, now.pose.rotation) -
+                            rotation_vector_between(from.rotation, guess.pose.rotation);
         const auto last = corrected_.find(id);
         const std::uint32_t since =
             last == corrected_.end() ? slow_ticks : std::min(slow_ticks, frame - last->second);
         const double slow_seconds = std::max(1u, since) * tick_s_;
-        right.linear += length(more) > pushed_speed * seconds
+        right.linear += length(more) > disturbance_speed * seconds
                             ? more * (1 / seconds)
                             : (now.pose.position - guess.pose.position) * (1 / slow_seconds);
         right.angular +=
-            length(turned) > pushed_spin * seconds
+            length(turned) > disturbance_spin * seconds
                 ? turned * (1 / seconds)
-                : turn_between(guess.pose.rotation, now.pose.rotation) * (1 / slow_seconds);
+                : rotation_vector_between(guess.pose.rotation, now.pose.rotation) * (1 / slow_seconds);
     }
     if (now.at_rest) right.linear = right.angular = {};
     corrected_[id] = frame;
@@ -300,7 +300,7 @@ Motion PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t f
 bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
     return !std::equal(
         boundary.begin(), boundary.end(), boundary_.begin(), boundary_.end(), [](const auto& now, const auto& before) {
-            return now.first == before.first && agrees(now.second.pose, before.second.pose);
+            return now.first == before.first && poses_agree(now.second.pose, before.second.pose);
         });
 }
 
@@ -338,11 +338,11 @@ void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& neigh
     world_.emplace(gravity_, substeps_);
     update_members(frame, neighborhood);
     if (is_controlled(frame)) {
-        newest_drive_ = frame.control.tick;
+        newest_control_ = frame.control.tick;
         if (!world_->control(entity_, frame.control.module, frame.control.words)) return reset_world();
     }
     // Distances are between origins, which tells nothing of what is larger than a step.
-    if (is_member(entity_)) reach_ = std::max(0.0, world_->reach(entity_) - 1);
+    if (is_member(entity_)) extra_radius_ = std::max(0.0, world_->bounding_radius(entity_) - 1);
     save(frame.number);
     changed_ = true;
 }
@@ -362,7 +362,7 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
         if (at == guess.motions.end() || id == world_->members().driven) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
-        if (!agrees(at->second.pose, body.pose) || was_pushed(at->second, body))
+        if (!poses_agree(at->second.pose, body.pose) || was_disturbed(at->second, body))
             wrong[id] = corrected_motion(body, frame);
     }
     others |= std::any_of(guess.motions.begin(), guess.motions.end(),
@@ -391,26 +391,26 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
 bool PredictionEngine::is_controlled(const FrameUpdate& frame) const {
     const ControlUpdate& control = frame.control;
     return control.tick != 0 && control.entity == entity_ &&
-           control.tick + drive_patience_ticks >= frame.number &&
+           control.tick + control_timeout_ticks >= frame.number &&
            control.tick <= frame.number + late_ticks;
 }
 
 // All that is so of what is driven, to the bit of a single float. Where the guess is as good as
 // frames are, it stays.
 void PredictionEngine::apply_control(const ControlUpdate& control) {
-    if (control.tick <= newest_drive_) return;
+    if (control.tick <= newest_control_) return;
     const TickState* const guess = find(control.tick);
     const auto right = modules::motion_of_driven(control.words);
     if (!guess || !right) return;
-    newest_drive_ = control.tick;
+    newest_control_ = control.tick;
     const auto at = guess->motions.find(entity_);
     if (at == guess->motions.end()) return;
     const Motion& guessed = at->second;
     stats_.drives++;
     stats_.last_drive_error_m = gap(guessed.pose.position, right->pose.position);
-    if (agrees(guessed.pose, right->pose) &&
-        gap(guessed.linear, right->linear) <= driven_speed_agrees &&
-        gap(guessed.angular, right->angular) <= driven_spin_agrees)
+    if (poses_agree(guessed.pose, right->pose) &&
+        gap(guessed.linear, right->linear) <= control_speed_tolerance &&
+        gap(guessed.angular, right->angular) <= control_spin_tolerance)
         return;
     stats_.drive_corrections++;
     const std::uint32_t now = tick();
@@ -455,7 +455,7 @@ std::vector<std::uint32_t> PredictionEngine::drawn() const {
     std::vector<std::uint32_t> ids;
     if (world_)
         for (const auto& [id, body] : world_->members().moving) ids.push_back(id);
-    for (const auto& [id, shown] : shown_)
+    for (const auto& [id, rendered] : rendered_)
         if (!is_member(id)) ids.push_back(id);
     std::sort(ids.begin(), ids.end());
     return ids;
@@ -471,7 +471,7 @@ std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, dou
     const auto from = a.motions.find(id), to = b.motions.find(id);
     if (from == a.motions.end() || to == b.motions.end()) return std::nullopt;
     if (body_speed) *body_speed = {length(to->second.linear), length(to->second.angular)};
-    return to_pose(mix(from->second.pose, to->second.pose, at - before));
+    return to_pose(interpolate(from->second.pose, to->second.pose, at - before));
 }
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
@@ -484,15 +484,15 @@ PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optiona
     else if (predicted && changed_)
         error =
             smoothable_error(pose_error(before->pose,
-                                predicted_pose(drawn.entity, drawn_position_, nullptr).value_or(*predicted)),
+                                predicted_pose(drawn.entity, last_position_, nullptr).value_or(*predicted)),
                      body_speed);
     return decayed(error, body_speed, seconds);
 }
 
 std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t now_us,
                                           std::vector<SmoothPose> poses) {
-    const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - drawn_us_)) / 1e6;
-    if (now_us - drawn_us_ > sample_gap_max_us) shown_.clear();
+    const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - last_sample_us_)) / 1e6;
+    if (now_us - last_sample_us_ > sample_gap_max_us) rendered_.clear();
     if (!history_.empty()) {
         const double most = newest_frame_ + options_.ticks_max;
         step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
@@ -501,16 +501,16 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
     for (SmoothPose& drawn : poses) {
         BodySpeed body_speed;
         const auto predicted = predicted_pose(drawn.entity, position, &body_speed);
-        const auto before = shown_.find(drawn.entity);
-        if (!predicted && before == shown_.end()) continue;
+        const auto before = rendered_.find(drawn.entity);
+        if (!predicted && before == rendered_.end()) continue;
         const PoseError error = error_of(
-            drawn, predicted, before == shown_.end() ? nullptr : &before->second, body_speed, seconds);
+            drawn, predicted, before == rendered_.end() ? nullptr : &before->second, body_speed, seconds);
         drawn.pose = apply_error(predicted ? *predicted : drawn.pose, error);
         if (predicted || !error.none()) now[drawn.entity] = {drawn.pose, error, predicted.has_value()};
     }
-    shown_ = std::move(now);
-    drawn_position_ = position;
-    drawn_us_ = now_us;
+    rendered_ = std::move(now);
+    last_position_ = position;
+    last_sample_us_ = now_us;
     changed_ = false;
     return poses;
 }

@@ -138,15 +138,15 @@ private:
     std::deque<TickState> history_;  // one for each tick, the newest last: where the world is
     std::vector<TickState> free_states_;   // for their memory
     std::deque<Sent> inputs_;     // by sequence
-    std::uint32_t newest_frame_ = 0, newest_drive_ = 0;
-    double reach_ = 0;  // m that the followed body is larger than a metre about its origin
+    std::uint32_t newest_frame_ = 0, newest_control_ = 0;
+    double extra_radius_ = 0;  // m that the followed body is larger than a metre about its origin
     Bodies near_updates_;       // of that frame: who was near
     Bodies boundary_;        // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
-    std::map<std::uint32_t, RenderedPose> shown_;
-    double drawn_position_ = 0;
-    std::int64_t drawn_us_ = 0;
+    std::map<std::uint32_t, RenderedPose> rendered_;
+    double last_position_ = 0;
+    std::int64_t last_sample_us_ = 0;
     bool changed_ = false;  // since then, what had been foreseen
 };
 

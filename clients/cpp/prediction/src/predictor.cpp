@@ -135,7 +135,7 @@ std::vector<BodyUpdate> bodies_of(const WorldView& view) {
 struct Predictor::Impl {
     PredictionEngine engine;
     std::uint32_t followed = 0;
-    std::uint32_t newest_frame = 0, newest_drive = 0;
+    std::uint32_t newest_frame = 0, newest_control = 0;
 };
 
 Predictor::Predictor(PredictorOptions options)
@@ -145,7 +145,7 @@ Predictor::~Predictor() = default;
 void Predictor::begin(const v1::Welcome& welcome) {
     impl_->engine.begin(to_vector(welcome.gravity()), welcome.tick_hz(),
                            static_cast<int>(std::min(welcome.substeps(), 64u)));
-    impl_->newest_frame = impl_->newest_drive = 0;
+    impl_->newest_frame = impl_->newest_control = 0;
 }
 
 void Predictor::follow(std::uint32_t entity) {
@@ -169,9 +169,9 @@ void Predictor::on_frame(const WorldView& view) {
     // Bodies of a frame that is known, or of which nobody is followed, need not be read.
     const std::uint32_t frame = view.frame().frame;
     const WorldView::ControlledEntityState& controlled_entity = view.controlled_entity();
-    if (frame == impl_->newest_frame && controlled_entity.tick == impl_->newest_drive) return;
+    if (frame == impl_->newest_frame && controlled_entity.tick == impl_->newest_control) return;
     impl_->newest_frame = frame;
-    impl_->newest_drive = controlled_entity.tick;
+    impl_->newest_control = controlled_entity.tick;
     std::vector<BodyUpdate> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
     impl_->engine.on_frame({.number = frame,

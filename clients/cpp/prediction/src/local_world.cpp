@@ -40,7 +40,7 @@ LocalWorld::Members& LocalWorld::change() {
 }
 
 bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const ShapeDef> shapes,
-                     const Motion& motion, bool at_rest) {
+                     const MotionState& motion, bool at_rest) {
     BodyDef def{.type = of.type, .pose = motion.pose};
     if (of.moves) {
         def.linear_velocity = motion.linear;
@@ -113,7 +113,7 @@ void LocalWorld::remove(std::uint32_t entity) {
     if (members.driven == entity) members.driven = 0;
 }
 
-Motion LocalWorld::motion(std::uint32_t entity) const {
+MotionState LocalWorld::motion(std::uint32_t entity) const {
     const BodyState body = *world_.body(members_->moving.at(entity));
     return {body.pose, body.linear_velocity, body.angular_velocity};
 }
@@ -132,7 +132,7 @@ double LocalWorld::bounding_radius(std::uint32_t entity) const {
 }
 
 // What is foreign and cannot be so leaves the body as it was.
-void LocalWorld::set_motion(std::uint32_t entity, const Motion& motion, bool at_rest) {
+void LocalWorld::set_motion(std::uint32_t entity, const MotionState& motion, bool at_rest) {
     const BodyId body = members_->moving.at(entity);
     if (!world_.set_pose(body, motion.pose).ok()) return;
     if (!world_.set_velocity(body, motion.linear, motion.angular).ok()) return;

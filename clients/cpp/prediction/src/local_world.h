@@ -13,7 +13,7 @@
 #include <string>
 #include <variant>
 
-#include "clients/cpp/prediction/src/motion.h"
+#include "clients/cpp/prediction/src/motion_state.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/world.h"
@@ -66,7 +66,7 @@ public:
         std::uint32_t tick = 0;
         physics::RestorePoint point;
         std::shared_ptr<const Members> members;
-        std::map<std::uint32_t, Motion> motions;  // of the moving
+        std::map<std::uint32_t, MotionState> motions;  // of the moving
     };
 
     LocalWorld(physics::Vec3 gravity, int substeps);
@@ -74,7 +74,7 @@ public:
     const Members& members() const { return *members_; }
     // False: the solver cannot have such a body.
     bool add(std::uint32_t entity, const LocalBody& body, std::span<const physics::ShapeDef> shapes,
-             const Motion& motion, bool at_rest);
+             const MotionState& motion, bool at_rest);
     bool add_boundary_body(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
                     const physics::Transform& pose);
     // One that stands, or a kinematic one of the fixed.
@@ -84,10 +84,10 @@ public:
     bool drive(std::uint32_t entity, const std::string& module,
                std::span<const std::uint32_t> words);
     void remove(std::uint32_t entity);
-    Motion motion(std::uint32_t entity) const;
+    MotionState motion(std::uint32_t entity) const;
     // m from its origin to the furthest corner of what bounds it.
     double bounding_radius(std::uint32_t entity) const;
-    void set_motion(std::uint32_t entity, const Motion& motion, bool at_rest);
+    void set_motion(std::uint32_t entity, const MotionState& motion, bool at_rest);
     // As the server does, at the begin of a tick.
     void apply(const InputAction& action);
     void step(double seconds);

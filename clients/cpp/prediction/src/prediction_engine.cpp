@@ -40,7 +40,7 @@ bool poses_agree(const Transform& a, const Transform& b) {
 }
 
 // A push shows in the velocity before it shows in the pose.
-bool was_disturbed(const Motion& guess, const BodyUpdate& update) {
+bool was_disturbed(const MotionState& guess, const BodyUpdate& update) {
     return update.velocity && !update.at_rest &&
            (gap(guess.linear, update.velocity->linear) > disturbance_speed ||
             gap(guess.angular, update.velocity->angular) > disturbance_spin);
@@ -190,7 +190,7 @@ void PredictionEngine::resimulate_from(std::uint32_t first) {
 // nearest of the others.
 PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
-    const Motion* const predicted = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
+    const MotionState* const predicted = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
         if (!moves(body) && !own) continue;
@@ -217,7 +217,7 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
     return neighborhood;
 }
 
-bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion) {
+bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body, const MotionState& motion) {
     const auto shapes = frame.shapes_of(body.entity);
     return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
                                  motion, body.at_rest);
@@ -245,8 +245,8 @@ double PredictionEngine::seconds_since(const BodyUpdate& before, std::uint32_t f
 }
 
 // Of one that is new here: what it did since the frame before.
-Motion PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t frame) const {
-    Motion motion{.pose = now.pose};
+MotionState PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t frame) const {
+    MotionState motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     const auto before = near_updates_.find(now.entity);
@@ -260,17 +260,17 @@ Motion PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t fr
 }
 
 // Where the frame says, as fast as it says.
-Motion PredictionEngine::corrected_motion(const BodyUpdate& now, std::uint32_t frame) {
+MotionState PredictionEngine::corrected_motion(const BodyUpdate& now, std::uint32_t frame) {
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     return estimated_motion(now, frame);
 }
 
 // Where the frame says, at the velocity that explains how it came there.
-Motion PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t frame) {
+MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
-    const Motion& guess = find(frame)->motions.at(id);
-    Motion right{now.pose, guess.linear, guess.angular};
+    const MotionState& guess = find(frame)->motions.at(id);
+    MotionState right{now.pose, guess.linear, guess.angular};
     const TickState* before = find(newest_frame_);
     const auto was = near_updates_.find(id);
     if (before && was != near_updates_.end() && before->motions.contains(id) && frame > newest_frame_) {
@@ -353,7 +353,7 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
     const TickState& guess = *find(frame);
     stats_.frames++;
     stats_.last_error_m = 0;
-    std::map<std::uint32_t, Motion> wrong;
+    std::map<std::uint32_t, MotionState> wrong;
     bool others = false;  // came or went
     for (const auto& [id, body] : near) {
         const auto at = guess.motions.find(id);
@@ -405,7 +405,7 @@ void PredictionEngine::apply_control(const ControlUpdate& control) {
     newest_control_ = control.tick;
     const auto at = guess->motions.find(entity_);
     if (at == guess->motions.end()) return;
-    const Motion& guessed = at->second;
+    const MotionState& guessed = at->second;
     stats_.drives++;
     stats_.last_drive_error_m = gap(guessed.pose.position, right->pose.position);
     if (poses_agree(guessed.pose, right->pose) &&

@@ -108,15 +108,15 @@ private:
         return world_ && world_->members().moving.contains(id);
     }
     Neighborhood collect_neighbors(const FrameUpdate& frame, const physics::Vec3& center) const;
-    bool add(const FrameUpdate& frame, const BodyUpdate& body, const Motion& motion);
+    bool add(const FrameUpdate& frame, const BodyUpdate& body, const MotionState& motion);
     void add_fixed(const FrameUpdate& frame, const Bodies& near);
     bool boundary_changed(const Bodies& boundary) const;
     void update_members(const FrameUpdate& frame, const Neighborhood& neighborhood);
     void update_boundary(const FrameUpdate& frame, const Bodies& boundary);
     double seconds_since(const BodyUpdate& before, std::uint32_t frame) const;
-    Motion measured_motion(const BodyUpdate& now, std::uint32_t frame) const;
-    Motion corrected_motion(const BodyUpdate& now, std::uint32_t frame);
-    Motion estimated_motion(const BodyUpdate& now, std::uint32_t frame);
+    MotionState measured_motion(const BodyUpdate& now, std::uint32_t frame) const;
+    MotionState corrected_motion(const BodyUpdate& now, std::uint32_t frame);
+    MotionState estimated_motion(const BodyUpdate& now, std::uint32_t frame);
     void start(const FrameUpdate& frame, const Neighborhood& neighborhood);
     bool catch_up(std::uint32_t frame);
     bool is_controlled(const FrameUpdate& frame) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/prediction/src/motion.h"
+#include "clients/cpp/prediction/src/motion_state.h"
 
 namespace jostle::client {
 

@@ -10,7 +10,7 @@
 namespace jostle::client {
 
 // What a body does.
-struct Motion {
+struct MotionState {
     physics::Transform pose;
     physics::Vec3 linear, angular;  // m/s, rad/s
 };

@@ -118,7 +118,7 @@ void ModuleChannels::add_motion(const physics::World& world,
         for (const physics::Vec3& v : {body.linear_velocity, body.angular_velocity})
             for (int k = 0; k < 3; k++)
                 values->push_back(static_cast<std::int32_t>(
-                    std::lround(std::clamp(v[k] * motion_units, -most, most))));
+                    std::lround(std::clamp(v[k] * velocity_units, -most, most))));
         if (const EntityId entity = name_of(body.id); entity != 0)
             add({*motion_, entity, std::move(values)});
     }

@@ -31,7 +31,7 @@ inline constexpr std::size_t frame_values_max = 256 * 1024;
 // simulate. Six numbers each: the velocity of the centre of mass and the spin, in 1/128 m/s and
 // 1/128 rad/s.
 inline constexpr const char* motion_kind = "jostle.motion";
-inline constexpr double motion_units = 128;
+inline constexpr double velocity_units = 128;
 
 using ChannelValues = std::shared_ptr<const std::vector<std::int32_t>>;
 

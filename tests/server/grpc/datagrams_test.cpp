@@ -147,7 +147,7 @@ TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
         return predictor.stats().drives >= 30;
     }));
     EXPECT_GT(walker->stats().datagram_snapshots, 60u);
-    EXPECT_LT(predictor.stats().drive_corrections, 10u) << "of 30, on a machine that is busy";
+    EXPECT_LT(predictor.stats().control_corrections, 10u) << "of 30, on a machine that is busy";
 }
 
 TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots) {

@@ -165,7 +165,7 @@ TEST(ToldDriven, a_car_is_in_the_picture_where_the_server_comes_to_have_it) {
     EXPECT_LT(off.median, 2);
     EXPECT_LT(off.worst, 20) << "steered and braked, over hilly land";
     EXPECT_GT(stats.drives, 80u);
-    EXPECT_LE(stats.drive_corrections, 2u);
+    EXPECT_LE(stats.control_corrections, 2u);
     record("step_mm", driver.step_mm(first, driver.top_speed()));
     EXPECT_LT(driver.step_mm(first, driver.top_speed()), 20);
     EXPECT_LT(driver.kbit() / 6, 60) << "kbit/s";
@@ -218,7 +218,7 @@ TEST(ToldDriven, a_character_walks_jumps_and_pushes_in_the_picture_of_the_key) {
         EXPECT_GT(length(driver.place_of("crate 4") - crate), 0.2) << "which was in the way";
         const auto stats = driver.predictor.stats();
         const Driver::Off off = recorded(driver.off(first));
-        record("drive_corrections", static_cast<double>(stats.drive_corrections));
+        record("control_corrections", static_cast<double>(stats.control_corrections));
         record("kbit_a_second", driver.kbit() / 4.5);
         EXPECT_GT(off.interpolated, 500);
         EXPECT_LT(off.median, 2);
@@ -251,7 +251,7 @@ TEST(ToldDriven, among_others_who_walk_about_it_is_right_again_soon) {
     const Driver::Off off = recorded(driver.off(first));
     EXPECT_LT(off.median, 2);
     EXPECT_LT(off.worst, 400) << "it met another one, who gave way";
-    EXPECT_LE(driver.predictor.stats().drive_corrections, 2u);
+    EXPECT_LE(driver.predictor.stats().control_corrections, 2u);
 }
 
 TEST(ToldDriven, is_for_who_simulates_alone) {

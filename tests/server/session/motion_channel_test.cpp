@@ -17,7 +17,7 @@ using test::TestServer;
 physics::Vec3 sent_velocity(const SessionHarness& player, EntityId id) {
     const auto told = player.conversation.view().channel(motion_kind, id);
     if (told.size() != 6) return {99, 99, 99};
-    return physics::Vec3{told[0] / motion_units, told[1] / motion_units, told[2] / motion_units};
+    return physics::Vec3{told[0] / velocity_units, told[1] / velocity_units, told[2] / velocity_units};
 }
 
 // Every body that is awake, in each of thirty frames: how far it went is how fast it was.

@@ -42,7 +42,7 @@ LocalWorld::Members& LocalWorld::change() {
 bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const ShapeDef> shapes,
                      const MotionState& motion, bool at_rest) {
     BodyDef def{.type = of.type, .pose = motion.pose};
-    if (of.moves) {
+    if (of.simulated) {
         def.linear_velocity = motion.linear;
         def.angular_velocity = motion.angular;
     }
@@ -56,8 +56,8 @@ bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const 
     const Result<BodyId> body = world_.create_body(def, shapes);
     if (!body.ok()) return false;
     Members& members = change();
-    (of.moves ? members.moving : members.fixed)[entity] = *body;
-    if (of.moves) set_motion(entity, motion, at_rest);
+    (of.simulated ? members.moving : members.fixed)[entity] = *body;
+    if (of.simulated) set_motion(entity, motion, at_rest);
     return true;
 }
 
@@ -81,7 +81,7 @@ BodyId LocalWorld::body_of(std::uint32_t entity) const {
     return {};
 }
 
-bool LocalWorld::drive(std::uint32_t entity, const std::string& tag,
+bool LocalWorld::set_controlled(std::uint32_t entity, const std::string& tag,
                        std::span<const std::uint32_t> words) {
     const auto at = members_->moving.find(entity);
     if (at == members_->moving.end()) return false;
@@ -93,10 +93,10 @@ bool LocalWorld::drive(std::uint32_t entity, const std::string& tag,
     if (!modules::take_driven(world_, *world_.module(tag), at->second, words,
                               [this](std::uint32_t name) { return body_of(name); }))
         return false;
-    if (members_->driven != entity || members_->driver != tag) {
+    if (members_->controlled != entity || members_->controller_module != tag) {
         Members& members = change();
-        members.driven = entity;
-        members.driver = tag;
+        members.controlled = entity;
+        members.controller_module = tag;
     }
     return true;
 }
@@ -110,7 +110,7 @@ void LocalWorld::remove(std::uint32_t entity) {
         list->erase(at);
     }
     if (members.held && !world_.contains(*members.held)) members.held.reset();
-    if (members.driven == entity) members.driven = 0;
+    if (members.controlled == entity) members.controlled = 0;
 }
 
 MotionState LocalWorld::motion(std::uint32_t entity) const {
@@ -175,8 +175,8 @@ void LocalWorld::perform(const Release&) {
 }
 
 void LocalWorld::perform(const Steer& steer) {
-    Module* const module = members_->driven == 0 ? nullptr : world_.module(members_->driver);
-    if (module != nullptr) module->control(world_, body_of(members_->driven), steer.controls);
+    Module* const module = members_->controlled == 0 ? nullptr : world_.module(members_->controller_module);
+    if (module != nullptr) module->control(world_, body_of(members_->controlled), steer.controls);
 }
 
 void LocalWorld::step(double seconds) {

@@ -46,7 +46,7 @@ struct LocalBody {
     double mass = 0;  // kg, of a dynamic one
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
-    bool moves = true;  // else it stands as long as no frame says otherwise
+    bool simulated = true;  // else it stands as long as no frame says otherwise
 };
 
 class LocalWorld {
@@ -58,8 +58,8 @@ public:
         std::map<std::uint32_t, physics::BodyId> moving, fixed, boundary;
         std::optional<physics::JointId> held;
         // Who is driven, and the module that moves it.
-        std::uint32_t driven = 0;
-        std::string driver;
+        std::uint32_t controlled = 0;
+        std::string controller_module;
     };
     // After the step of a tick.
     struct TickState {
@@ -81,7 +81,7 @@ public:
     void put(std::uint32_t entity, const physics::Transform& pose);
     // From now on it moves one of the moving as the module of that tag does, and it is as the words
     // say (jostle/modules/driven.h). False: there is no such module, or it takes no such words.
-    bool drive(std::uint32_t entity, const std::string& module,
+    bool set_controlled(std::uint32_t entity, const std::string& module,
                std::span<const std::uint32_t> words);
     void remove(std::uint32_t entity);
     MotionState motion(std::uint32_t entity) const;

@@ -19,7 +19,7 @@ physics::Transform to_transform(const wire::Pose& pose);
 wire::Pose to_pose(const physics::Transform& pose);
 
 // As `jostle.motion` tells them (proto/WIRE.md, "Channels").
-inline constexpr double motion_units = 128;
+inline constexpr double velocity_units = 128;
 struct Velocity {
     physics::Vec3 linear, angular;  // m/s, rad/s
 };

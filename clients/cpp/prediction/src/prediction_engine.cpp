@@ -20,7 +20,7 @@ constexpr double position_tolerance_m = 0.003, rotation_tolerance_rad = 0.01;
 // integers' noise, beyond somebody pushed it.
 constexpr double disturbance_speed = 0.25, disturbance_spin = 1;                  // m/s, rad/s
 constexpr double control_speed_tolerance = 0.05, control_spin_tolerance = 0.1;  // m/s, rad/s
-constexpr double leave_factor = 1.5;  // of near_m: who came near stays until so far away
+constexpr double leave_factor = 1.5;  // of neighbor_radius_m: who came near stays until so far away
 constexpr double boundary_factor = 2;
 constexpr std::size_t boundary_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
@@ -59,7 +59,7 @@ LocalBody local_body(const BodyUpdate& update, bool own) {
 }
 
 // Statics do not, nor what stands on its rails.
-bool moves(const BodyUpdate& body) {
+bool is_simulated(const BodyUpdate& body) {
     return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
 }
 
@@ -193,12 +193,12 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
     const MotionState* const predicted = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
-        if (!moves(body) && !own) continue;
+        if (!is_simulated(body) && !own) continue;
         const Vec3& at = body.pose.position;
         double far = own ? 0 : gap(at, center);
         if (predicted && !own) far = std::min(far, gap(at, predicted->pose.position));
         far = std::max(0.0, far - extra_radius_);
-        if (far <= boundary_factor * options_.near_m) candidates.emplace_back(far, &body);
+        if (far <= boundary_factor * options_.neighbor_radius_m) candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
@@ -206,10 +206,10 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
     Neighborhood neighborhood;
     for (const auto& [far, body] : candidates) {
         const double most =
-            is_member(body->entity) ? leave_factor * options_.near_m : options_.near_m;
+            is_member(body->entity) ? leave_factor * options_.neighbor_radius_m : options_.neighbor_radius_m;
         // What moves on rails costs nothing to foresee.
         const bool railed = body->type == BodyType::kinematic;
-        if (railed || (far <= most && neighborhood.near.size() < options_.near_max))
+        if (railed || (far <= most && neighborhood.near.size() < options_.neighbors_max))
             neighborhood.near[body->entity] = *body;
         else if (neighborhood.boundary.size() < boundary_max)
             neighborhood.boundary[body->entity] = *body;
@@ -230,9 +230,9 @@ void PredictionEngine::add_fixed(const FrameUpdate& frame, const Bodies& near) {
             if (body.type == BodyType::kinematic) world_->put(body.entity, body.pose);
             continue;
         }
-        if (world_->members().fixed.size() >= options_.fixed_max) return;
+        if (world_->members().fixed.size() >= options_.static_bodies_max) return;
         LocalBody stands = local_body(body, false);
-        stands.moves = false;
+        stands.is_simulated = false;
         if (const auto shapes = frame.shapes_of(body.entity))
             world_->add(body.entity, stands, *shapes, {.pose = body.pose}, true);
     }
@@ -359,7 +359,7 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
         const auto at = guess.motions.find(id);
         others |= at == guess.motions.end();
         // What is driven is put right by apply_control().
-        if (at == guess.motions.end() || id == world_->members().driven) continue;
+        if (at == guess.motions.end() || id == world_->members().controlled) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
         if (!poses_agree(at->second.pose, body.pose) || was_disturbed(at->second, body))
@@ -381,7 +381,7 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
 // Frames went past what was foreseen, for nobody drew. The world goes on as it is, with what hands
 // hold in it. False: too far.
 bool PredictionEngine::catch_up(std::uint32_t frame) {
-    if (!world_ || frame <= newest_frame_ || frame - newest_frame_ > options_.ticks_max)
+    if (!world_ || frame <= newest_frame_ || frame - newest_frame_ > options_.ticks_ahead_max)
         return false;
     step_to(frame);
     return find(frame) != nullptr;
@@ -406,13 +406,13 @@ void PredictionEngine::apply_control(const ControlUpdate& control) {
     const auto at = guess->motions.find(entity_);
     if (at == guess->motions.end()) return;
     const MotionState& guessed = at->second;
-    stats_.drives++;
-    stats_.last_drive_error_m = gap(guessed.pose.position, right->pose.position);
+    stats_.control_updates++;
+    stats_.last_control_error_m = gap(guessed.pose.position, right->pose.position);
     if (poses_agree(guessed.pose, right->pose) &&
         gap(guessed.linear, right->linear) <= control_speed_tolerance &&
         gap(guessed.angular, right->angular) <= control_spin_tolerance)
         return;
-    stats_.drive_corrections++;
+    stats_.control_corrections++;
     const std::uint32_t now = tick();
     roll_back(control.tick);
     drop_newest();
@@ -425,18 +425,18 @@ void PredictionEngine::apply_control(const ControlUpdate& control) {
 void PredictionEngine::on_frame(const FrameUpdate& update) {
     const std::uint32_t frame = update.number;
     const BodyUpdate* own = entity_ == 0 ? nullptr : find_body(update, entity_);
-    const bool driven = own && is_controlled(update);
+    const bool controlled = own && is_controlled(update);
     const bool is_free = own && own->type == BodyType::dynamic && !own->jointed;
-    if (!own || (own->controllable ? !driven : !is_free)) return reset_world();
+    if (!own || (own->controllable ? !controlled : !is_free)) return reset_world();
     if (frame == newest_frame_) {
-        if (driven) apply_control(update.control);
+        if (controlled) apply_control(update.control);
         return;
     }
     const Neighborhood neighborhood = collect_neighbors(update, own->pose.position);
     if (catch_up(frame)) {
-        if (driven) apply_control(update.control);
+        if (controlled) apply_control(update.control);
         if (world_) compare(update, neighborhood);
-    } else if (!driven || update.control.tick == frame) {
+    } else if (!controlled || update.control.tick == frame) {
         start(update, neighborhood);
     } else {
         reset_world();  // until both are told of the same tick
@@ -494,7 +494,7 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
     const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - last_sample_us_)) / 1e6;
     if (now_us - last_sample_us_ > sample_gap_max_us) rendered_.clear();
     if (!history_.empty()) {
-        const double most = newest_frame_ + options_.ticks_max;
+        const double most = newest_frame_ + options_.ticks_ahead_max;
         step_to(static_cast<std::uint32_t>(std::ceil(std::min(std::max(0.0, position), most))));
     }
     std::map<std::uint32_t, RenderedPose> now;

@@ -92,8 +92,8 @@ public:
         if (at_ == end_ || at_->entity != entity || at_->values->size() != 6) return std::nullopt;
         const std::vector<std::int32_t>& told = *at_->values;
         const auto vector = [&](std::size_t k) {
-            return Vec3{told[k] / motion_units, told[k + 1] / motion_units,
-                        told[k + 2] / motion_units};
+            return Vec3{told[k] / velocity_units, told[k + 1] / velocity_units,
+                        told[k + 2] / velocity_units};
         };
         return Velocity{vector(0), vector(3)};
     }

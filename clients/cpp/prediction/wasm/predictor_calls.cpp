@@ -181,8 +181,8 @@ uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
         if (!is_entity(n[0])) return 0;
         for (std::size_t v = 1; v < numbers_per_motion; v++)
             if (!(n[v] >= -2147483648.0 && n[v] < 2147483648.0)) return 0;
-        motions[static_cast<std::uint32_t>(n[0])] = {Vec3{n[1], n[2], n[3]} * (1 / motion_units),
-                                                     Vec3{n[4], n[5], n[6]} * (1 / motion_units)};
+        motions[static_cast<std::uint32_t>(n[0])] = {Vec3{n[1], n[2], n[3]} * (1 / velocity_units),
+                                                     Vec3{n[4], n[5], n[6]} * (1 / velocity_units)};
     }
     p->motions = std::move(motions);
     return 1;
@@ -264,8 +264,8 @@ double jostle_predictor_figure(const JostlePredictor* p, uint32_t which) {
                               stats.last_error_m,
                               static_cast<double>(p->engine.bodies()),
                               static_cast<double>(p->unusable),
-                              static_cast<double>(stats.drives),
-                              static_cast<double>(stats.drive_corrections),
-                              stats.last_drive_error_m};
+                              static_cast<double>(stats.control_updates),
+                              static_cast<double>(stats.control_corrections),
+                              stats.last_control_error_m};
     return which < std::size(figures) ? figures[which] : 0;
 }

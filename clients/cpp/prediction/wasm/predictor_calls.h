@@ -14,10 +14,10 @@
 
 #ifdef __wasm__
 #define JOSTLE_EXPORT(name) __attribute__((export_name(#name)))
-#define JOSTLE_ASKED(name) __attribute__((import_module("jostle"), import_name(#name)))
+#define JOSTLE_IMPORT(name) __attribute__((import_module("jostle"), import_name(#name)))
 #else
 #define JOSTLE_EXPORT(name)
-#define JOSTLE_ASKED(name)
+#define JOSTLE_IMPORT(name)
 #endif
 
 #ifdef __cplusplus
@@ -56,7 +56,7 @@ JOSTLE_EXPORT(remove_body) void jostle_predictor_remove_body(JostlePredictor*, u
 JOSTLE_EXPORT(set_shapes)
 uint32_t jostle_predictor_set_shapes(JostlePredictor*, uint32_t entity, uint32_t count);
 // The host's: the predictor wants the shapes of a body.
-JOSTLE_ASKED(ask_shapes) void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t entity);
+JOSTLE_IMPORT(ask_shapes) void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t entity);
 
 // Whose motion is foreseen; 0: nobody's.
 JOSTLE_EXPORT(follow) void jostle_predictor_follow(JostlePredictor*, uint32_t entity);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/cpp/prediction/wasm/predictor_calls.h"
+#include "clients/cpp/prediction/wasm/predictor_api.h"
 #include "jostle/modules/driven.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"

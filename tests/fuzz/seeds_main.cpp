@@ -338,7 +338,7 @@ std::string driven_character() {
     return bytes;
 }
 
-// Kinds of calls: tests/fuzz/predictor_calls.cpp. A crate on a floor is pushed, held and put right.
+// Kinds of calls: tests/fuzz/predictor_api.cpp. A crate on a floor is pushed, held and put right.
 void write_predictor(const fs::path& folder) {
     Seeds calls(folder, "predictor_calls");
     const auto box = [](double entity, double x, double y) {

@@ -1,6 +1,6 @@
 // Foresees what the inputs of this client do, with the server's own solver as WebAssembly (predictor.wasm, built by
 // scripts/build-predictor of clients/cpp/prediction). It is the C++ client's Predictor: what it does, and how it is put right, is in
-// clients/cpp/prediction/include/jostle/client/predictor.h, its calls in clients/cpp/prediction/wasm/predictor_calls.h.
+// clients/cpp/prediction/include/jostle/client/predictor.h, its calls in clients/cpp/prediction/wasm/predictor_api.h.
 
 import type { PoseFrame } from '../frame_buffer';
 import { POSE_FLOATS } from '../frame_buffer';

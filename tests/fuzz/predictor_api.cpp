@@ -2,7 +2,7 @@
 //
 // A predictor called by a host that hands on what a server sent: bodies of any shapes, frames and
 // answers in any order. Records: which call, and doubles.
-#include "clients/cpp/prediction/wasm/predictor_calls.h"
+#include "clients/cpp/prediction/wasm/predictor_api.h"
 
 #include <algorithm>
 #include <cmath>

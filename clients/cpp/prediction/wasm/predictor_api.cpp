@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/prediction/wasm/predictor_calls.h"
+#include "clients/cpp/prediction/wasm/predictor_api.h"
 
 #include <iterator>
 #include <map>

@@ -2,7 +2,7 @@
 //
 // The predictor by its calls, natively: what a browser gets by way of WebAssembly
 // (clients/web/src/prediction has the long stories).
-#include "clients/cpp/prediction/wasm/predictor_calls.h"
+#include "clients/cpp/prediction/wasm/predictor_api.h"
 
 #include <gtest/gtest.h>
 

@@ -59,7 +59,7 @@ void jostle_predictor_ask_shapes(JostlePredictor* predictor, uint32_t entity) {
               1u);
 }
 
-TEST(PredictorCalls, a_push_is_in_the_next_picture_and_shapes_are_asked_for_once) {
+TEST(PredictorApi, a_push_is_in_the_next_picture_and_shapes_are_asked_for_once) {
     Caller caller;
     caller.begin();
     ASSERT_EQ(caller.frame(10), 1u);
@@ -73,7 +73,7 @@ TEST(PredictorCalls, a_push_is_in_the_next_picture_and_shapes_are_asked_for_once
     EXPECT_EQ(asked.size(), 2u) << "they are known";
 }
 
-TEST(PredictorCalls, what_means_nothing_does_nothing) {
+TEST(PredictorApi, what_means_nothing_does_nothing) {
     Caller caller;
     caller.begin();
     EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "there are no numbers";

@@ -31,7 +31,7 @@ void write_line(const char* call, const Numbers& values) {
 }
 
 void put(const Numbers& values) {
-    double* numbers = jostle_predictor_numbers(predictor, static_cast<uint32_t>(values.size()));
+    double* numbers = jostle_predictor_buffer(predictor, static_cast<uint32_t>(values.size()));
     for (const double value : values) *numbers++ = value;
     write_line("put", values);
 }
@@ -108,15 +108,15 @@ void send_frame(uint32_t number, double shift) {
 // The picture at a whole tick: what the solver says. Interpolated they are so far away that nothing
 // is walked.
 void expect(uint32_t tick) {
-    const uint32_t count = jostle_predictor_drawn(predictor);
-    const double* drawn = jostle_predictor_numbers(predictor, count);
+    const uint32_t count = jostle_predictor_predicted(predictor);
+    const double* drawn = jostle_predictor_buffer(predictor, count);
     Numbers asked;
     for (uint32_t k = 0; k < count; k++)
         for (const double n : {drawn[k], 1e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) asked.push_back(n);
     put(asked);
     const double now_us = 1e9 + tick * 1e7;
     jostle_predictor_sample(predictor, tick, now_us, count);
-    const double* poses = jostle_predictor_numbers(predictor, 8 * count);
+    const double* poses = jostle_predictor_buffer(predictor, 8 * count);
     Numbers answer{double(tick), now_us, double(count)};
     answer.insert(answer.end(), poses, poses + 8 * count);
     write_line("sample", answer);
@@ -182,7 +182,7 @@ void send_controlled_car(uint32_t tick) {
     const auto letters = static_cast<uint32_t>(vehicles.tag().size()),
                count = static_cast<uint32_t>(words.size());
     write_line("drive", {double(car), double(tick), double(letters), double(count),
-                         double(jostle_predictor_drive(predictor, car, tick, letters, count))});
+                         double(jostle_predictor_control(predictor, car, tick, letters, count))});
     const physics::Vec3 at = world.body(chassis)->pose.position;
     put({1, 0, -0.5, 0, 0, 0, 0, 1, 1, car, at.x, at.y, at.z, 0, 0, 0, 1, 0});
     write_line("frame", {double(tick), 2, double(jostle_predictor_frame(predictor, tick, 2))});
@@ -236,7 +236,7 @@ void write_predictor_trace() {
 
 }  // namespace
 
-void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t) {}
+void jostle_predictor_request_shapes(JostlePredictor*, uint32_t) {}
 
 int main() {
     predictor = jostle_predictor_create();

@@ -32,17 +32,17 @@ std::uint32_t whole(double x) {
 // As many numbers as there are bytes for; zeros past the end.
 std::uint32_t put(JostlePredictor* p, Reader& in) {
     const std::size_t count = std::min<std::size_t>(in.rest().size() / sizeof(double), 4096);
-    double* numbers = jostle_predictor_numbers(p, static_cast<std::uint32_t>(count));
+    double* numbers = jostle_predictor_buffer(p, static_cast<std::uint32_t>(count));
     for (std::size_t k = 0; k < count; k++) numbers[k] = in.number<double>();
     return static_cast<std::uint32_t>(count);
 }
 
 void draw(JostlePredictor* p, double position, double now_us) {
-    const std::uint32_t count = jostle_predictor_drawn(p);
-    double* numbers = jostle_predictor_numbers(p, count);
+    const std::uint32_t count = jostle_predictor_predicted(p);
+    double* numbers = jostle_predictor_buffer(p, count);
     const std::vector<double> drawn(numbers, numbers + count);
     expect(std::is_sorted(drawn.begin(), drawn.end()), "who is drawn comes in order");
-    numbers = jostle_predictor_numbers(p, 8 * count);
+    numbers = jostle_predictor_buffer(p, 8 * count);
     std::fill(numbers, numbers + 8 * count, 0.0);
     for (std::uint32_t k = 0; k < count; k++) {
         numbers[8 * k] = drawn[k];
@@ -60,8 +60,8 @@ void drive(JostlePredictor* p, std::uint32_t entity, std::uint32_t tick, Reader&
     std::vector<double> told(tag.begin(), tag.end());
     while (in.rest().size() >= sizeof(std::uint32_t) && told.size() < 4096)
         told.push_back(in.number<std::uint32_t>());
-    std::ranges::copy(told, jostle_predictor_numbers(p, static_cast<std::uint32_t>(told.size())));
-    jostle_predictor_drive(p, entity, tick, static_cast<std::uint32_t>(tag.size()),
+    std::ranges::copy(told, jostle_predictor_buffer(p, static_cast<std::uint32_t>(told.size())));
+    jostle_predictor_control(p, entity, tick, static_cast<std::uint32_t>(tag.size()),
                            static_cast<std::uint32_t>(told.size() - tag.size()));
 }
 
@@ -89,7 +89,7 @@ void call(JostlePredictor* p, std::uint8_t kind, Reader in) {
         case 6:
             return jostle_predictor_follow(p, entity);
         case 7:
-            jostle_predictor_motions(p, put(p, in) / 7);
+            jostle_predictor_velocities(p, put(p, in) / 7);
             return;
         case 8:
             return jostle_predictor_remove_body(p, entity);
@@ -114,13 +114,13 @@ void run(Bytes input) {
     for (int k = 0; k < calls_max && !in.done(); k++) {
         const Record record = take_record(in);
         call(p.get(), record.kind, Reader(record.bytes));
-        if (jostle_predictor_figure(p.get(), 2) > steps_max) return;
+        if (jostle_predictor_stat(p.get(), 2) > steps_max) return;
     }
 }
 
 }  // namespace jostle::fuzz
 
-void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t) {}
+void jostle_predictor_request_shapes(JostlePredictor*, uint32_t) {}
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t size_max, unsigned seed) {

@@ -38,7 +38,7 @@ struct JostlePredictor {
     const std::optional<std::vector<ShapeDef>>& shapes_of(std::uint32_t entity) {
         Known& body = known.at(entity);
         if (!std::exchange(body.asked, true)) {
-            jostle_predictor_ask_shapes(this, entity);
+            jostle_predictor_request_shapes(this, entity);
             unusable += body.shapes ? 0 : 1;
         }
         return body.shapes;
@@ -77,7 +77,7 @@ void jostle_predictor_destroy(JostlePredictor* p) {
     delete p;
 }
 
-double* jostle_predictor_numbers(JostlePredictor* p, uint32_t count) {
+double* jostle_predictor_buffer(JostlePredictor* p, uint32_t count) {
     if (count > numbers_max) return nullptr;
     p->numbers.resize(count);
     return p->numbers.data();
@@ -172,7 +172,7 @@ void jostle_predictor_result(JostlePredictor* p, uint32_t sequence, uint32_t tic
     p->engine.on_result(sequence, tick, applied != 0);
 }
 
-uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
+uint32_t jostle_predictor_velocities(JostlePredictor* p, uint32_t bodies) {
     p->motions.clear();
     if (!has(*p, bodies, numbers_per_motion)) return 0;
     std::map<std::uint32_t, Velocity> motions;
@@ -188,7 +188,7 @@ uint32_t jostle_predictor_motions(JostlePredictor* p, uint32_t bodies) {
     return 1;
 }
 
-uint32_t jostle_predictor_drive(JostlePredictor* p, uint32_t entity, uint32_t tick,
+uint32_t jostle_predictor_control(JostlePredictor* p, uint32_t entity, uint32_t tick,
                                 uint32_t letters, uint32_t words) {
     p->drive = {};
     if (letters > longest_tag || words > modules::driven_words_max) return 0;
@@ -230,7 +230,7 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
     return 1;
 }
 
-uint32_t jostle_predictor_drawn(JostlePredictor* p) {
+uint32_t jostle_predictor_predicted(JostlePredictor* p) {
     const std::vector<std::uint32_t> drawn = p->engine.drawn();
     p->numbers.assign(drawn.begin(), drawn.end());
     return static_cast<uint32_t>(drawn.size());
@@ -256,7 +256,7 @@ uint32_t jostle_predictor_sample(JostlePredictor* p, double position, double now
     return bodies;
 }
 
-double jostle_predictor_figure(const JostlePredictor* p, uint32_t which) {
+double jostle_predictor_stat(const JostlePredictor* p, uint32_t which) {
     const PredictorStats& stats = p->engine.stats();
     const double figures[] = {static_cast<double>(stats.frames),
                               static_cast<double>(stats.corrections),

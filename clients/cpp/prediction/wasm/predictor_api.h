@@ -31,7 +31,7 @@ JOSTLE_EXPORT(destroy) void jostle_predictor_destroy(JostlePredictor*);
 
 // Room for so many numbers; what was there stays as far as it fits. Good until the next call that
 // asks for room, or that answers with numbers. 0: more than 2^24.
-JOSTLE_EXPORT(numbers) double* jostle_predictor_numbers(JostlePredictor*, uint32_t count);
+JOSTLE_EXPORT(numbers) double* jostle_predictor_buffer(JostlePredictor*, uint32_t count);
 
 // A stream begins: gravity in m/s^2, ticks a second, sub-steps of a tick (0: 8). All bodies are
 // forgotten, and who is followed.
@@ -56,7 +56,7 @@ JOSTLE_EXPORT(remove_body) void jostle_predictor_remove_body(JostlePredictor*, u
 JOSTLE_EXPORT(set_shapes)
 uint32_t jostle_predictor_set_shapes(JostlePredictor*, uint32_t entity, uint32_t count);
 // The host's: the predictor wants the shapes of a body.
-JOSTLE_IMPORT(ask_shapes) void jostle_predictor_ask_shapes(JostlePredictor*, uint32_t entity);
+JOSTLE_IMPORT(request_shapes) void jostle_predictor_request_shapes(JostlePredictor*, uint32_t entity);
 
 // Whose motion is foreseen; 0: nobody's.
 JOSTLE_EXPORT(follow) void jostle_predictor_follow(JostlePredictor*, uint32_t entity);
@@ -89,11 +89,11 @@ void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick,
 // How bodies move in the next frame, if that was told. Numbers, for each in rising order of entity:
 // entity, velocity of the centre of mass (3), spin (3), in the whole numbers of `jostle.motion`
 // (proto/WIRE.md, "Channels").
-JOSTLE_EXPORT(motions) uint32_t jostle_predictor_motions(JostlePredictor*, uint32_t bodies);
+JOSTLE_EXPORT(motions) uint32_t jostle_predictor_velocities(JostlePredictor*, uint32_t bodies);
 // What the client drives, after a tick (proto/WIRE.md, "Driven things"); good until the next.
 // Numbers: the letters of the module's tag, then the words. 1: they were taken.
 JOSTLE_EXPORT(drive)
-uint32_t jostle_predictor_drive(JostlePredictor*, uint32_t entity, uint32_t tick, uint32_t letters,
+uint32_t jostle_predictor_control(JostlePredictor*, uint32_t entity, uint32_t tick, uint32_t letters,
                                 uint32_t words);
 // A frame of the server. Numbers, for each of its bodies in rising order of entity: entity,
 // position (3), rotation (4: x y z w), whether it rests (0 or 1). Bodies that were not added are
@@ -102,7 +102,7 @@ JOSTLE_EXPORT(frame)
 uint32_t jostle_predictor_frame(JostlePredictor*, uint32_t number, uint32_t bodies);
 
 // Whose poses a picture takes from here: how many, and their entities as numbers.
-JOSTLE_EXPORT(drawn) uint32_t jostle_predictor_drawn(JostlePredictor*);
+JOSTLE_EXPORT(drawn) uint32_t jostle_predictor_predicted(JostlePredictor*);
 // The picture of now, in us of the host's clock, at that place of the input clock, in ticks.
 // Numbers, for each of drawn(): entity, position (3), rotation (4), as interpolated; who is nowhere
 // is left out. They are replaced by what is to be drawn. Answers how many there are.
@@ -112,7 +112,7 @@ uint32_t jostle_predictor_sample(JostlePredictor*, double position, double now_u
 // 0 frames that were compared, 1 corrections among them, 2 steps that were taken, 3 greatest error
 // of the last frame in m, 4 bodies that are foreseen, 5 bodies whose shapes could not be used, 6
 // times that what is driven was compared, 7 corrections among them, 8 error of the last one in m.
-JOSTLE_EXPORT(figure) double jostle_predictor_figure(const JostlePredictor*, uint32_t which);
+JOSTLE_EXPORT(figure) double jostle_predictor_stat(const JostlePredictor*, uint32_t which);
 
 #ifdef __cplusplus
 }

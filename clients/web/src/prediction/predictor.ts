@@ -76,7 +76,7 @@ export async function instantiate(module: WebAssembly.Module, asked: (entity: nu
   let calls: Calls | undefined;
   const imports = {
     [WASI]: system(module, () => calls!.memory),
-    jostle: { ask_shapes: (_predictor: Pointer, entity: number) => asked(entity) },
+    jostle: { request_shapes: (_predictor: Pointer, entity: number) => asked(entity) },
   };
   calls = (await WebAssembly.instantiate(module, imports)).exports as unknown as Calls;
   calls._initialize?.();

@@ -21,7 +21,7 @@ struct Caller {
     ~Caller() { jostle_predictor_destroy(predictor); }
 
     uint32_t put(const Numbers& numbers) {
-        double* to = jostle_predictor_numbers(predictor, static_cast<uint32_t>(numbers.size()));
+        double* to = jostle_predictor_buffer(predictor, static_cast<uint32_t>(numbers.size()));
         std::copy(numbers.begin(), numbers.end(), to);
         return static_cast<uint32_t>(numbers.size());
     }
@@ -31,10 +31,10 @@ struct Caller {
         return jostle_predictor_frame(predictor, number, 2);
     }
     double x_of_crate(double position, double now_us) {
-        if (jostle_predictor_drawn(predictor) != 1) return std::nan("");
+        if (jostle_predictor_predicted(predictor) != 1) return std::nan("");
         put({2, 0, 0.25, 0, 0, 0, 0, 1});
         if (jostle_predictor_sample(predictor, position, now_us, 1) != 1) return std::nan("");
-        return jostle_predictor_numbers(predictor, 8)[1];
+        return jostle_predictor_buffer(predictor, 8)[1];
     }
     void begin() {
         asked.clear();
@@ -47,13 +47,13 @@ struct Caller {
 
 }  // namespace
 
-void jostle_predictor_ask_shapes(JostlePredictor* predictor, uint32_t entity) {
+void jostle_predictor_request_shapes(JostlePredictor* predictor, uint32_t entity) {
     asked.push_back(entity);
     const double half = entity == 1 ? 50 : 0.25, high = entity == 1 ? 0.5 : 0.25;
     const Numbers shapes{1,   3,    0, 0, 0, 0, 0, 0, 1, half, high,         half,
                          0.5, 0,    0, 0, 0, 0, 0, 1, 4, 1,    4294967295.0, 0,
                          0,   1000, 0};
-    double* to = jostle_predictor_numbers(predictor, static_cast<uint32_t>(shapes.size()));
+    double* to = jostle_predictor_buffer(predictor, static_cast<uint32_t>(shapes.size()));
     std::copy(shapes.begin(), shapes.end(), to);
     EXPECT_EQ(jostle_predictor_set_shapes(predictor, entity, static_cast<uint32_t>(shapes.size())),
               1u);
@@ -79,7 +79,7 @@ TEST(PredictorApi, what_means_nothing_does_nothing) {
     EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "there are no numbers";
     caller.put({2, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0});
     EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "not in order";
-    EXPECT_EQ(jostle_predictor_numbers(caller.predictor, 1u << 25), nullptr);
+    EXPECT_EQ(jostle_predictor_buffer(caller.predictor, 1u << 25), nullptr);
     EXPECT_EQ(jostle_predictor_set_shapes(caller.predictor, 99, 0), 0u);
     ASSERT_EQ(caller.frame(10), 1u);
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -89,5 +89,5 @@ TEST(PredictorApi, what_means_nothing_does_nothing) {
     jostle_predictor_grab(caller.predictor, 2, 12, 2, none, none, none);
     jostle_predictor_drag(caller.predictor, 3, 13, 1e300, 0, 0);
     EXPECT_NEAR(caller.x_of_crate(14, 1e6), 0, 1e-3);
-    EXPECT_EQ(jostle_predictor_figure(caller.predictor, 99), 0);
+    EXPECT_EQ(jostle_predictor_stat(caller.predictor, 99), 0);
 }

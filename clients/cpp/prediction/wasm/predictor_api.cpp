@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clients/cpp/prediction/src/prediction_engine.h"
-#include "clients/cpp/prediction/wasm/shape_numbers.h"
+#include "clients/cpp/prediction/wasm/shape_encoding.h"
 #include "jostle/modules/driven.h"
 
 using namespace jostle;

@@ -51,7 +51,7 @@ void jostle_predictor_set_body(JostlePredictor*, uint32_t entity, double linear_
                                double angular_damping, double gravity_scale, uint32_t locks,
                                uint32_t moved_by);
 JOSTLE_EXPORT(remove_body) void jostle_predictor_remove_body(JostlePredictor*, uint32_t entity);
-// Its shapes, as shape_numbers.h has them. The host calls it when it is asked (below), and once for
+// Its shapes, as shape_encoding.h has them. The host calls it when it is asked (below), and once for
 // each body. 1: they were understood.
 JOSTLE_EXPORT(set_shapes)
 uint32_t jostle_predictor_set_shapes(JostlePredictor*, uint32_t entity, uint32_t count);

@@ -1,4 +1,4 @@
-// A body's shapes as the row of numbers that the predictor reads (clients/cpp/prediction/wasm/shape_numbers.h says which).
+// A body's shapes as the row of numbers that the predictor reads (clients/cpp/prediction/wasm/shape_encoding.h says which).
 
 import { Combine, type Shape } from '../gen/jostle/v1/scene_pb';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/cpp/prediction/wasm/shape_numbers.h"
+#include "clients/cpp/prediction/wasm/shape_encoding.h"
 
 #include <array>
 #include <cstdint>

@@ -36,7 +36,7 @@ Numbers compound(double children) {
 
 }  // namespace
 
-TEST(ShapeNumbers, a_box_has_its_place_its_size_and_all_that_decides_how_it_touches) {
+TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_touches) {
     const auto shapes = read_shapes(one({3}, {0.5, 0.25, 0.125}));
     ASSERT_TRUE(shapes);
     ASSERT_EQ(shapes->size(), 1u);
@@ -53,7 +53,7 @@ TEST(ShapeNumbers, a_box_has_its_place_its_size_and_all_that_decides_how_it_touc
     EXPECT_EQ(s.mass, 0);
 }
 
-TEST(ShapeNumbers, hulls_meshes_fields_and_compounds_are_built) {
+TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
     const auto hull = read_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
     ASSERT_TRUE(hull);
     EXPECT_EQ(std::get<Hull>(hull->front().geometry).data->vertices.size(), 4u) << "one is inside";
@@ -69,7 +69,7 @@ TEST(ShapeNumbers, hulls_meshes_fields_and_compounds_are_built) {
     EXPECT_EQ(std::get<Compound>(several->front().geometry).data->children.size(), 1u);
 }
 
-TEST(ShapeNumbers, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
+TEST(ShapeEncoding, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
     const Numbers good = one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1});
     for (std::size_t end = 0; end < good.size(); end++)
         EXPECT_FALSE(read_shapes(std::span(good).first(end))) << end;
@@ -84,7 +84,7 @@ TEST(ShapeNumbers, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
 }
 
 // Whatever comes: no crash, and nothing but shapes or nothing.
-TEST(ShapeNumbers, forged_numbers_are_shapes_or_none) {
+TEST(ShapeEncoding, forged_numbers_are_shapes_or_none) {
     std::mt19937 random(7);
     const Numbers odd{-1,
                       0.5,

@@ -122,7 +122,7 @@ uint32_t jostle_predictor_set_shapes(JostlePredictor* p, uint32_t entity, uint32
     const auto body = p->known.find(entity);
     if (body == p->known.end() || !has(*p, count, 1)) return 0;
     body->second.asked = true;
-    body->second.shapes = read_shapes(std::span(p->numbers).first(count));
+    body->second.shapes = decode_shapes(std::span(p->numbers).first(count));
     return body->second.shapes ? 1 : 0;
 }
 

@@ -203,7 +203,7 @@ ShapeDef read_shape(NumberReader& in) {
 
 }  // namespace
 
-std::optional<std::vector<ShapeDef>> read_shapes(std::span<const double> numbers) {
+std::optional<std::vector<ShapeDef>> decode_shapes(std::span<const double> numbers) {
     constexpr std::size_t least = 24;  // a sphere and its touch
     NumberReader in(numbers);
     std::vector<ShapeDef> shapes;

@@ -31,6 +31,6 @@
 namespace jostle::client {
 
 // Nothing: they are no shapes.
-std::optional<std::vector<physics::ShapeDef>> read_shapes(std::span<const double> numbers);
+std::optional<std::vector<physics::ShapeDef>> decode_shapes(std::span<const double> numbers);
 
 }  // namespace jostle::client

@@ -8,7 +8,7 @@ import type { Input } from '../connection';
 import type { Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb';
 import type { DrivenThing } from '../word_changes';
-import { shapeNumbers } from './shape_numbers';
+import { encodeShapes } from './shape_numbers';
 
 /** The module cannot be loaded, or has failed and is of no use any more. */
 export class PredictorError extends Error {}
@@ -257,7 +257,7 @@ export class Predictor {
   }
 
   private tellShapes(id: number): void {
-    const numbers = shapeNumbers(this.entities.get(id)?.shapes ?? []);
+    const numbers = encodeShapes(this.entities.get(id)?.shapes ?? []);
     if (!numbers) return;
     this.room(numbers.length).set(numbers);
     this.calls.set_shapes(this.self, id, numbers.length);

@@ -10,7 +10,7 @@ const UP: Point = { x: 0, y: 1, z: 0 };
 const EVERYTHING = 0xffffffff;
 
 /** undefined: the solver of the predictor has no such shape, or it was never told. */
-export function shapeNumbers(shapes: readonly Shape[]): number[] | undefined {
+export function encodeShapes(shapes: readonly Shape[]): number[] | undefined {
   const out: number[] = [shapes.length];
   for (const shape of shapes) {
     if (!putGeometry(out, shape, false)) return undefined;

@@ -37,7 +37,7 @@ Numbers compound(double children) {
 }  // namespace
 
 TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_touches) {
-    const auto shapes = read_shapes(one({3}, {0.5, 0.25, 0.125}));
+    const auto shapes = decode_shapes(one({3}, {0.5, 0.25, 0.125}));
     ASSERT_TRUE(shapes);
     ASSERT_EQ(shapes->size(), 1u);
     const ShapeDef& s = shapes->front();
@@ -54,17 +54,17 @@ TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_tou
 }
 
 TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
-    const auto hull = read_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
+    const auto hull = decode_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
     ASSERT_TRUE(hull);
     EXPECT_EQ(std::get<Hull>(hull->front().geometry).data->vertices.size(), 4u) << "one is inside";
-    const auto mesh = read_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1}));
+    const auto mesh = decode_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1}));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(std::get<Mesh>(mesh->front().geometry).data->triangles.size(), 1u);
-    const auto field = read_shapes(one({9}, {2, 3, 1, 1, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 1, 1}));
+    const auto field = decode_shapes(one({9}, {2, 3, 1, 1, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 1, 1}));
     ASSERT_TRUE(field);
     EXPECT_EQ(std::get<HeightField>(field->front().geometry).data->holes,
               (std::vector<std::uint8_t>{0, 1}));
-    const auto several = read_shapes(compound(1));
+    const auto several = decode_shapes(compound(1));
     ASSERT_TRUE(several);
     EXPECT_EQ(std::get<Compound>(several->front().geometry).data->children.size(), 1u);
 }
@@ -72,15 +72,15 @@ TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
 TEST(ShapeEncoding, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
     const Numbers good = one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1});
     for (std::size_t end = 0; end < good.size(); end++)
-        EXPECT_FALSE(read_shapes(std::span(good).first(end))) << end;
+        EXPECT_FALSE(decode_shapes(std::span(good).first(end))) << end;
     Numbers longer = good;
     longer.push_back(0);
-    EXPECT_FALSE(read_shapes(longer));
-    EXPECT_FALSE(read_shapes(compound(2)));
-    EXPECT_FALSE(read_shapes(compound(1e9)));
-    EXPECT_FALSE(read_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 3}))) << "a corner";
-    EXPECT_FALSE(read_shapes(one({9}, {60000, 60000, 1, 1, 0}))) << "heights that are not there";
-    EXPECT_FALSE(read_shapes(one({11}, {1}))) << "no kind";
+    EXPECT_FALSE(decode_shapes(longer));
+    EXPECT_FALSE(decode_shapes(compound(2)));
+    EXPECT_FALSE(decode_shapes(compound(1e9)));
+    EXPECT_FALSE(decode_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 3}))) << "a corner";
+    EXPECT_FALSE(decode_shapes(one({9}, {60000, 60000, 1, 1, 0}))) << "heights that are not there";
+    EXPECT_FALSE(decode_shapes(one({11}, {1}))) << "no kind";
 }
 
 // Whatever comes: no crash, and nothing but shapes or nothing.
@@ -104,7 +104,7 @@ TEST(ShapeEncoding, forged_numbers_are_shapes_or_none) {
         Numbers forged = good[random() % good.size()];
         for (std::size_t n = 1 + random() % 2; n > 0; n--)
             forged[random() % forged.size()] = odd[random() % odd.size()];
-        shapes += read_shapes(forged) ? 1 : 0;
+        shapes += decode_shapes(forged) ? 1 : 0;
     }
     EXPECT_GT(shapes, 100);
     EXPECT_LT(shapes, 19'000);

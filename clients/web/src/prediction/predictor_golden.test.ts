@@ -1,4 +1,4 @@
-// The module, told a story, answers with the bits of the native build (tests/determinism/predictor_story_main.cpp).
+// The module, told a story, answers with the bits of the native build (tests/determinism/predictor_golden_main.cpp).
 
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';

@@ -79,7 +79,7 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
     for (const auto& [kind, count] : s.messages)
         text += line((kind + " messages").c_str(),
                      format_text("%llu", static_cast<unsigned long long>(count)));
-    if (!recording.cut().empty()) text += line("not whole", recording.cut());
+    if (!recording.truncation_reason().empty()) text += line("not whole", recording.truncation_reason());
     if (!s.fault.empty()) text += line("damaged", s.fault);
     return text;
 }
@@ -100,7 +100,7 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
                    {"keyframes", s.keyframes},
                    {"keyframe_bytes", s.keyframe_bytes},
                    {"messages", s.messages},
-                   {"not_whole", recording.cut()},
+                   {"not_whole", recording.truncation_reason()},
                    {"damaged", s.fault}});
 }
 

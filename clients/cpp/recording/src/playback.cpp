@@ -13,9 +13,9 @@ Playback::Playback(RecordingReader recording)
 }
 
 // Finds the next snapshot, if there is one; what must be applied before it is only noted.
-Status Playback::look_ahead() {
-    if (ahead_) return {};
-    standing_.clear();
+Status Playback::find_next_snapshot() {
+    if (next_snapshot_) return {};
+    persistent_records_.clear();
     for (std::uint64_t offset = position_; offset < recording_.end();) {
         Result<RecordingReader::Record> record = recording_.read(offset);
         if (!record.ok()) {
@@ -24,11 +24,11 @@ Status Playback::look_ahead() {
         }
         offset = record->next;
         if (record->message.has_snapshot()) {
-            ahead_ = *std::move(record);
+            next_snapshot_ = *std::move(record);
             return {};
         }
-        if (const auto entry = entry_of(record->message, record->offset))
-            standing_.push_back(entry->offset);
+        if (const auto entry = index_entry_for(record->message, record->offset))
+            persistent_records_.push_back(entry->offset);
     }
     return {};
 }
@@ -45,16 +45,16 @@ Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
 
 // From here on only a keyframe helps.
 Error Playback::broken(Error error) {
-    broken_ = true;
+    incomplete_ = true;
     return error;
 }
 
 Result<bool> Playback::next() {
-    if (Status status = look_ahead(); !status.ok()) return broken(status.error());
-    if (!ahead_) return false;
-    const RecordingReader::Record snapshot = *std::exchange(ahead_, std::nullopt);
+    if (Status status = find_next_snapshot(); !status.ok()) return broken(status.error());
+    if (!next_snapshot_) return false;
+    const RecordingReader::Record snapshot = *std::exchange(next_snapshot_, std::nullopt);
     position_ = snapshot.next;
-    for (const std::uint64_t offset : std::exchange(standing_, {})) {
+    for (const std::uint64_t offset : std::exchange(persistent_records_, {})) {
         const auto record = recording_.read(offset);
         if (!record.ok()) return broken(record.error());
         if (Status s = apply(record->message, offset); !s.ok()) return broken(s.error());
@@ -71,14 +71,14 @@ const RecordingEntry* Playback::keyframe_before(std::uint32_t tick) const {
 }
 
 // Who is there is told since the beginning, so all of that comes first; snapshots are left out.
-Status Playback::begin_at(const RecordingEntry& keyframe) {
+Status Playback::restart_at(const RecordingEntry& keyframe) {
     view_.begin(recording_.welcome());
-    broken_ = false;
-    ahead_.reset();
+    incomplete_ = false;
+    next_snapshot_.reset();
     position_ = keyframe.offset;
     for (const RecordingEntry& entry : recording_.index()) {
         if (entry.offset >= keyframe.offset) break;
-        if (entry.kind != RecordingEntry::Kind::standing) continue;
+        if (entry.kind != RecordingEntry::Kind::persistent) continue;
         const auto record = recording_.read(entry.offset);
         if (!record.ok()) return broken(record.error());
         if (Status s = apply(record->message, entry.offset); !s.ok()) return broken(s.error());
@@ -97,13 +97,13 @@ Status Playback::seek(std::uint32_t tick) {
                      "tick " + std::to_string(tick) + " is before the recording" + begins};
     }
     const std::uint32_t now = view_.frame().frame;
-    if (broken_ || now == 0 || now > tick || position_ <= keyframe->offset)
-        if (Status status = begin_at(*keyframe); !status.ok()) return status;
+    if (incomplete_ || now == 0 || now > tick || position_ <= keyframe->offset)
+        if (Status status = restart_at(*keyframe); !status.ok()) return status;
     // What comes after the tick is of no concern, and may be damaged.
     while (view_.frame().frame != tick) {
-        if (Status status = look_ahead(); !status.ok()) return broken(status.error());
-        if (!ahead_) break;
-        if (ahead_->message.snapshot().frame() > tick) return {};
+        if (Status status = find_next_snapshot(); !status.ok()) return broken(status.error());
+        if (!next_snapshot_) break;
+        if (next_snapshot_->message.snapshot().frame() > tick) return {};
         if (const auto moved = next(); !moved.ok()) return moved.error();
     }
     const std::uint32_t last = view_.frame().frame;
@@ -113,10 +113,10 @@ Status Playback::seek(std::uint32_t tick) {
                                            std::to_string(last)};
 }
 
-Result<bool> Playback::skip_fault() {
+Result<bool> Playback::skip_to_keyframe() {
     for (const RecordingEntry& entry : recording_.index()) {
         if (entry.kind != RecordingEntry::Kind::keyframe || entry.offset <= position_) continue;
-        if (Status status = begin_at(entry); !status.ok()) return status.error();
+        if (Status status = restart_at(entry); !status.ok()) return status.error();
         return true;
     }
     return false;

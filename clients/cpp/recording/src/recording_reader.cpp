@@ -21,7 +21,7 @@ Error fault_at(std::uint64_t byte, const std::string& what) {
 
 std::optional<RecordingEntry::Kind> kind_of(std::uint32_t number) {
     using Kind = RecordingEntry::Kind;
-    for (const Kind kind : {Kind::keyframe, Kind::standing})
+    for (const Kind kind : {Kind::keyframe, Kind::persistent})
         if (number == static_cast<std::uint32_t>(kind)) return kind;
     return std::nullopt;
 }
@@ -44,7 +44,7 @@ Result<RecordingReader> RecordingReader::open(std::unique_ptr<std::istream> in) 
         Walk walk = reader.walk_to(reader.end_ = reader.size_);
         reader.end_ = walk.end;
         reader.index_ = std::move(walk.index);
-        reader.cut_ = walk.fault.empty() ? status.error().message : walk.fault;
+        reader.truncation_reason_ = walk.fault.empty() ? status.error().message : walk.fault;
     }
     if (Status status = reader.read_welcome(); !status.ok()) return status.error();
     return reader;
@@ -128,7 +128,7 @@ RecordingReader::Walk RecordingReader::walk_to(std::uint64_t end) {
             walk.fault = record.error().message;
             break;
         }
-        if (const auto entry = entry_of(record->message, walk.end)) walk.index.push_back(*entry);
+        if (const auto entry = index_entry_for(record->message, walk.end)) walk.index.push_back(*entry);
         walk.end = record->next;
     }
     return walk;
@@ -137,7 +137,7 @@ RecordingReader::Walk RecordingReader::walk_to(std::uint64_t end) {
 Status RecordingReader::read_welcome() {
     if (end_ <= header_bytes)
         return fault_at(header_bytes,
-                        "nothing was recorded: " + (cut_.empty() ? "it has no message" : cut_));
+                        "nothing was recorded: " + (truncation_reason_.empty() ? "it has no message" : truncation_reason_));
     Result<Record> record = read(header_bytes);
     if (!record.ok()) return record.error();
     if (!record->message.has_welcome())

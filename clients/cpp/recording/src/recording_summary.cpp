@@ -70,7 +70,7 @@ RecordingCheck check(Playback& playback) {
             result.faults.push_back(fault);
     };
     RecordingReader& recording = playback.recording();
-    if (!recording.cut().empty()) note(recording.cut());
+    if (!recording.truncation_reason().empty()) note(recording.truncation_reason());
     if (recording.walk() != recording.index())
         note("the index does not fit the records: seeking may show another state");
     for (;;) {
@@ -81,7 +81,7 @@ RecordingCheck check(Playback& playback) {
             continue;
         }
         note(moved.error().message);
-        for (Result<bool> skipped = playback.skip_fault();; skipped = playback.skip_fault()) {
+        for (Result<bool> skipped = playback.skip_to_keyframe();; skipped = playback.skip_to_keyframe()) {
             if (skipped.ok() && !*skipped) return result;
             if (skipped.ok()) break;
             note(skipped.error().message);

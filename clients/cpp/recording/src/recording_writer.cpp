@@ -57,7 +57,7 @@ Status RecordingWriter::add(const std::string& bytes, std::uint64_t arrived_us) 
     const std::uint64_t offset = counts_.bytes;
     if (Status status = write(record_); !status.ok()) return status;
     counts_.arrived_us = arrived_us;
-    if (const auto entry = entry_of(message_, offset)) index_.push_back(*entry);
+    if (const auto entry = index_entry_for(message_, offset)) index_.push_back(*entry);
     count();
     return {};
 }

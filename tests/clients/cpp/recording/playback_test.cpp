@@ -28,7 +28,7 @@ Playback played(const RecordedWorld& world) {
 TEST(Playback, shows_tick_by_tick_what_the_live_client_saw) {
     const RecordedWorld& world = ten_seconds();
     Playback playback = played(world);
-    EXPECT_EQ(playback.recording().cut(), "");
+    EXPECT_EQ(playback.recording().truncation_reason(), "");
     EXPECT_EQ(playback.recording().welcome().world_name(), "yard");
     auto expected = world.truth.begin();
     std::uint64_t snapshots = 0;

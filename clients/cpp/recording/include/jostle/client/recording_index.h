@@ -13,7 +13,7 @@ namespace jostle::client {
 struct RecordingEntry {
     enum class Kind : std::uint32_t {
         keyframe = 1,  // a snapshot without a base
-        standing = 2,  // a Roster or a GeometryChunk: counts from there on
+        persistent = 2,  // a Roster or a GeometryChunk: counts from there on
     };
     std::uint64_t offset = 0;  // of its record in the file
     std::uint32_t frame = 0;   // of a keyframe
@@ -23,11 +23,11 @@ struct RecordingEntry {
 };
 
 // What the index says of a message; nothing: it is not in it.
-inline std::optional<RecordingEntry> entry_of(const v1::ServerMessage& message,
+inline std::optional<RecordingEntry> index_entry_for(const v1::ServerMessage& message,
                                               std::uint64_t offset) {
     using Kind = RecordingEntry::Kind;
     if (message.has_entity_update() || message.has_geometry())
-        return RecordingEntry{.offset = offset, .kind = Kind::standing};
+        return RecordingEntry{.offset = offset, .kind = Kind::persistent};
     if (message.has_snapshot() && message.snapshot().baselines() == 0)
         return RecordingEntry{offset, message.snapshot().frame(), Kind::keyframe};
     return std::nullopt;

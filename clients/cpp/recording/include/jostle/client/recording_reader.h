@@ -39,7 +39,7 @@ public:
     // In the order of the file.
     const std::vector<RecordingEntry>& index() const { return index_; }
     // Why it is not whole: where it was cut off, or what became of its index. Empty: it is whole.
-    const std::string& cut() const { return cut_; }
+    const std::string& truncation_reason() const { return truncation_reason_; }
     // The index anew, from the records; for who wants to know whether the one of the file is right.
     std::vector<RecordingEntry> walk();
 
@@ -61,7 +61,7 @@ private:
     std::uint64_t size_ = 0, end_ = 0, begun_unix_us_ = 0, after_welcome_ = 0;
     v1::Welcome welcome_;
     std::vector<RecordingEntry> index_;
-    std::string cut_;
+    std::string truncation_reason_;
     std::string bytes_;  // reused
 };
 

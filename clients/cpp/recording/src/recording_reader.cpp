@@ -41,7 +41,7 @@ Result<RecordingReader> RecordingReader::open(std::unique_ptr<std::istream> in) 
     RecordingReader reader(std::move(in));
     if (Status status = reader.read_header(); !status.ok()) return status.error();
     if (Status status = reader.read_index(); !status.ok()) {
-        Walk walk = reader.walk_to(reader.end_ = reader.size_);
+        ScanResult walk = reader.walk_to(reader.end_ = reader.size_);
         reader.end_ = walk.end;
         reader.index_ = std::move(walk.index);
         reader.truncation_reason_ = walk.fault.empty() ? status.error().message : walk.fault;
@@ -117,8 +117,8 @@ std::vector<RecordingEntry> RecordingReader::walk() {
     return walk_to(end_).index;
 }
 
-RecordingReader::Walk RecordingReader::walk_to(std::uint64_t end) {
-    Walk walk;
+RecordingReader::ScanResult RecordingReader::walk_to(std::uint64_t end) {
+    ScanResult walk;
     std::string word;
     for (walk.end = header_bytes; walk.end < end;) {
         // No message is empty: there the index begins.

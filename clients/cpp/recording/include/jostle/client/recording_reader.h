@@ -46,12 +46,12 @@ public:
 private:
     explicit RecordingReader(std::unique_ptr<std::istream> in) : in_(std::move(in)) {}
     // As far as the records go; what stopped it, if it was not their end.
-    struct Walk {
+    struct ScanResult {
         std::vector<RecordingEntry> index;
         std::uint64_t end = 0;
         std::string fault;
     };
-    Walk walk_to(std::uint64_t end);
+    ScanResult walk_to(std::uint64_t end);
     Status read_header();
     Status read_index();
     Status read_welcome();

@@ -97,21 +97,21 @@ Result<PersistedWorld::Verified> PersistedWorld::verify() {
         if (kept.ok())
             hashes[tick] = kept->hash;
         else
-            verified.faults.push_back(kept.error().message);
+            verified.errors.push_back(kept.error().message);
     }
     const auto compare = [&](const server::HostedWorld& world, std::uint32_t tick) {
         const auto at = hashes.find(tick);
         if (at == hashes.end()) return;
         verified.checkpoints++;
         if (physics::state_hash(world.world()) != at->second)
-            verified.faults.push_back("the checkpoint of tick " + std::to_string(tick) +
+            verified.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
                                       " is not what the world had become");
     };
     const auto world = from_the_first({.after_tick = compare});
     if (!world.ok()) return world.error();
     verified.first_tick = world->checkpoint;
     verified.last_tick = world->tick;
-    verified.faults.insert(verified.faults.end(), world->warnings.begin(), world->warnings.end());
+    verified.errors.insert(verified.errors.end(), world->warnings.begin(), world->warnings.end());
     return verified;
 }
 

@@ -35,7 +35,7 @@ public:
     struct Verified {
         std::uint32_t first_tick = 0, last_tick = 0;
         int checkpoints = 0;              // that were compared, the first one not among them
-        std::vector<std::string> faults;  // each a sentence
+        std::vector<std::string> errors;  // each a sentence
     };
     // From the oldest checkpoint on: each later one must be what the world has become then.
     Result<Verified> verify();

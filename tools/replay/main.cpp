@@ -81,7 +81,7 @@ int run_recording(const Flags& flags) {
     if (flags.verify) {
         const auto check = jostle::client::check(playback);
         show(flags.json ? replay::to_json(check) : replay::to_text(check));
-        return check.faults.empty() ? 0 : 1;
+        return check.errors.empty() ? 0 : 1;
     }
     if (const auto s = playback.seek(*flags.at); !s.ok())
         return fail(1, flags.file + ": " + s.error().message);
@@ -141,14 +141,14 @@ int verify(PersistedWorld& world, const Flags& flags) {
         show(nlohmann::json{{"first_tick", verified->first_tick},
                             {"last_tick", verified->last_tick},
                             {"checkpoints", verified->checkpoints},
-                            {"faults", verified->faults}});
+                            {"faults", verified->errors}});
     } else {
-        for (const std::string& fault : verified->faults) std::printf("%s\n", fault.c_str());
+        for (const std::string& fault : verified->errors) std::printf("%s\n", fault.c_str());
         std::printf("ticks %u to %u done again, %d checkpoints compared: %s\n",
                     verified->first_tick, verified->last_tick, verified->checkpoints,
-                    verified->faults.empty() ? "all is as it was" : "FAULTS");
+                    verified->errors.empty() ? "all is as it was" : "FAULTS");
     }
-    return verified->faults.empty() ? 0 : 1;
+    return verified->errors.empty() ? 0 : 1;
 }
 
 int show_at(PersistedWorld& world, const Flags& flags) {

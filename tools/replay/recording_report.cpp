@@ -66,7 +66,7 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
         line("world", ctl::shown(welcome.world_name()) + " (" + ctl::shown(welcome.world_id()) +
                           "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks a second");
     text += line("recorded",
-                 utc_text(recording.begun_unix_us()) + ", " + format_text("%.1f s", s.seconds));
+                 utc_text(recording.start_unix_us()) + ", " + format_text("%.1f s", s.seconds));
     text += line("ticks", format_text("%u to %u", s.first_tick, s.last_tick));
     text +=
         line("entities", format_text("%zu at the end, at most %zu", s.entities, s.entities_max));
@@ -89,7 +89,7 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
     return dumped({{"world", welcome.world_name()},
                    {"world_id", welcome.world_id()},
                    {"tick_hz", welcome.tick_hz()},
-                   {"recorded", utc_text(recording.begun_unix_us())},
+                   {"recorded", utc_text(recording.start_unix_us())},
                    {"seconds", s.seconds},
                    {"first_tick", s.first_tick},
                    {"last_tick", s.last_tick},

@@ -62,7 +62,7 @@ TEST(PersistedWorld, what_was_kept_is_done_again_to_the_bit) {
     EXPECT_GT(summary.checkpoints.size(), 2u);
     EXPECT_EQ(summary.damage, "");
     const auto verified = world.verify().value();
-    EXPECT_EQ(verified.faults, std::vector<std::string>());
+    EXPECT_EQ(verified.errors, std::vector<std::string>());
     EXPECT_EQ(verified.checkpoints + 1, static_cast<int>(summary.checkpoints.size()));
     EXPECT_EQ(verified.last_tick, 201u);
 }
@@ -124,7 +124,7 @@ TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_aga
     }
     auto world = PersistedWorld::open(path, "pile").value();
     const auto verified = world.verify().value();
-    EXPECT_EQ(verified.faults, std::vector<std::string>());
+    EXPECT_EQ(verified.errors, std::vector<std::string>());
     EXPECT_GT(verified.checkpoints, 1);
 }
 
@@ -142,8 +142,8 @@ TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
     }
     auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
     const auto verified = world.verify().value();
-    ASSERT_EQ(verified.faults.size(), 1u);
-    EXPECT_NE(verified.faults[0].find("is not what the world had become"), std::string::npos);
+    ASSERT_EQ(verified.errors.size(), 1u);
+    EXPECT_NE(verified.errors[0].find("is not what the world had become"), std::string::npos);
 }
 
 TEST(PersistedWorld, what_is_not_there_is_named_with_what_is) {

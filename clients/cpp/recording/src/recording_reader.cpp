@@ -41,10 +41,10 @@ Result<RecordingReader> RecordingReader::open(std::unique_ptr<std::istream> in) 
     RecordingReader reader(std::move(in));
     if (Status status = reader.read_header(); !status.ok()) return status.error();
     if (Status status = reader.read_index(); !status.ok()) {
-        ScanResult walk = reader.walk_to(reader.end_ = reader.size_);
-        reader.end_ = walk.end;
-        reader.index_ = std::move(walk.index);
-        reader.truncation_reason_ = walk.fault.empty() ? status.error().message : walk.fault;
+        ScanResult rebuild_index = reader.scan_to(reader.end_ = reader.size_);
+        reader.end_ = rebuild_index.end;
+        reader.index_ = std::move(rebuild_index.index);
+        reader.truncation_reason_ = rebuild_index.fault.empty() ? status.error().message : rebuild_index.fault;
     }
     if (Status status = reader.read_welcome(); !status.ok()) return status.error();
     return reader;
@@ -75,7 +75,7 @@ Status RecordingReader::read_header() {
         return fault_at(4, "it is a recording of version " + std::to_string(its) +
                                "; this program reads version " + std::to_string(version) +
                                ", so play it with one of its own time");
-    begun_unix_us_ = get<std::uint64_t>(bytes_, 8);
+    start_unix_us_ = get<std::uint64_t>(bytes_, 8);
     return {};
 }
 
@@ -113,25 +113,25 @@ Status RecordingReader::read_index() {
     return {};
 }
 
-std::vector<RecordingEntry> RecordingReader::walk() {
-    return walk_to(end_).index;
+std::vector<RecordingEntry> RecordingReader::rebuild_index() {
+    return scan_to(end_).index;
 }
 
-RecordingReader::ScanResult RecordingReader::walk_to(std::uint64_t end) {
-    ScanResult walk;
+RecordingReader::ScanResult RecordingReader::scan_to(std::uint64_t end) {
+    ScanResult rebuild_index;
     std::string word;
-    for (walk.end = header_bytes; walk.end < end;) {
+    for (rebuild_index.end = header_bytes; rebuild_index.end < end;) {
         // No message is empty: there the index begins.
-        if (read_bytes(walk.end, 4, word) && get<std::uint32_t>(word, 0) == 0) break;
-        const Result<Record> record = read(walk.end);
+        if (read_bytes(rebuild_index.end, 4, word) && get<std::uint32_t>(word, 0) == 0) break;
+        const Result<Record> record = read(rebuild_index.end);
         if (!record.ok()) {
-            walk.fault = record.error().message;
+            rebuild_index.fault = record.error().message;
             break;
         }
-        if (const auto entry = index_entry_for(record->message, walk.end)) walk.index.push_back(*entry);
-        walk.end = record->next;
+        if (const auto entry = index_entry_for(record->message, rebuild_index.end)) rebuild_index.index.push_back(*entry);
+        rebuild_index.end = record->next;
     }
-    return walk;
+    return rebuild_index;
 }
 
 Status RecordingReader::read_welcome() {

@@ -45,7 +45,7 @@ RecordingSummary summarize(RecordingReader& recording) {
     for (std::uint64_t offset = recording.first(); offset < recording.end();) {
         const auto record = recording.read(offset);
         if (!record.ok()) {
-            summary.fault = record.error().message;
+            summary.first_error = record.error().message;
             break;
         }
         offset = record->next;
@@ -64,14 +64,14 @@ RecordingSummary summarize(RecordingReader& recording) {
 
 RecordingCheck check(Playback& playback) {
     RecordingCheck result;
-    const auto note = [&](const std::string& fault) {
-        if (result.faults.size() < RecordingCheck::faults_max &&
-            std::ranges::find(result.faults, fault) == result.faults.end())
-            result.faults.push_back(fault);
+    const auto note = [&](const std::string& first_error) {
+        if (result.errors.size() < RecordingCheck::errors_max &&
+            std::ranges::find(result.errors, first_error) == result.errors.end())
+            result.errors.push_back(first_error);
     };
     RecordingReader& recording = playback.recording();
     if (!recording.truncation_reason().empty()) note(recording.truncation_reason());
-    if (recording.walk() != recording.index())
+    if (recording.rebuild_index() != recording.index())
         note("the index does not fit the records: seeking may show another state");
     for (;;) {
         const Result<bool> moved = playback.next();

@@ -9,10 +9,10 @@ namespace jostle::client {
 
 using namespace recording;
 
-RecordingWriter::RecordingWriter(std::ostream& out, std::uint64_t begun_unix_us) : out_(out) {
+RecordingWriter::RecordingWriter(std::ostream& out, std::uint64_t start_unix_us) : out_(out) {
     record_ = magic;
     put(record_, version);
-    put(record_, begun_unix_us);
+    put(record_, start_unix_us);
     // Whether it could be written shows with the first record.
     static_cast<void>(write(record_));
 }

@@ -104,7 +104,7 @@ TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_k
 
     Playback again(opened(damaged).value());
     const RecordingCheck found = check(again);
-    EXPECT_EQ(found.faults.size(), 2u) << "the record, and the index that names it";
+    EXPECT_EQ(found.errors.size(), 2u) << "the record, and the index that names it";
     EXPECT_EQ(found.snapshots, world.truth.size() - static_cast<std::size_t>(
                                                         std::distance(damaged_from, whole_from)));
 }
@@ -117,7 +117,7 @@ TEST(DamagedRecording, any_damaged_byte_of_a_record_is_found) {
         std::string damaged = file;
         damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
         Playback playback(opened(damaged).value());
-        ASSERT_FALSE(check(playback).faults.empty()) << "byte " << at;
+        ASSERT_FALSE(check(playback).errors.empty()) << "byte " << at;
     }
 }
 
@@ -146,8 +146,8 @@ TEST(DamagedRecording, a_length_that_no_file_has_is_not_believed) {
         file[at + 3] = static_cast<char>(top);
         Playback playback(opened(file).value());
         const RecordingCheck found = check(playback);
-        ASSERT_FALSE(found.faults.empty());
-        EXPECT_TRUE(std::ranges::any_of(found.faults, [&](const std::string& fault) {
+        ASSERT_FALSE(found.errors.empty());
+        EXPECT_TRUE(std::ranges::any_of(found.errors, [&](const std::string& fault) {
             return fault.starts_with("byte " + std::to_string(at) + ": a message of ");
         }));
     }

@@ -95,7 +95,7 @@ TEST(Playback, all_of_a_good_recording_is_found_good) {
     Playback playback = played(ten_seconds());
     const RecordingCheck found = check(playback);
     EXPECT_EQ(found.snapshots, ten_seconds().truth.size());
-    EXPECT_TRUE(found.faults.empty()) << found.faults.front();
+    EXPECT_TRUE(found.errors.empty()) << found.errors.front();
 }
 
 TEST(RecordingWriter, takes_one_stream_of_a_whole_world) {

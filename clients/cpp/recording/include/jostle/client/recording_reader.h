@@ -35,13 +35,13 @@ public:
     std::uint64_t first() const;                // the record after the Welcome
     std::uint64_t end() const { return end_; }  // after the last whole record
     const v1::Welcome& welcome() const { return welcome_; }
-    std::uint64_t begun_unix_us() const { return begun_unix_us_; }
+    std::uint64_t start_unix_us() const { return start_unix_us_; }
     // In the order of the file.
     const std::vector<RecordingEntry>& index() const { return index_; }
     // Why it is not whole: where it was cut off, or what became of its index. Empty: it is whole.
     const std::string& truncation_reason() const { return truncation_reason_; }
     // The index anew, from the records; for who wants to know whether the one of the file is right.
-    std::vector<RecordingEntry> walk();
+    std::vector<RecordingEntry> rebuild_index();
 
 private:
     explicit RecordingReader(std::unique_ptr<std::istream> in) : in_(std::move(in)) {}
@@ -51,14 +51,14 @@ private:
         std::uint64_t end = 0;
         std::string fault;
     };
-    ScanResult walk_to(std::uint64_t end);
+    ScanResult scan_to(std::uint64_t end);
     Status read_header();
     Status read_index();
     Status read_welcome();
     bool read_bytes(std::uint64_t offset, std::uint64_t count, std::string& bytes);
 
     std::unique_ptr<std::istream> in_;
-    std::uint64_t size_ = 0, end_ = 0, begun_unix_us_ = 0, after_welcome_ = 0;
+    std::uint64_t size_ = 0, end_ = 0, start_unix_us_ = 0, after_welcome_ = 0;
     v1::Welcome welcome_;
     std::vector<RecordingEntry> index_;
     std::string truncation_reason_;

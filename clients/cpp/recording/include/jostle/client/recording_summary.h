@@ -19,16 +19,16 @@ struct RecordingSummary {
     std::uint64_t keyframes = 0, keyframe_bytes = 0;  // those and what they take
     std::size_t entities = 0, entities_max = 0;       // at the end, and at most
     std::map<std::string, std::uint64_t> messages{};  // of each kind: how many
-    std::string fault{};                              // that ended the count; empty: none
+    std::string first_error{};                              // that ended the count; empty: none
 };
 // Reads every record, and decodes no snapshot.
 RecordingSummary summarize(RecordingReader& recording);
 
 struct RecordingCheck {
-    static constexpr std::size_t faults_max = 100;  // more are not listed
+    static constexpr std::size_t errors_max = 100;  // more are not listed
 
     std::uint64_t snapshots = 0;  // that were decoded and agree with their CRC
-    std::vector<std::string> faults;
+    std::vector<std::string> errors;
 };
 // Decodes everything, going on at the next keyframe after each fault, and makes the index anew.
 RecordingCheck check(Playback& playback);

@@ -19,7 +19,7 @@ namespace jostle::client {
 class RecordingWriter {
 public:
     // `out` is empty, binary, and outlives the writer. When it begins: us since 1970.
-    RecordingWriter(std::ostream& out, std::uint64_t begun_unix_us);
+    RecordingWriter(std::ostream& out, std::uint64_t start_unix_us);
 
     // A ServerMessage as it came, the Welcome first, and when: us since the recording began. An
     // error: it is not in the recording. After one of the file (resource_exhausted) nothing more

@@ -58,7 +58,7 @@ void run(Bytes input) {
     expect(summary.message_bytes <= file.size(), "messages are within the file");
     const bool index_is_right = reader->walk() == reader->index();
     Playback all(*std::move(reader));
-    const RecordingCheck found = check(all);
+    const RecordingVerification found = check(all);
     if (!found.faults.empty() || !index_is_right) {
         static_cast<void>(all.seek(summary.first_tick));
         return static_cast<void>(all.seek(summary.last_tick));

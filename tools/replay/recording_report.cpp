@@ -156,7 +156,7 @@ std::string state_json(const client::Playback& playback, std::uint32_t tick) {
                    {"entities", entities}});
 }
 
-std::string to_text(const client::RecordingCheck& check) {
+std::string to_text(const client::RecordingVerification& check) {
     std::string text =
         format_text("%llu snapshots decode and agree with their CRC, %zu faults\n",
                     static_cast<unsigned long long>(check.snapshots), check.faults.size());
@@ -164,7 +164,7 @@ std::string to_text(const client::RecordingCheck& check) {
     return text;
 }
 
-std::string to_json(const client::RecordingCheck& check) {
+std::string to_json(const client::RecordingVerification& check) {
     return dumped({{"snapshots", check.snapshots}, {"faults", check.faults}});
 }
 

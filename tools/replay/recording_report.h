@@ -19,7 +19,7 @@ std::string to_json(const client::RecordingReader& recording,
 std::string state_text(const client::Playback& playback, std::uint32_t tick);
 std::string state_json(const client::Playback& playback, std::uint32_t tick);
 
-std::string to_text(const client::RecordingCheck& check);
-std::string to_json(const client::RecordingCheck& check);
+std::string to_text(const client::RecordingVerification& check);
+std::string to_json(const client::RecordingVerification& check);
 
 }  // namespace jostle::replay

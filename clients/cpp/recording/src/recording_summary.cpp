@@ -62,10 +62,10 @@ RecordingSummary summarize(RecordingReader& recording) {
     return summary;
 }
 
-RecordingCheck check(Playback& playback) {
-    RecordingCheck result;
+RecordingVerification check(Playback& playback) {
+    RecordingVerification result;
     const auto note = [&](const std::string& first_error) {
-        if (result.errors.size() < RecordingCheck::errors_max &&
+        if (result.errors.size() < RecordingVerification::errors_max &&
             std::ranges::find(result.errors, first_error) == result.errors.end())
             result.errors.push_back(first_error);
     };

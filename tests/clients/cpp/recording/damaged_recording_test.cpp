@@ -103,7 +103,7 @@ TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_k
     ASSERT_TRUE(playback.seek(std::prev(damaged_from)->first));
 
     Playback again(opened(damaged).value());
-    const RecordingCheck found = check(again);
+    const RecordingVerification found = check(again);
     EXPECT_EQ(found.errors.size(), 2u) << "the record, and the index that names it";
     EXPECT_EQ(found.snapshots, world.truth.size() - static_cast<std::size_t>(
                                                         std::distance(damaged_from, whole_from)));
@@ -145,7 +145,7 @@ TEST(DamagedRecording, a_length_that_no_file_has_is_not_believed) {
     for (const int top : {0x02, 0x7f, 0xff}) {
         file[at + 3] = static_cast<char>(top);
         Playback playback(opened(file).value());
-        const RecordingCheck found = check(playback);
+        const RecordingVerification found = check(playback);
         ASSERT_FALSE(found.errors.empty());
         EXPECT_TRUE(std::ranges::any_of(found.errors, [&](const std::string& fault) {
             return fault.starts_with("byte " + std::to_string(at) + ": a message of ");

@@ -93,7 +93,7 @@ TEST(Playback, a_tick_that_is_not_there_is_refused_with_those_that_are) {
 
 TEST(Playback, all_of_a_good_recording_is_found_good) {
     Playback playback = played(ten_seconds());
-    const RecordingCheck found = check(playback);
+    const RecordingVerification found = check(playback);
     EXPECT_EQ(found.snapshots, ten_seconds().truth.size());
     EXPECT_TRUE(found.errors.empty()) << found.errors.front();
 }

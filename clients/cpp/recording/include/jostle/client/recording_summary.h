@@ -24,13 +24,13 @@ struct RecordingSummary {
 // Reads every record, and decodes no snapshot.
 RecordingSummary summarize(RecordingReader& recording);
 
-struct RecordingCheck {
+struct RecordingVerification {
     static constexpr std::size_t errors_max = 100;  // more are not listed
 
     std::uint64_t snapshots = 0;  // that were decoded and agree with their CRC
     std::vector<std::string> errors;
 };
 // Decodes everything, going on at the next keyframe after each fault, and makes the index anew.
-RecordingCheck check(Playback& playback);
+RecordingVerification check(Playback& playback);
 
 }  // namespace jostle::client

@@ -50,7 +50,7 @@ std::vector<std::uint32_t> Behaviour::owned(const client::WorldView& world,
     return mine;
 }
 
-std::uint32_t Behaviour::some_entity(const client::WorldView& world, std::uint32_t client_id) {
+std::uint32_t Behaviour::random_entity(const client::WorldView& world, std::uint32_t client_id) {
     std::vector<std::uint32_t> others;
     for (const auto& [id, entity] : world.entities())
         // Not what players spawned: their owner may delete it before this input arrives.
@@ -74,9 +74,9 @@ std::vector<v1::Input> Behaviour::act(double seconds, const client::WorldView& w
     if (line_.behaviour == "push") push(out, world, client_id);
     if (line_.behaviour == "throw") throw_ball(out, world, client_id);
     if (line_.behaviour == "builder") build(out, world, client_id);
-    if (line_.behaviour == "drive" && take_wheel(out, world, seconds)) drive(out, world);
-    if (line_.behaviour == "walk" && take_wheel(out, world, seconds)) walk(out, world);
-    if (line_.behaviour == "race" && take_wheel(out, world, seconds)) race(out, world, seconds);
+    if (line_.behaviour == "drive" && take_control(out, world, seconds)) drive(out, world);
+    if (line_.behaviour == "walk" && take_control(out, world, seconds)) walk(out, world);
+    if (line_.behaviour == "race" && take_control(out, world, seconds)) race(out, world, seconds);
     return out;
 }
 
@@ -105,7 +105,7 @@ void Behaviour::wander(std::vector<v1::Input>& out, const client::WorldView& wor
 
 void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world,
                      std::uint32_t id) {
-    const std::uint32_t entity = some_entity(world, id);
+    const std::uint32_t entity = random_entity(world, id);
     const auto pose = world.pose_of(entity);
     if (entity == 0 || !pose) return;
     // Towards the middle, so that the yard does not empty.
@@ -161,7 +161,7 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
     if (held_ == 0) {
         if (seconds < next_) return;
         next_ = seconds + value("period");
-        const std::uint32_t entity = some_entity(world, id);
+        const std::uint32_t entity = random_entity(world, id);
         const auto pose = world.pose_of(entity);
         if (entity == 0 || !pose) return;
         held_ = entity;
@@ -183,7 +183,7 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
         held_at_[1] + 1.5, held_at_[2] + std::sin(4 * left));
 }
 
-bool Behaviour::take_wheel(std::vector<v1::Input>& out, const client::WorldView& world,
+bool Behaviour::take_control(std::vector<v1::Input>& out, const client::WorldView& world,
                            double seconds) {
     if (world.entities().contains(driven_) && seconds < change_at_) return true;
     std::vector<std::uint32_t> controllable;
@@ -223,7 +223,7 @@ void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world
     const auto pose = world.pose_of(driven_);
     if (!pose) return;
     const auto [x, y, z] = pose->position;
-    laps_.see(seconds, x, z);
+    laps_.add_position(seconds, x, z);
     const double since = seconds - raced_at_;
     const double speed =
         raced_at_ < 0 || since <= 0 ? 0 : std::hypot(x - raced_[0], z - raced_[2]) / since;

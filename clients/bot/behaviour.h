@@ -30,7 +30,7 @@ private:
     double value(const char* key) const { return line_.values.at(key); }
     std::vector<std::uint32_t> owned(const client::WorldView& world, std::uint32_t client_id) const;
     // A dynamic entity of somebody else's, chosen at random; 0: there is none.
-    std::uint32_t some_entity(const client::WorldView& world, std::uint32_t client_id);
+    std::uint32_t random_entity(const client::WorldView& world, std::uint32_t client_id);
 
     void wander(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id);
     void push(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id);
@@ -39,7 +39,7 @@ private:
     void drag(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id,
               double seconds);
     // Takes something that can be driven, once in a while; false: there is none.
-    bool take_wheel(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
+    bool take_control(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
     void drive(std::vector<v1::Input>& out, const client::WorldView& world);
     void walk(std::vector<v1::Input>& out, const client::WorldView& world);
     void race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);

@@ -6,7 +6,7 @@
 
 namespace jostle::bots {
 
-void LapCounter::see(double seconds, double x, double z) {
+void LapCounter::add_position(double seconds, double x, double z) {
     if (!seen_) began_ = seconds;
     if (seen_) turned_ += std::atan2(x_ * z - z_ * x, x_ * x + z_ * z);
     seen_ = true;

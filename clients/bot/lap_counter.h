@@ -15,7 +15,7 @@ struct Lap {
 class LapCounter {
 public:
     // Where it is at a time, often enough that it turned by less than half a lap. Either way round.
-    void see(double seconds, double x, double z);
+    void add_position(double seconds, double x, double z);
     void begin() { *this = {}; }
     const std::vector<Lap>& laps() const { return laps_; }
 

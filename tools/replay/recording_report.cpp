@@ -100,7 +100,7 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
                    {"keyframes", s.keyframes},
                    {"keyframe_bytes", s.keyframe_bytes},
                    {"messages", s.messages},
-                   {"not_whole", recording.truncation_reason()},
+                   {"truncation", recording.truncation_reason()},
                    {"damaged", s.fault}});
 }
 
@@ -151,7 +151,7 @@ std::string state_json(const client::Playback& playback, std::uint32_t tick) {
                                         {"rests", entity.at_rest}});
     }
     return dumped({{"tick", tick},
-                   {"told_in_tick", view.frame().frame},
+                   {"frame_tick", view.frame().frame},
                    {"seconds", static_cast<double>(playback.arrived_us()) / 1e6},
                    {"entities", entities}});
 }

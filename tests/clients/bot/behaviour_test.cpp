@@ -131,7 +131,7 @@ TEST(LapCounter, counts_laps_either_way_round) {
         LapCounter counter;
         for (int k = 0; k <= 25; k++) {
             const double angle = way * 2 * pi * k / 10;
-            counter.see(0.5 * k, 10 * std::cos(angle), 12 * std::sin(angle));
+            counter.add_position(0.5 * k, 10 * std::cos(angle), 12 * std::sin(angle));
         }
         ASSERT_EQ(counter.laps().size(), 2u);
         EXPECT_NEAR(counter.laps()[1].seconds, 5, 1e-9);

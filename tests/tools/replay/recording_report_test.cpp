@@ -33,7 +33,7 @@ TEST(RecordingReport, the_summary_counts_what_is_in_the_file) {
     EXPECT_EQ(json["tick_hz"], 60);
     EXPECT_EQ(json["keyframes"], 3) << "the first snapshot, and one each half second";
     EXPECT_EQ(json["recorded"], "2023-11-14T22:13:20Z");
-    EXPECT_EQ(json["not_whole"], "");
+    EXPECT_EQ(json["truncation"], "");
     const std::string text = replay::to_text(recording, summary);
     EXPECT_NE(text.find("yard ("), std::string::npos) << text;
     EXPECT_EQ(text.find("not whole"), std::string::npos) << text;
@@ -44,7 +44,7 @@ TEST(RecordingReport, a_tick_lists_its_bodies_with_poses) {
     const std::uint32_t tick = one_second().counts.last_tick;
     ASSERT_TRUE(playback.seek(tick));
     const auto json = nlohmann::json::parse(replay::state_json(playback, tick));
-    EXPECT_EQ(json["told_in_tick"], tick);
+    EXPECT_EQ(json["frame_tick"], tick);
     ASSERT_EQ(json["entities"].size(), one_second().truth.at(tick).entities.size());
     EXPECT_EQ(json["entities"][0]["type"], "static");
     EXPECT_EQ(json["entities"][1]["type"], "dynamic");

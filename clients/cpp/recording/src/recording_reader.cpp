@@ -150,18 +150,18 @@ Status RecordingReader::read_welcome() {
 }
 
 Result<RecordingReader::Record> RecordingReader::read(std::uint64_t offset) {
-    if (offset > end_ || end_ - offset < head_bytes || !read_bytes(offset, head_bytes, bytes_))
+    if (offset > end_ || end_ - offset < record_header_bytes || !read_bytes(offset, record_header_bytes, bytes_))
         return fault_at(offset, "the file ends within the head of a record: it was cut off there");
     const auto length = get<std::uint32_t>(bytes_, 0);
     const auto crc = get<std::uint32_t>(bytes_, 4);
     if (length == 0 || length > message_bytes_max)
         return fault_at(offset, "a message of " + std::to_string(length) + " bytes, where 1 to " +
                                     std::to_string(message_bytes_max) + " can be: it is damaged");
-    const std::uint64_t rest = head_bytes - crc_from + length;
+    const std::uint64_t rest = record_header_bytes - crc_from + length;
     if (rest > end_ - offset - crc_from || !read_bytes(offset + crc_from, rest, bytes_))
         return fault_at(
             offset, "a message of " + std::to_string(length) + " bytes, of which the file has " +
-                        std::to_string(end_ - offset - head_bytes) + ": it was cut off there");
+                        std::to_string(end_ - offset - record_header_bytes) + ": it was cut off there");
     if (crc_of(bytes_) != crc)
         return fault_at(offset, "the CRC of the record does not match: it is damaged");
     Record record{.offset = offset,

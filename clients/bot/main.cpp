@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "clients/bot/player.h"
+#include "clients/bot/bot.h"
 #include "clients/cpp/cli/security_flags.h"
 
 namespace {
@@ -83,7 +83,7 @@ std::string to_lines(const jostle::v1::Events& events) {
 // One line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the middle".
 class LapReport {
 public:
-    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Player>>& players) {
+    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Bot>>& players) {
         told_.resize(players.size());
         std::string lines;
         for (std::size_t i = 0; i < players.size(); i++)
@@ -103,9 +103,9 @@ private:
 int play(const Flags& flags, const jostle::client::Security& security,
          const jostle::bots::Script& script) {
     jostle::client::Loop loop;
-    std::vector<std::unique_ptr<jostle::bots::Player>> players;
+    std::vector<std::unique_ptr<jostle::bots::Bot>> players;
     for (int i = 0; i < flags.count; i++)
-        players.push_back(std::make_unique<jostle::bots::Player>(
+        players.push_back(std::make_unique<jostle::bots::Bot>(
             loop,
             jostle::client::ClientOptions{.target = flags.target,
                                           .security = security,

@@ -44,7 +44,7 @@ void PlayerThread::join_due(Clock::time_point now) {
         const int number = first_ + step_ * static_cast<int>(members_.size());
         if (number >= plan_.clients || since < plan_.ramp * number / plan_.clients) return;
         members_.push_back(
-            {std::make_unique<bots::Player>(
+            {std::make_unique<bots::Bot>(
                  loop_,
                  client::ClientOptions{.target = plan_.target,
                                        .security = plan_.security,

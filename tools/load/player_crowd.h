@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "clients/bot/player.h"
+#include "clients/bot/bot.h"
 #include "tools/load/load_plan.h"
 #include "tools/load/threaded_crowd.h"
 
@@ -29,7 +29,7 @@ public:
 
 private:
     struct Member {
-        std::unique_ptr<bots::Player> player;
+        std::unique_ptr<bots::Bot> player;
         client::ClientStats before;  // when the measurement began
     };
 

@@ -10,9 +10,9 @@
 
 namespace jostle::bots {
 
-class Player {
+class Bot {
 public:
-    Player(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
+    Bot(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
            std::uint32_t seed);
 
     void think(client::Clock::time_point now);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "clients/bot/player.h"
+#include "clients/bot/bot.h"
 
 namespace jostle::bots {
 
-Player::Player(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
+Bot::Bot(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
                std::uint32_t seed)
     : client_(client::Client::connect(loop, std::move(options))),
       behaviour_(line, seed),
       began_(client::Clock::now()) {}
 
-void Player::think(client::Clock::time_point now) {
+void Bot::think(client::Clock::time_point now) {
     const client::ClientStats stats = client_->stats();
     if (!stats.connected) return;
     const double seconds = std::chrono::duration<double>(now - began_).count();

@@ -158,50 +158,50 @@ void Behaviour::build(std::vector<v1::Input>& out, const client::WorldView& worl
 
 void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id,
                      double seconds) {
-    if (held_ == 0) {
+    if (grabbed_ == 0) {
         if (seconds < next_) return;
         next_ = seconds + value("period");
         const std::uint32_t entity = random_entity(world, id);
         const auto pose = world.pose_of(entity);
         if (entity == 0 || !pose) return;
-        held_ = entity;
-        held_at_ = pose->position;
+        grabbed_ = entity;
+        grab_point_ = pose->position;
         release_at_ = seconds + value("period") / 2;
         v1::GrabInput& grab = *out.emplace_back().mutable_grab();
         grab.set_entity(entity);
-        set(*grab.mutable_point(), held_at_[0], held_at_[1], held_at_[2]);
+        set(*grab.mutable_point(), grab_point_[0], grab_point_[1], grab_point_[2]);
         return;
     }
     if (seconds >= release_at_) {
         out.emplace_back().mutable_release();
-        held_ = 0;
+        grabbed_ = 0;
         return;
     }
     // Up and around.
     const double left = release_at_ - seconds;
-    set(*out.emplace_back().mutable_drag()->mutable_target(), held_at_[0] + std::cos(4 * left),
-        held_at_[1] + 1.5, held_at_[2] + std::sin(4 * left));
+    set(*out.emplace_back().mutable_drag()->mutable_target(), grab_point_[0] + std::cos(4 * left),
+        grab_point_[1] + 1.5, grab_point_[2] + std::sin(4 * left));
 }
 
 bool Behaviour::take_control(std::vector<v1::Input>& out, const client::WorldView& world,
                            double seconds) {
-    if (world.entities().contains(driven_) && seconds < change_at_) return true;
+    if (world.entities().contains(controlled_) && seconds < change_at_) return true;
     std::vector<std::uint32_t> controllable;
     for (const auto& [id, entity] : world.entities())
         if (entity.controllable()) controllable.push_back(id);
-    driven_ = 0;
+    controlled_ = 0;
     if (controllable.empty()) return false;
-    driven_ = controllable[static_cast<std::size_t>(random(0, static_cast<double>(controllable.size())))];
+    controlled_ = controllable[static_cast<std::size_t>(random(0, static_cast<double>(controllable.size())))];
     change_at_ = line_.values.contains("change") ? seconds + value("change") : forever;
     laps_.begin();
-    raced_at_ = -1;
-    out.emplace_back().mutable_possess()->set_entity(driven_);
+    last_position_at_ = -1;
+    out.emplace_back().mutable_possess()->set_entity(controlled_);
     return true;
 }
 
 // Ahead, now and then round a bend; when it got far away, towards the middle.
 void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& world) {
-    const auto pose = world.pose_of(driven_);
+    const auto pose = world.pose_of(controlled_);
     if (!pose) return;
     double steer = random(-1, 1) * random(0, 1);
     const auto [x, y, z] = pose->position;
@@ -220,15 +220,15 @@ void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& worl
 
 // Along the circle's tangent, and towards the circle where it is off it.
 void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds) {
-    const auto pose = world.pose_of(driven_);
+    const auto pose = world.pose_of(controlled_);
     if (!pose) return;
     const auto [x, y, z] = pose->position;
     laps_.add_position(seconds, x, z);
-    const double since = seconds - raced_at_;
+    const double since = seconds - last_position_at_;
     const double speed =
-        raced_at_ < 0 || since <= 0 ? 0 : std::hypot(x - raced_[0], z - raced_[2]) / since;
-    raced_ = pose->position;
-    raced_at_ = seconds;
+        last_position_at_ < 0 || since <= 0 ? 0 : std::hypot(x - last_position_[0], z - last_position_[2]) / since;
+    last_position_ = pose->position;
+    last_position_at_ = seconds;
     const double away = std::max(1.0, std::hypot(x, z));
     const double off = std::clamp((away - value("radius")) / strays, -1.0, 1.0);
     const double course_x = z / away - off * x / away, course_z = -x / away - off * z / away;
@@ -243,7 +243,7 @@ void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world
 }
 
 void Behaviour::walk(std::vector<v1::Input>& out, const client::WorldView& world) {
-    const auto pose = world.pose_of(driven_);
+    const auto pose = world.pose_of(controlled_);
     if (!pose) return;
     const double x = pose->position[0], z = pose->position[2];
     // The heading is counted from -z, to the left.

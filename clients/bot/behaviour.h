@@ -49,14 +49,14 @@ private:
     const ScriptLine line_;
     std::uint32_t state_;
     double next_ = 0;  // s
-    std::uint32_t held_ = 0;
+    std::uint32_t grabbed_ = 0;
     double release_at_ = 0;
-    std::array<double, 3> held_at_{};
-    std::uint32_t driven_ = 0;
+    std::array<double, 3> grab_point_{};
+    std::uint32_t controlled_ = 0;
     double change_at_ = 0;  // s
     LapCounter laps_;
-    std::array<double, 3> raced_{};  // where it was, m ...
-    double raced_at_ = -1;           // ... and when, s; < 0: nowhere yet
+    std::array<double, 3> last_position_{};  // where it was, m ...
+    double last_position_at_ = -1;           // ... and when, s; < 0: nowhere yet
     int built_ = 0;
     std::array<double, 2> site_{};
     std::uint32_t color_;

@@ -83,13 +83,13 @@ std::string to_lines(const jostle::v1::Events& events) {
 // One line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the middle".
 class LapReport {
 public:
-    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Bot>>& players) {
-        told_.resize(players.size());
+    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Bot>>& bots) {
+        reported_.resize(bots.size());
         std::string lines;
-        for (std::size_t i = 0; i < players.size(); i++)
-            for (const auto& laps = players[i]->laps(); told_[i] < laps.size(); told_[i]++) {
-                const jostle::bots::Lap& lap = laps[told_[i]];
-                lines += "bot " + std::to_string(i + 1) + ": lap " + std::to_string(told_[i] + 1) +
+        for (std::size_t i = 0; i < bots.size(); i++)
+            for (const auto& laps = bots[i]->laps(); reported_[i] < laps.size(); reported_[i]++) {
+                const jostle::bots::Lap& lap = laps[reported_[i]];
+                lines += "bot " + std::to_string(i + 1) + ": lap " + std::to_string(reported_[i] + 1) +
                          " in " + number(lap.seconds) + " s, " + number(lap.nearest) + " to " +
                          number(lap.furthest) + " m from the middle\n";
             }
@@ -97,15 +97,15 @@ public:
     }
 
 private:
-    std::vector<std::size_t> told_;  // of each bot
+    std::vector<std::size_t> reported_;  // of each bot
 };
 
 int play(const Flags& flags, const jostle::client::Security& security,
          const jostle::bots::Script& script) {
     jostle::client::Loop loop;
-    std::vector<std::unique_ptr<jostle::bots::Bot>> players;
+    std::vector<std::unique_ptr<jostle::bots::Bot>> bots;
     for (int i = 0; i < flags.count; i++)
-        players.push_back(std::make_unique<jostle::bots::Bot>(
+        bots.push_back(std::make_unique<jostle::bots::Bot>(
             loop,
             jostle::client::ClientOptions{.target = flags.target,
                                           .security = security,
@@ -123,16 +123,16 @@ int play(const Flags& flags, const jostle::client::Security& security,
     while (!stop && (flags.seconds <= 0 ||
                      Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
         const auto now = Clock::now();
-        for (const auto& player : players) player->think(now);
-        for (const auto& events : players.front()->client().take_events())
+        for (const auto& bot : bots) bot->think(now);
+        for (const auto& events : bots.front()->client().take_events())
             std::fputs(to_lines(events).c_str(), stdout);
-        std::fputs(laps.new_lines(players).c_str(), stdout);
+        std::fputs(laps.new_lines(bots).c_str(), stdout);
         if (now >= next_line) {
             next_line = now + std::chrono::seconds(1);
             int connected = 0;
             std::uint64_t applied = 0, refused = 0;
-            for (const auto& player : players) {
-                const auto stats = player->client().stats();
+            for (const auto& bot : bots) {
+                const auto stats = bot->client().stats();
                 connected += stats.connected ? 1 : 0;
                 applied += stats.inputs_applied;
                 refused += stats.inputs_refused;
@@ -151,9 +151,9 @@ int play(const Flags& flags, const jostle::client::Security& security,
         std::this_thread::sleep_for(std::chrono::milliseconds(33));
     }
     bool all_played = true;
-    for (const auto& player : players) {
-        all_played = all_played && player->client().stats().snapshots > 0;
-        player->client().leave();
+    for (const auto& bot : bots) {
+        all_played = all_played && bot->client().stats().snapshots > 0;
+        bot->client().leave();
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     if (live) std::printf("\n");

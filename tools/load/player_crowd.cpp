@@ -34,7 +34,7 @@ void PlayerThread::run() {
         std::this_thread::sleep_until(now + play_period);
     }
     count();
-    for (const Member& member : members_) member.player->client().leave();
+    for (const Member& member : members_) member.bot->client().leave();
     std::this_thread::sleep_for(farewell);
 }
 
@@ -62,9 +62,9 @@ void PlayerThread::think(Clock::time_point now) {
     int joined = 0;
     std::uint64_t snapshots = 0, inputs = 0;
     for (Member& member : members_) {
-        member.player->think(now);
+        member.bot->think(now);
         collect(member, now);
-        const client::ClientStats stats = member.player->client().stats();
+        const client::ClientStats stats = member.bot->client().stats();
         joined += stats.connected ? 1 : 0;
         snapshots += stats.snapshots;
         inputs += stats.inputs_sent;
@@ -77,7 +77,7 @@ void PlayerThread::think(Clock::time_point now) {
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
 // full world.
 void PlayerThread::collect(Member& member, Clock::time_point now) {
-    client::Client& client = member.player->client();
+    client::Client& client = member.bot->client();
     for (const auto& result : client.take_results())
         if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
             figures_.add_error(result.message());
@@ -88,14 +88,14 @@ void PlayerThread::collect(Member& member, Clock::time_point now) {
 void PlayerThread::begin_measurement(Clock::time_point now) {
     for (Member& member : members_) {
         collect(member, now);
-        member.before = member.player->client().stats();
+        member.before = member.bot->client().stats();
     }
     figures_.begin(now);
 }
 
 void PlayerThread::count() {
     for (const Member& member : members_) {
-        const client::ClientStats now = member.player->client().stats(), &before = member.before;
+        const client::ClientStats now = member.bot->client().stats(), &before = member.before;
         figures_.snapshots += now.snapshots - before.snapshots;
         figures_.bytes += now.bytes_received - before.bytes_received;
         figures_.inputs_sent += now.inputs_sent - before.inputs_sent;

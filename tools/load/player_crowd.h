@@ -29,7 +29,7 @@ public:
 
 private:
     struct Member {
-        std::unique_ptr<bots::Bot> player;
+        std::unique_ptr<bots::Bot> bot;
         client::ClientStats before;  // when the measurement began
     };
 

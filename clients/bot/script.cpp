@@ -9,13 +9,13 @@
 namespace jostle::bots {
 namespace {
 
-struct Known {
+struct BehaviourSpec {
     const char* behaviour;
     std::map<std::string, double> defaults;
 };
 
-const std::vector<Known>& known() {
-    static const std::vector<Known> list = {
+const std::vector<BehaviourSpec>& known() {
+    static const std::vector<BehaviourSpec> list = {
         {"wander", {{"period", 2}, {"strength", 4}}},
         {"push", {{"period", 1}, {"strength", 3}}},
         {"throw", {{"period", 2}, {"speed", 12}, {"keep", 5}}},
@@ -29,8 +29,8 @@ const std::vector<Known>& known() {
     return list;
 }
 
-const Known* find(const std::string& behaviour) {
-    for (const Known& k : known())
+const BehaviourSpec* find(const std::string& behaviour) {
+    for (const BehaviourSpec& k : known())
         if (behaviour == k.behaviour) return &k;
     return nullptr;
 }
@@ -39,10 +39,10 @@ Result<ScriptLine> parse_line(const std::string& text) {
     ScriptLine line;
     std::istringstream words(text);
     words >> line.behaviour;
-    const Known* behaviour = find(line.behaviour);
+    const BehaviourSpec* behaviour = find(line.behaviour);
     if (!behaviour) {
         std::string names;
-        for (const Known& k : known())
+        for (const BehaviourSpec& k : known())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
         return invalid_argument("there is no behaviour \"" + line.behaviour + "\"; there are " +
                                 names);

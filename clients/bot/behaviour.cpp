@@ -13,7 +13,7 @@ constexpr double pi = 3.14159265358979;
 constexpr double forever = 1e18;  // s
 // Of those that race: rad at full lock and m between axles, about, and m off its circle at which a
 // car goes straight back.
-constexpr double full_lock = 0.6, wheel_base = 2.7, strays = 10;
+constexpr double full_lock = 0.6, wheel_base = 2.7, course_correction_m = 10;
 
 // An axis of Controls (jostle/physics/module.h) in thousandths.
 std::int32_t axis(double value) {
@@ -230,7 +230,7 @@ void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world
     last_position_ = pose->position;
     last_position_at_ = seconds;
     const double away = std::max(1.0, std::hypot(x, z));
-    const double off = std::clamp((away - value("radius")) / strays, -1.0, 1.0);
+    const double off = std::clamp((away - value("radius")) / course_correction_m, -1.0, 1.0);
     const double course_x = z / away - off * x / away, course_z = -x / away - off * z / away;
     const auto& q = pose->rotation;
     const double ahead_x = -2 * (q[0] * q[2] + q[3] * q[1]),

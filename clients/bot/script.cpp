@@ -14,7 +14,7 @@ struct BehaviourSpec {
     std::map<std::string, double> defaults;
 };
 
-const std::vector<BehaviourSpec>& known() {
+const std::vector<BehaviourSpec>& behaviour_specs() {
     static const std::vector<BehaviourSpec> list = {
         {"wander", {{"period", 2}, {"strength", 4}}},
         {"push", {{"period", 1}, {"strength", 3}}},
@@ -30,7 +30,7 @@ const std::vector<BehaviourSpec>& known() {
 }
 
 const BehaviourSpec* find(const std::string& behaviour) {
-    for (const BehaviourSpec& k : known())
+    for (const BehaviourSpec& k : behaviour_specs())
         if (behaviour == k.behaviour) return &k;
     return nullptr;
 }
@@ -42,7 +42,7 @@ Result<ScriptLine> parse_line(const std::string& text) {
     const BehaviourSpec* behaviour = find(line.behaviour);
     if (!behaviour) {
         std::string names;
-        for (const BehaviourSpec& k : known())
+        for (const BehaviourSpec& k : behaviour_specs())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
         return invalid_argument("there is no behaviour \"" + line.behaviour + "\"; there are " +
                                 names);

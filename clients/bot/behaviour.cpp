@@ -118,7 +118,7 @@ void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world
 }
 
 bool Behaviour::make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine) {
-    if (static_cast<double>(mine.size()) < value("keep")) return true;
+    if (static_cast<double>(mine.size()) < value("max_bodies")) return true;
     out.emplace_back().mutable_delete_()->set_entity(mine.front());
     return false;
 }

@@ -23,8 +23,8 @@ constexpr const char* footer = R"(
 A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comment.
   wander   rolls a ball about             period=2 strength=4
   push     shoves things to the middle    period=1 strength=3
-  throw    throws balls over the yard     period=2 speed=12 keep=5
-  builder  stacks boxes                   period=1 keep=8 size=0.3
+  throw    throws balls over the yard     period=2 speed=12 max_bodies=5
+  builder  stacks boxes                   period=1 max_bodies=8 size=0.3
   drag     carries things about           period=3
   drive    steers what can be driven      period=0.2 change=20
   walk     goes about on foot, and jumps  period=0.5 change=20

@@ -18,8 +18,8 @@ const std::vector<BehaviourSpec>& behaviour_specs() {
     static const std::vector<BehaviourSpec> list = {
         {"wander", {{"period", 2}, {"strength", 4}}},
         {"push", {{"period", 1}, {"strength", 3}}},
-        {"throw", {{"period", 2}, {"speed", 12}, {"keep", 5}}},
-        {"builder", {{"period", 1}, {"keep", 8}, {"size", 0.3}}},
+        {"throw", {{"period", 2}, {"speed", 12}, {"max_bodies", 5}}},
+        {"builder", {{"period", 1}, {"max_bodies", 8}, {"size", 0.3}}},
         {"drag", {{"period", 3}}},
         {"drive", {{"period", 0.2}, {"change", 20}}},
         {"walk", {{"period", 0.5}, {"change", 20}}},

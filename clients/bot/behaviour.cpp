@@ -63,7 +63,7 @@ std::uint32_t Behaviour::random_entity(const client::WorldView& world, std::uint
 std::vector<v1::Input> Behaviour::act(double seconds, const client::WorldView& world,
                                       std::uint32_t client_id) {
     std::vector<v1::Input> out;
-    if (world.frame().frame == 0 || line_.behaviour == "watch") return out;
+    if (world.frame().frame == 0 || line_.behaviour == "idle") return out;
     if (line_.behaviour == "drag") {
         drag(out, world, client_id, seconds);
         return out;

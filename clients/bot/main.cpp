@@ -29,7 +29,7 @@ A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comm
   drive    steers what can be driven      period=0.2 change=20
   walk     goes about on foot, and jumps  period=0.5 change=20
   race     drives round the middle, counts laps  period=0.1 radius=45 speed=16
-  watch    sends nothing
+  idle    sends nothing
 Without a script each bot does one of these.
 
 Exit status: 0 in order, 1 when a bot could not play, 2 wrong flags or script.)";

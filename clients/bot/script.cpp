@@ -24,7 +24,7 @@ const std::vector<BehaviourSpec>& behaviour_specs() {
         {"drive", {{"period", 0.2}, {"change", 20}}},
         {"walk", {{"period", 0.5}, {"change", 20}}},
         {"race", {{"period", 0.1}, {"radius", 45}, {"speed", 16}}},
-        {"watch", {}},
+        {"idle", {}},
     };
     return list;
 }

@@ -18,7 +18,7 @@
 //     walk     period=0.5 change=20       the same on foot: looks where it goes, jumps now and then
 //     race     period=0.1 radius=45 speed=16   drives one thing round the middle of the world, to
 //                                         the left, `radius` m from it at `speed` m/s
-//     watch                               sends nothing
+//     idle                               sends nothing
 #pragma once
 
 #include <map>

@@ -25,7 +25,7 @@ Outcome misuse(const Error& error) {
 
 // A sentence for people; the answer itself for programs.
 template <class Answer>
-Outcome said(const Result<Answer>& answer, const Wanted& wanted, const std::string& sentence) {
+Outcome said(const Result<Answer>& answer, const CommandArguments& wanted, const std::string& sentence) {
     if (!answer.ok()) return refused(answer.error());
     return {.text = wanted.json ? json_text(*answer) : sentence + "\n"};
 }
@@ -56,7 +56,7 @@ std::string scene_file_text(const v1::Scene& scene) {
     return text;
 }
 
-Outcome set_paused(Connection& server, const Wanted& wanted, bool paused) {
+Outcome set_paused(Connection& server, const CommandArguments& wanted, bool paused) {
     v1::SetPausedRequest request;
     request.set_world(wanted.world);
     request.set_paused(paused);
@@ -69,13 +69,13 @@ Outcome set_paused(Connection& server, const Wanted& wanted, bool paused) {
 
 }  // namespace
 
-Outcome list_worlds(Connection& server, const Wanted& wanted) {
+Outcome list_worlds(Connection& server, const CommandArguments& wanted) {
     const auto answer = server.ask(&Worlds::ListWorlds, v1::ListWorldsRequest());
     if (!answer.ok()) return refused(answer.error());
     return {.text = wanted.json ? json_text(*answer) : worlds_text(*answer)};
 }
 
-Outcome create_world(Connection& server, const Wanted& wanted) {
+Outcome create_world(Connection& server, const CommandArguments& wanted) {
     v1::CreateWorldRequest request;
     request.set_name(wanted.name);
     if (!wanted.from.empty()) {
@@ -93,14 +93,14 @@ Outcome create_world(Connection& server, const Wanted& wanted) {
                     std::to_string(world.bodies()) + " bodies");
 }
 
-Outcome delete_world(Connection& server, const Wanted& wanted) {
+Outcome delete_world(Connection& server, const CommandArguments& wanted) {
     v1::DeleteWorldRequest request;
     request.set_world(wanted.world);
     const auto answer = server.ask(&Worlds::DeleteWorld, request);
     return said(answer, wanted, shown(wanted.world) + " is deleted");
 }
 
-Outcome list_clients(Connection& server, const Wanted& wanted) {
+Outcome list_clients(Connection& server, const CommandArguments& wanted) {
     v1::ListClientsRequest request;
     request.set_world(wanted.world);
     const auto answer = server.ask(&Admin::ListClients, request);
@@ -108,7 +108,7 @@ Outcome list_clients(Connection& server, const Wanted& wanted) {
     return {.text = wanted.json ? json_text(*answer) : clients_text(*answer)};
 }
 
-Outcome kick(Connection& server, const Wanted& wanted) {
+Outcome kick(Connection& server, const CommandArguments& wanted) {
     v1::KickRequest request;
     request.set_client(wanted.client);
     request.set_reason(wanted.reason);
@@ -117,15 +117,15 @@ Outcome kick(Connection& server, const Wanted& wanted) {
                 "client " + std::to_string(wanted.client) + " is told to go; it may come back");
 }
 
-Outcome pause(Connection& server, const Wanted& wanted) {
+Outcome pause(Connection& server, const CommandArguments& wanted) {
     return set_paused(server, wanted, true);
 }
 
-Outcome resume(Connection& server, const Wanted& wanted) {
+Outcome resume(Connection& server, const CommandArguments& wanted) {
     return set_paused(server, wanted, false);
 }
 
-Outcome step(Connection& server, const Wanted& wanted) {
+Outcome step(Connection& server, const CommandArguments& wanted) {
     v1::StepWorldRequest request;
     request.set_world(wanted.world);
     request.set_steps(wanted.steps);
@@ -138,7 +138,7 @@ Outcome step(Connection& server, const Wanted& wanted) {
         count_text(answer->taken(), "step") + " taken; tick " + std::to_string(answer->tick()));
 }
 
-Outcome export_world(Connection& server, const Wanted& wanted) {
+Outcome export_world(Connection& server, const CommandArguments& wanted) {
     v1::ExportWorldRequest request;
     request.set_world(wanted.world);
     request.set_tick(wanted.tick);
@@ -158,7 +158,7 @@ Outcome export_world(Connection& server, const Wanted& wanted) {
     return {.text = json_text(without_scene)};
 }
 
-Outcome rewind(Connection& server, const Wanted& wanted) {
+Outcome rewind(Connection& server, const CommandArguments& wanted) {
     v1::RewindWorldRequest request;
     request.set_world(wanted.world);
     request.set_tick(wanted.tick);
@@ -168,7 +168,7 @@ Outcome rewind(Connection& server, const Wanted& wanted) {
                     "; ticks go on from " + (answer.ok() ? std::to_string(answer->tick()) : ""));
 }
 
-Outcome drain(Connection& server, const Wanted& wanted) {
+Outcome drain(Connection& server, const CommandArguments& wanted) {
     const auto answer = server.ask(&Admin::Drain, v1::DrainRequest());
     if (!answer.ok()) return refused(answer.error());
     return said(answer, wanted,
@@ -176,7 +176,7 @@ Outcome drain(Connection& server, const Wanted& wanted) {
                     " told, at most " + number_text(answer->timeout_seconds(), 0) + " s");
 }
 
-Outcome profile(Connection& server, const Wanted& wanted) {
+Outcome profile(Connection& server, const CommandArguments& wanted) {
     v1::ProfileRequest request;
     request.set_world(wanted.world);
     request.set_seconds(wanted.seconds);

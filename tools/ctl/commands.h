@@ -13,7 +13,7 @@
 namespace jostle::ctl {
 
 // All that flags can say about any command.
-struct Wanted {
+struct CommandArguments {
     std::string world, name, scene, file, reason;
     std::string from;  // a world of which the new one is a moment
     std::uint32_t client = 0, steps = 1;
@@ -28,17 +28,17 @@ struct Outcome {
     bool is_misuse = false;  // of an error: flags or files, not the server
 };
 
-Outcome list_worlds(Connection& server, const Wanted& wanted);
-Outcome create_world(Connection& server, const Wanted& wanted);
-Outcome delete_world(Connection& server, const Wanted& wanted);
-Outcome list_clients(Connection& server, const Wanted& wanted);
-Outcome kick(Connection& server, const Wanted& wanted);
-Outcome pause(Connection& server, const Wanted& wanted);
-Outcome resume(Connection& server, const Wanted& wanted);
-Outcome step(Connection& server, const Wanted& wanted);
-Outcome export_world(Connection& server, const Wanted& wanted);
-Outcome rewind(Connection& server, const Wanted& wanted);
-Outcome drain(Connection& server, const Wanted& wanted);
-Outcome profile(Connection& server, const Wanted& wanted);
+Outcome list_worlds(Connection& server, const CommandArguments& wanted);
+Outcome create_world(Connection& server, const CommandArguments& wanted);
+Outcome delete_world(Connection& server, const CommandArguments& wanted);
+Outcome list_clients(Connection& server, const CommandArguments& wanted);
+Outcome kick(Connection& server, const CommandArguments& wanted);
+Outcome pause(Connection& server, const CommandArguments& wanted);
+Outcome resume(Connection& server, const CommandArguments& wanted);
+Outcome step(Connection& server, const CommandArguments& wanted);
+Outcome export_world(Connection& server, const CommandArguments& wanted);
+Outcome rewind(Connection& server, const CommandArguments& wanted);
+Outcome drain(Connection& server, const CommandArguments& wanted);
+Outcome profile(Connection& server, const CommandArguments& wanted);
 
 }  // namespace jostle::ctl

@@ -12,7 +12,7 @@ namespace {
 using jostle::ctl::Connection;
 using jostle::ctl::ConnectionFlags;
 using jostle::ctl::Outcome;
-using jostle::ctl::Wanted;
+using jostle::ctl::CommandArguments;
 
 constexpr const char* footer = R"(
 Examples:
@@ -32,11 +32,11 @@ Examples:
 Worlds are named by id or name. JOSTLE_SERVER may hold the server's address.
 Exit status: 0 done, 1 the server refused or cannot be reached, 2 wrong flags or a file that cannot be read or written.)";
 
-using Command = Outcome (*)(Connection&, const Wanted&);
+using Command = Outcome (*)(Connection&, const CommandArguments&);
 
 struct Flags {
     ConnectionFlags connection;
-    Wanted wanted;
+    CommandArguments wanted;
     Command command = nullptr;
 };
 
@@ -62,7 +62,7 @@ void add_world_argument(CLI::App* sub, Flags& flags) {
 
 void add_world_commands(CLI::App& app, Flags& flags) {
     namespace ctl = jostle::ctl;
-    Wanted& w = flags.wanted;
+    CommandArguments& w = flags.wanted;
     add(app, flags, "worlds", "Lists the worlds", ctl::list_worlds);
     CLI::App* const world = app.add_subcommand("world", "Creates and deletes worlds");
     world->require_subcommand(1);
@@ -122,7 +122,7 @@ void add_world_commands(CLI::App& app, Flags& flags) {
 }
 
 void add_client_commands(CLI::App& app, Flags& flags) {
-    Wanted& w = flags.wanted;
+    CommandArguments& w = flags.wanted;
     add(app, flags, "clients", "Lists who is connected", jostle::ctl::list_clients)
         ->add_option("WORLD", w.world, "Of this world alone, by id or name");
     CLI::App* const kick =

@@ -25,20 +25,20 @@ struct CommandArguments {
 struct Outcome {
     std::string text;        // for standard output
     std::string error;       // for standard error; empty: it was done
-    bool is_misuse = false;  // of an error: flags or files, not the server
+    bool is_usage_error = false;  // of an error: flags or files, not the server
 };
 
-Outcome list_worlds(Connection& server, const CommandArguments& wanted);
-Outcome create_world(Connection& server, const CommandArguments& wanted);
-Outcome delete_world(Connection& server, const CommandArguments& wanted);
-Outcome list_clients(Connection& server, const CommandArguments& wanted);
-Outcome kick(Connection& server, const CommandArguments& wanted);
-Outcome pause(Connection& server, const CommandArguments& wanted);
-Outcome resume(Connection& server, const CommandArguments& wanted);
-Outcome step(Connection& server, const CommandArguments& wanted);
-Outcome export_world(Connection& server, const CommandArguments& wanted);
-Outcome rewind(Connection& server, const CommandArguments& wanted);
-Outcome drain(Connection& server, const CommandArguments& wanted);
-Outcome profile(Connection& server, const CommandArguments& wanted);
+Outcome list_worlds(Connection& server, const CommandArguments& arguments);
+Outcome create_world(Connection& server, const CommandArguments& arguments);
+Outcome delete_world(Connection& server, const CommandArguments& arguments);
+Outcome list_clients(Connection& server, const CommandArguments& arguments);
+Outcome kick(Connection& server, const CommandArguments& arguments);
+Outcome pause(Connection& server, const CommandArguments& arguments);
+Outcome resume(Connection& server, const CommandArguments& arguments);
+Outcome step(Connection& server, const CommandArguments& arguments);
+Outcome export_world(Connection& server, const CommandArguments& arguments);
+Outcome rewind(Connection& server, const CommandArguments& arguments);
+Outcome drain(Connection& server, const CommandArguments& arguments);
+Outcome profile(Connection& server, const CommandArguments& arguments);
 
 }  // namespace jostle::ctl

@@ -71,12 +71,12 @@ Result<Connection> Connection::open(const ConnectionFlags& flags) {
     return connection;
 }
 
-void Connection::prepare(grpc::ClientContext& context, std::chrono::seconds patience) const {
-    context.set_deadline(std::chrono::system_clock::now() + patience);
+void Connection::prepare(grpc::ClientContext& context, std::chrono::seconds timeout) const {
+    context.set_deadline(std::chrono::system_clock::now() + timeout);
     client::attach_token(context, security_);
 }
 
-Error Connection::explained(const grpc::Status& status) const {
+Error Connection::describe_error(const grpc::Status& status) const {
     const Error error = from_grpc(status).error();
     switch (status.error_code()) {
         case grpc::StatusCode::UNAVAILABLE:

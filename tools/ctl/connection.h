@@ -30,20 +30,20 @@ public:
 
     // One call and its deadline: `Answer answer = *connection.ask(...)`. An error says what to do.
     template <class Stub, class Request, class Answer>
-    Result<Answer> ask(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Answer*),
-                       const Request& request, std::chrono::seconds patience = usual_patience) {
+    Result<Answer> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Answer*),
+                       const Request& request, std::chrono::seconds timeout = default_timeout) {
         grpc::ClientContext context;
-        prepare(context, patience);
+        prepare(context, timeout);
         Answer answer;
         const grpc::Status status = (stub<Stub>().*method)(&context, request, &answer);
-        if (!status.ok()) return explained(status);
+        if (!status.ok()) return describe_error(status);
         return answer;
     }
-    static constexpr auto usual_patience = std::chrono::seconds(10);
+    static constexpr auto default_timeout = std::chrono::seconds(10);
 
 private:
-    void prepare(grpc::ClientContext& context, std::chrono::seconds patience) const;
-    Error explained(const grpc::Status& status) const;
+    void prepare(grpc::ClientContext& context, std::chrono::seconds timeout) const;
+    Error describe_error(const grpc::Status& status) const;
     template <class Stub>
     Stub& stub() const;
 

@@ -36,7 +36,7 @@ using Command = Outcome (*)(Connection&, const CommandArguments&);
 
 struct Flags {
     ConnectionFlags connection;
-    CommandArguments wanted;
+    CommandArguments arguments;
     Command command = nullptr;
 };
 
@@ -46,7 +46,7 @@ void add_connection_flags(CLI::App& app, Flags& flags) {
         ->envname("JOSTLE_SERVER")
         ->capture_default_str();
     jostle::client::add_security_flags(app, c.files);
-    app.add_flag("--json", flags.wanted.json, "Prints the answer as JSON, for programs");
+    app.add_flag("--json", flags.arguments.json, "Prints the answer as JSON, for programs");
 }
 
 // A subcommand that runs `command`; the app goes on to add its flags.
@@ -57,12 +57,12 @@ CLI::App* add(CLI::App& app, Flags& flags, const char* name, const char* help, C
 }
 
 void add_world_argument(CLI::App* sub, Flags& flags) {
-    sub->add_option("WORLD", flags.wanted.world, "Id or name of the world")->required();
+    sub->add_option("WORLD", flags.arguments.world, "Id or name of the world")->required();
 }
 
 void add_world_commands(CLI::App& app, Flags& flags) {
     namespace ctl = jostle::ctl;
-    CommandArguments& w = flags.wanted;
+    CommandArguments& w = flags.arguments;
     add(app, flags, "worlds", "Lists the worlds", ctl::list_worlds);
     CLI::App* const world = app.add_subcommand("world", "Creates and deletes worlds");
     world->require_subcommand(1);
@@ -81,7 +81,7 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         if (scene->count() + file->count() + from->count() == 0)
             throw CLI::RequiredError(
                 "world create: --scene NAME, --file FILE, or --from WORLD --at TICK");
-        if (from->count() != 0 && flags.wanted.name.empty())
+        if (from->count() != 0 && flags.arguments.name.empty())
             throw CLI::RequiredError("world create --from: NAME");
         flags.command = ctl::create_world;
     });
@@ -122,7 +122,7 @@ void add_world_commands(CLI::App& app, Flags& flags) {
 }
 
 void add_client_commands(CLI::App& app, Flags& flags) {
-    CommandArguments& w = flags.wanted;
+    CommandArguments& w = flags.arguments;
     add(app, flags, "clients", "Lists who is connected", jostle::ctl::list_clients)
         ->add_option("WORLD", w.world, "Of this world alone, by id or name");
     CLI::App* const kick =
@@ -139,10 +139,10 @@ int run(Flags& flags) {
     };
     auto connection = Connection::open(flags.connection);
     if (!connection.ok()) return fail(2, connection.error().message);
-    const Outcome outcome = flags.command(*connection, flags.wanted);
+    const Outcome outcome = flags.command(*connection, flags.arguments);
     std::fputs(outcome.text.c_str(), stdout);
     if (outcome.error.empty()) return 0;
-    return fail(outcome.is_misuse ? 2 : 1, outcome.error);
+    return fail(outcome.is_usage_error ? 2 : 1, outcome.error);
 }
 
 }  // namespace

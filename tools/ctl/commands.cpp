@@ -24,8 +24,8 @@ Outcome usage_error(const Error& error) {
 }
 
 // A sentence for people; the answer itself for programs.
-template <class Answer>
-Outcome to_outcome(const Result<Answer>& answer, const CommandArguments& arguments, const std::string& sentence) {
+template <class Response>
+Outcome to_outcome(const Result<Response>& answer, const CommandArguments& arguments, const std::string& sentence) {
     if (!answer.ok()) return server_error(answer.error());
     return {.text = arguments.json ? json_text(*answer) : sentence + "\n"};
 }

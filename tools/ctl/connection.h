@@ -29,12 +29,12 @@ public:
     static Result<Connection> open(const ConnectionFlags& flags);
 
     // One call and its deadline: `Answer answer = *connection.ask(...)`. An error says what to do.
-    template <class Stub, class Request, class Answer>
-    Result<Answer> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Answer*),
+    template <class Stub, class Request, class Response>
+    Result<Response> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
                        const Request& request, std::chrono::seconds timeout = default_timeout) {
         grpc::ClientContext context;
         prepare(context, timeout);
-        Answer answer;
+        Response answer;
         const grpc::Status status = (stub<Stub>().*method)(&context, request, &answer);
         if (!status.ok()) return describe_error(status);
         return answer;

@@ -10,13 +10,13 @@ namespace jostle::ctl {
 namespace {
 
 // Letters of UTF-8 text: all bytes but those that continue one.
-std::size_t letters_in(const std::string& text) {
+std::size_t code_point_count(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 std::string padded(const std::string& text, std::size_t width, Align align) {
-    const std::size_t letters = letters_in(text);
+    const std::size_t letters = code_point_count(text);
     const std::string space(width > letters ? width - letters : 0, ' ');
     return align == Align::left ? text + space : space + text;
 }
@@ -31,8 +31,8 @@ void Table::add(std::vector<std::string> cells) {
 std::string Table::text() const {
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < columns_.size(); c++) {
-        widths.push_back(letters_in(columns_[c].title));
-        for (const auto& row : rows_) widths[c] = std::max(widths[c], letters_in(row[c]));
+        widths.push_back(code_point_count(columns_[c].title));
+        for (const auto& row : rows_) widths[c] = std::max(widths[c], code_point_count(row[c]));
     }
     std::string out;
     const auto line = [&](const auto& cell_of) {
@@ -51,13 +51,13 @@ std::string Table::text() const {
 }
 
 // Control characters are those below a space, DEL, and U+0080 to U+009F, which are C2 80 to C2 9F.
-std::string shown(const std::string& text, std::size_t letters_max) {
+std::string sanitized(const std::string& text, std::size_t width_max) {
     std::string out;
     std::size_t letters = 0;
     for (std::size_t i = 0; i < text.size(); i++) {
         const auto byte = static_cast<unsigned char>(text[i]);
         const bool begins = (byte & 0xc0) != 0x80;
-        if (begins && letters++ == letters_max) return out + "...";
+        if (begins && letters++ == width_max) return out + "...";
         const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
         if (byte < 0x20 || byte == 0x7f) {
             out += '?';

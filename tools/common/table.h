@@ -31,7 +31,7 @@ private:
 };
 
 // On one line, without control characters, and at most so many letters, "..." when it was longer.
-std::string shown(const std::string& text, std::size_t letters_max = 32);
+std::string sanitized(const std::string& text, std::size_t width_max = 32);
 // "12 s", "3 min 20 s", "2 h 5 min", "4 d 1 h".
 std::string duration_text(double seconds);
 // With so many digits after the point.

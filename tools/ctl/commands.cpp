@@ -25,9 +25,9 @@ Outcome usage_error(const Error& error) {
 
 // A sentence for people; the answer itself for programs.
 template <class Response>
-Outcome to_outcome(const Result<Response>& answer, const CommandArguments& arguments, const std::string& sentence) {
-    if (!answer.ok()) return server_error(answer.error());
-    return {.text = arguments.json ? json_text(*answer) : sentence + "\n"};
+Outcome to_outcome(const Result<Response>& response, const CommandArguments& arguments, const std::string& sentence) {
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : sentence + "\n"};
 }
 
 std::string count_text(std::uint32_t count, const std::string& thing) {
@@ -61,18 +61,18 @@ Outcome set_paused(Connection& server, const CommandArguments& arguments, bool p
     request.set_world(arguments.world);
     request.set_paused(paused);
     request.set_reason(arguments.reason);
-    const auto answer = server.call(&Admin::SetPaused, request);
+    const auto response = server.call(&Admin::SetPaused, request);
     return to_outcome(
-        answer, arguments,
-        shown(arguments.world) + (paused ? " is paused; jostlectl step and resume go on" : " runs"));
+        response, arguments,
+        sanitized(arguments.world) + (paused ? " is paused; jostlectl step and resume go on" : " runs"));
 }
 
 }  // namespace
 
 Outcome list_worlds(Connection& server, const CommandArguments& arguments) {
-    const auto answer = server.call(&Worlds::ListWorlds, v1::ListWorldsRequest());
-    if (!answer.ok()) return server_error(answer.error());
-    return {.text = arguments.json ? json_text(*answer) : worlds_text(*answer)};
+    const auto response = server.call(&Worlds::ListWorlds, v1::ListWorldsRequest());
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : worlds_text(*response)};
 }
 
 Outcome create_world(Connection& server, const CommandArguments& arguments) {
@@ -85,35 +85,35 @@ Outcome create_world(Connection& server, const CommandArguments& arguments) {
         request.set_scene_name(arguments.scene);
     else if (Status s = read_scene(arguments.file, *request.mutable_scene()); !s.ok())
         return usage_error(s.error());
-    const auto answer = server.call(&Worlds::CreateWorld, request, std::chrono::seconds(60));
-    if (!answer.ok()) return server_error(answer.error());
-    const v1::WorldInfo& world = answer->world();
-    return to_outcome(answer, arguments,
-                world.id() + " \"" + shown(world.name()) + "\" runs with " +
+    const auto response = server.call(&Worlds::CreateWorld, request, std::chrono::seconds(60));
+    if (!response.ok()) return server_error(response.error());
+    const v1::WorldInfo& world = response->world();
+    return to_outcome(response, arguments,
+                world.id() + " \"" + sanitized(world.name()) + "\" runs with " +
                     std::to_string(world.bodies()) + " bodies");
 }
 
 Outcome delete_world(Connection& server, const CommandArguments& arguments) {
     v1::DeleteWorldRequest request;
     request.set_world(arguments.world);
-    const auto answer = server.call(&Worlds::DeleteWorld, request);
-    return to_outcome(answer, arguments, shown(arguments.world) + " is deleted");
+    const auto response = server.call(&Worlds::DeleteWorld, request);
+    return to_outcome(response, arguments, sanitized(arguments.world) + " is deleted");
 }
 
 Outcome list_clients(Connection& server, const CommandArguments& arguments) {
     v1::ListClientsRequest request;
     request.set_world(arguments.world);
-    const auto answer = server.call(&Admin::ListClients, request);
-    if (!answer.ok()) return server_error(answer.error());
-    return {.text = arguments.json ? json_text(*answer) : clients_text(*answer)};
+    const auto response = server.call(&Admin::ListClients, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : clients_text(*response)};
 }
 
 Outcome kick(Connection& server, const CommandArguments& arguments) {
     v1::KickRequest request;
     request.set_client(arguments.client);
     request.set_reason(arguments.reason);
-    const auto answer = server.call(&Admin::Kick, request);
-    return to_outcome(answer, arguments,
+    const auto response = server.call(&Admin::Kick, request);
+    return to_outcome(response, arguments,
                 "client " + std::to_string(arguments.client) + " is told to go; it may come back");
 }
 
@@ -129,31 +129,31 @@ Outcome step(Connection& server, const CommandArguments& arguments) {
     v1::StepWorldRequest request;
     request.set_world(arguments.world);
     request.set_steps(arguments.steps);
-    const auto answer =
+    const auto response =
         server.call(&Admin::StepWorld, request,
                    Connection::default_timeout + whole_seconds(slowest_step_s * arguments.steps));
-    if (!answer.ok()) return server_error(answer.error());
+    if (!response.ok()) return server_error(response.error());
     return to_outcome(
-        answer, arguments,
-        count_text(answer->taken(), "step") + " taken; tick " + std::to_string(answer->tick()));
+        response, arguments,
+        count_text(response->taken(), "step") + " taken; tick " + std::to_string(response->tick()));
 }
 
 Outcome export_world(Connection& server, const CommandArguments& arguments) {
     v1::ExportWorldRequest request;
     request.set_world(arguments.world);
     request.set_tick(arguments.tick);
-    const auto answer = server.call(&Admin::ExportWorld, request, std::chrono::seconds(60));
-    if (!answer.ok()) return server_error(answer.error());
-    if (Status s = write_file(arguments.file, scene_file_text(answer->scene())); !s.ok())
+    const auto response = server.call(&Admin::ExportWorld, request, std::chrono::seconds(60));
+    if (!response.ok()) return server_error(response.error());
+    if (Status s = write_file(arguments.file, scene_file_text(response->scene())); !s.ok())
         return usage_error(s.error());
     if (arguments.file == "-") return {};
-    std::string sentence = arguments.file + " holds tick " + std::to_string(answer->tick()) + ": " +
-                           std::to_string(answer->scene().bodies_size()) + " bodies, " +
-                           std::to_string(answer->scene().joints_size()) + " joints";
-    for (const std::string& left_out : answer->left_out())
-        sentence += "\n  left out: " + shown(left_out, 200);
+    std::string sentence = arguments.file + " holds tick " + std::to_string(response->tick()) + ": " +
+                           std::to_string(response->scene().bodies_size()) + " bodies, " +
+                           std::to_string(response->scene().joints_size()) + " joints";
+    for (const std::string& left_out : response->left_out())
+        sentence += "\n  left out: " + sanitized(left_out, 200);
     if (!arguments.json) return {.text = sentence + "\n"};
-    v1::ExportWorldResponse without_scene = *answer;
+    v1::ExportWorldResponse without_scene = *response;
     without_scene.clear_scene();
     return {.text = json_text(without_scene)};
 }
@@ -162,33 +162,33 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
     v1::RewindWorldRequest request;
     request.set_world(arguments.world);
     request.set_tick(arguments.tick);
-    const auto answer = server.call(&Admin::RewindWorld, request, std::chrono::seconds(60));
-    return to_outcome(answer, arguments,
-                shown(arguments.world) + " is as it was after tick " + std::to_string(arguments.tick) +
-                    "; ticks go on from " + (answer.ok() ? std::to_string(answer->tick()) : ""));
+    const auto response = server.call(&Admin::RewindWorld, request, std::chrono::seconds(60));
+    return to_outcome(response, arguments,
+                sanitized(arguments.world) + " is as it was after tick " + std::to_string(arguments.tick) +
+                    "; ticks go on from " + (response.ok() ? std::to_string(response->tick()) : ""));
 }
 
 Outcome drain(Connection& server, const CommandArguments& arguments) {
-    const auto answer = server.call(&Admin::Drain, v1::DrainRequest());
-    if (!answer.ok()) return server_error(answer.error());
-    return to_outcome(answer, arguments,
-                "the server goes down: " + count_text(answer->clients(), "client") +
-                    " told, at most " + number_text(answer->timeout_seconds(), 0) + " s");
+    const auto response = server.call(&Admin::Drain, v1::DrainRequest());
+    if (!response.ok()) return server_error(response.error());
+    return to_outcome(response, arguments,
+                "the server goes down: " + count_text(response->clients(), "client") +
+                    " told, at most " + number_text(response->timeout_seconds(), 0) + " s");
 }
 
 Outcome profile(Connection& server, const CommandArguments& arguments) {
     v1::ProfileRequest request;
     request.set_world(arguments.world);
     request.set_seconds(arguments.seconds);
-    const auto answer = server.call(&Admin::Profile, request,
+    const auto response = server.call(&Admin::Profile, request,
                                    Connection::default_timeout + whole_seconds(arguments.seconds));
-    if (!answer.ok()) return server_error(answer.error());
-    if (Status s = write_file(arguments.file, answer->trace()); !s.ok()) return usage_error(s.error());
+    if (!response.ok()) return server_error(response.error());
+    if (Status s = write_file(arguments.file, response->trace()); !s.ok()) return usage_error(s.error());
     if (arguments.file == "-") return {};
     if (!arguments.json)
-        return {.text = arguments.file + " holds " + count_text(answer->ticks(), "tick") +
+        return {.text = arguments.file + " holds " + count_text(response->ticks(), "tick") +
                         "; open it at https://ui.perfetto.dev or chrome://tracing\n"};
-    v1::ProfileResponse without_trace = *answer;
+    v1::ProfileResponse without_trace = *response;
     without_trace.clear_trace();
     return {.text = json_text(without_trace)};
 }

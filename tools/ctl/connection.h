@@ -34,10 +34,10 @@ public:
                        const Request& request, std::chrono::seconds timeout = default_timeout) {
         grpc::ClientContext context;
         prepare(context, timeout);
-        Response answer;
-        const grpc::Status status = (stub<Stub>().*method)(&context, request, &answer);
+        Response response;
+        const grpc::Status status = (stub<Stub>().*method)(&context, request, &response);
         if (!status.ok()) return describe_error(status);
-        return answer;
+        return response;
     }
     static constexpr auto default_timeout = std::chrono::seconds(10);
 

@@ -19,11 +19,11 @@ std::string worlds_text(const v1::ListWorldsResponse& worlds) {
                  {"MS", Align::right},
                  {"STATE"}});
     for (const v1::WorldInfo& world : worlds.worlds())
-        table.add({world.id(), shown(world.name()), shown(world.scene()),
+        table.add({world.id(), sanitized(world.name()), sanitized(world.scene()),
                    number_text(world.hz(), 0), std::to_string(world.bodies()),
                    std::to_string(world.awake()), std::to_string(world.clients()),
                    number_text(world.step_ms_mean(), 2),
-                   world.paused().empty() ? "runs" : "paused: " + shown(world.paused(), 60)});
+                   world.paused().empty() ? "runs" : "paused: " + sanitized(world.paused(), 60)});
     return table.text();
 }
 
@@ -40,9 +40,9 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
                  {"RTT MS", Align::right}});
     for (const v1::ClientInfo& client : clients.clients())
         table.add({std::to_string(client.id()),
-                   shown(client.name()) + (client.spectator() ? " (watches)" : ""),
-                   client.subject().empty() ? "-" : shown(client.subject()),
-                   shown(client.world_name()), shown(client.address(), 60),
+                   sanitized(client.name()) + (client.spectator() ? " (watches)" : ""),
+                   client.subject().empty() ? "-" : sanitized(client.subject()),
+                   sanitized(client.world_name()), sanitized(client.address(), 60),
                    duration_text(client.connected_seconds()), number_text(client.kbit_per_second(), 1),
                    std::to_string(client.snapshots_skipped()),
                    client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});

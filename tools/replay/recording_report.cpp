@@ -63,7 +63,7 @@ Known known_of(const client::WorldView& view, std::uint32_t id) {
 std::string to_text(const client::RecordingReader& recording, const client::RecordingSummary& s) {
     const v1::Welcome& welcome = recording.welcome();
     std::string text =
-        line("world", ctl::shown(welcome.world_name()) + " (" + ctl::shown(welcome.world_id()) +
+        line("world", ctl::sanitized(welcome.world_name()) + " (" + ctl::sanitized(welcome.world_id()) +
                           "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks a second");
     text += line("recorded",
                  utc_text(recording.start_unix_us()) + ", " + format_text("%.1f s", s.seconds));
@@ -130,7 +130,7 @@ std::string state_text(const client::Playback& playback, std::uint32_t tick) {
         for (const double p : pose.position) cells.push_back(ctl::number_text(p, 3));
         for (const double q : pose.rotation) cells.push_back(ctl::number_text(q, 3));
         cells.emplace_back(entity.at_rest ? "yes" : "no");
-        cells.push_back(ctl::shown(known.name));
+        cells.push_back(ctl::sanitized(known.name));
         table.add(std::move(cells));
     }
     return text + table.text();

@@ -17,14 +17,14 @@ TEST(CtlTable, columns_line_up_whatever_the_letters) {
 
 // A client chooses its name.
 TEST(CtlTable, what_strangers_wrote_cannot_move_the_cursor) {
-    EXPECT_EQ(shown("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
-    EXPECT_EQ(shown("x\xc2\x9b"
+    EXPECT_EQ(sanitized("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
+    EXPECT_EQ(sanitized("x\xc2\x9b"
                     "2Jy"),
               "x?2Jy")
         << "CSI in one character";
-    EXPECT_EQ(shown("Zo\xc3\xab"), "Zo\xc3\xab");
-    EXPECT_EQ(shown("nnnnnnnnnn", 8), "nnnnnnnn...");
-    EXPECT_EQ(shown("nnnnnnnn", 8), "nnnnnnnn");
+    EXPECT_EQ(sanitized("Zo\xc3\xab"), "Zo\xc3\xab");
+    EXPECT_EQ(sanitized("nnnnnnnnnn", 8), "nnnnnnnn...");
+    EXPECT_EQ(sanitized("nnnnnnnn", 8), "nnnnnnnn");
 }
 
 TEST(CtlTable, times_have_two_units_at_most) {

@@ -23,7 +23,7 @@ constexpr rlim_t descriptors_besides = 100;
 // Rewrites a line of the terminal; nothing elsewhere.
 class ProgressLine {
 public:
-    void show(const char* phase, double seconds, int clients, const Crowd::Progress& progress) {
+    void show(const char* phase, double seconds, int clients, const ClientPool::Progress& progress) {
         if (!live_ || Clock::now() < next_) return;
         next_ = Clock::now() + line_period;
         std::fprintf(stderr, "\r\033[K%s %5.1f s  %d of %d joined  %llu snapshots  %llu inputs ",
@@ -46,7 +46,7 @@ double seconds_since(Clock::time_point t) {
 
 }  // namespace
 
-Report run_load(const LoadPlan& plan, Crowd& crowd, std::optional<int> server_pid,
+Report run_load(const LoadPlan& plan, ClientPool& crowd, std::optional<int> server_pid,
                 const std::atomic<bool>& stop, const std::function<void()>& before_end) {
     ProgressLine line;
     const auto cpu = [&] { return server_pid ? cpu_seconds(*server_pid) : std::nullopt; };

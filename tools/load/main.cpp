@@ -125,11 +125,11 @@ jostle::Status finish(Flags& flags) {
     return {};
 }
 
-jostle::Result<std::unique_ptr<Crowd>> gather(const Flags& flags) {
-    if (!flags.sink) return std::unique_ptr<Crowd>(std::make_unique<PlayerCrowd>(flags.load));
+jostle::Result<std::unique_ptr<ClientPool>> gather(const Flags& flags) {
+    if (!flags.sink) return std::unique_ptr<ClientPool>(std::make_unique<PlayerCrowd>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
-    return std::unique_ptr<Crowd>(std::make_unique<SinkCrowd>(flags.load, *address));
+    return std::unique_ptr<ClientPool>(std::make_unique<SinkCrowd>(flags.load, *address));
 }
 
 int complain(const std::string& what) {

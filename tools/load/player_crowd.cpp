@@ -107,7 +107,7 @@ void PlayerThread::count() {
     figures_.end(Clock::now());
 }
 
-Crowd::Progress PlayerThread::progress() const {
+ClientPool::Progress PlayerThread::progress() const {
     return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
             inputs_.load(std::memory_order_relaxed)};
 }

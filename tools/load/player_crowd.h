@@ -23,7 +23,7 @@ public:
     PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun);
     ~PlayerThread();
 
-    Crowd::Progress progress() const;
+    ClientPool::Progress progress() const;
     void measure() { measure_ = true; }
     Figures end();
 

@@ -126,7 +126,7 @@ void SinkThread::think(Member& member, Clock::time_point now) {
     conversation.play(member.behaviour->act(since, *view, conversation.client_id()));
 }
 
-Crowd::Progress SinkThread::progress() const {
+ClientPool::Progress SinkThread::progress() const {
     return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
             inputs_.load(std::memory_order_relaxed)};
 }

@@ -25,7 +25,7 @@ public:
                Clock::time_point begun);
     ~SinkThread();
 
-    Crowd::Progress progress() const;
+    ClientPool::Progress progress() const;
     void measure() { measure_ = true; }
     Figures end();
 

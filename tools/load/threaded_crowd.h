@@ -9,13 +9,13 @@
 #include <memory>
 #include <vector>
 
-#include "tools/load/crowd.h"
+#include "tools/load/client_pool.h"
 #include "tools/load/load_plan.h"
 
 namespace jostle::load {
 
 template <class Thread>
-class ThreadedCrowd : public Crowd {
+class ThreadedCrowd : public ClientPool {
 public:
     template <class... More>
     explicit ThreadedCrowd(const LoadPlan& plan, const More&... more) {

@@ -9,14 +9,14 @@
 
 namespace jostle::load {
 
-class Crowd {
+class ClientPool {
 public:
     struct Progress {
         int joined = 0;  // and still there
         std::uint64_t snapshots = 0, inputs = 0;
     };
 
-    virtual ~Crowd() = default;
+    virtual ~ClientPool() = default;
     virtual Progress progress() const = 0;
     // Figures count from now on.
     virtual void measure() = 0;

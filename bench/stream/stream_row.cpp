@@ -91,10 +91,10 @@ Result<Run> run_sinks(StreamKind kind, const StreamRequest& request, const Serve
     plan.decode_share = 0;
     const auto address = load::resolve(plan.target);
     if (!address.ok()) return address.error();
-    load::SinkCrowd crowd(plan, *address);
+    load::SinkCrowd pool(plan, *address);
     const std::atomic<bool> stop{false};
     Run run;
-    run.report = load::run_load(plan, crowd, server.pid(), stop,
+    run.report = load::run_load(plan, pool, server.pid(), stop,
                                 [&] { run.memory_kb = memory_kb(server.pid()); });
     if (run.report.errors > 0 || run.report.connected < clients)
         return Error{ErrorCode::unavailable, std::string(name_of(kind)) + ": of " +

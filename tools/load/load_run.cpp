@@ -46,32 +46,32 @@ double seconds_since(Clock::time_point t) {
 
 }  // namespace
 
-Report run_load(const LoadPlan& plan, ClientPool& crowd, std::optional<int> server_pid,
+Report run_load(const LoadPlan& plan, ClientPool& pool, std::optional<int> server_pid,
                 const std::atomic<bool>& stop, const std::function<void()>& before_end) {
     ProgressLine line;
     const auto cpu = [&] { return server_pid ? cpu_seconds(*server_pid) : std::nullopt; };
     const auto wait_until = [&](const char* phase, Clock::time_point since, const auto& over) {
         while (!stop && !over(seconds_since(since))) {
-            line.show(phase, seconds_since(since), plan.clients, crowd.progress());
+            line.show(phase, seconds_since(since), plan.clients, pool.progress());
             std::this_thread::sleep_for(look_period);
         }
     };
     const auto begun = Clock::now();
     wait_until("joining", begun, [&](double s) {
         return s >= plan.ramp &&
-               (crowd.progress().joined >= plan.clients || s >= plan.ramp + join_patience);
+               (pool.progress().joined >= plan.clients || s >= plan.ramp + join_patience);
     });
     const auto joined = Clock::now();
     wait_until("settling", joined, [&](double s) { return s >= plan.settle; });
-    crowd.measure();
+    pool.measure();
     const auto measured = Clock::now();
     const auto cpu_before = cpu();
     wait_until("measuring", measured, [&](double s) { return s >= plan.seconds; });
     const auto cpu_after = cpu();
     const double duration = seconds_since(measured);
     if (before_end) before_end();
-    const int connected = crowd.progress().joined;
-    Report report = make_report(crowd.end(), plan.clients);
+    const int connected = pool.progress().joined;
+    Report report = make_report(pool.end(), plan.clients);
     report.connected = connected;
     if (cpu_before && cpu_after)
         report.server_cpu_percent = 100 * (*cpu_after - *cpu_before) / std::max(1e-3, duration);

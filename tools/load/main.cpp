@@ -153,9 +153,9 @@ int main(int argc, char** argv) {
     std::signal(SIGTERM, [](int) { stop = true; });
     const auto server =
         flags.server_pid > 0 ? std::optional(flags.server_pid) : find_listener(flags.load.target);
-    auto crowd = gather(flags);
-    if (!crowd.ok()) return complain(crowd.error().message);
-    const Report report = run_load(flags.load, **crowd, server, stop);
+    auto pool = gather(flags);
+    if (!pool.ok()) return complain(pool.error().message);
+    const Report report = run_load(flags.load, **pool, server, stop);
     std::fputs(to_text(report).c_str(), stdout);
     if (!flags.json.empty()) {
         std::ofstream out(flags.json);

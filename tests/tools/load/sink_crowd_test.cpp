@@ -20,9 +20,9 @@ protected:
                                                         ? server_.http_port()
                                                         : server_.grpc_port());
         plan.ramp = plan.settle = 0.1;
-        SinkCrowd crowd(plan, resolve(plan.target).value());
+        SinkCrowd pool(plan, resolve(plan.target).value());
         const std::atomic<bool> stop{false};
-        return run_load(plan, crowd, std::nullopt, stop);
+        return run_load(plan, pool, std::nullopt, stop);
     }
 
     bench::ServerProcess server_{JOSTLE_SERVER,

@@ -10,7 +10,7 @@
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"
 #include "tools/load/load_run.h"
-#include "tools/load/sink_crowd.h"
+#include "tools/load/passive_client_pool.h"
 
 namespace jostle::bench {
 namespace {
@@ -91,7 +91,7 @@ Result<Run> run_sinks(StreamKind kind, const StreamRequest& request, const Serve
     plan.decode_share = 0;
     const auto address = load::resolve(plan.target);
     if (!address.ok()) return address.error();
-    load::SinkCrowd pool(plan, *address);
+    load::PassiveClientPool pool(plan, *address);
     const std::atomic<bool> stop{false};
     Run run;
     run.report = load::run_load(plan, pool, server.pid(), stop,

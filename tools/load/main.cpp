@@ -11,7 +11,7 @@
 #include "tools/load/load_run.h"
 #include "tools/load/player_crowd.h"
 #include "tools/load/server_cpu.h"
-#include "tools/load/sink_crowd.h"
+#include "tools/load/passive_client_pool.h"
 
 namespace {
 
@@ -129,7 +129,7 @@ jostle::Result<std::unique_ptr<ClientPool>> gather(const Flags& flags) {
     if (!flags.sink) return std::unique_ptr<ClientPool>(std::make_unique<PlayerCrowd>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
-    return std::unique_ptr<ClientPool>(std::make_unique<SinkCrowd>(flags.load, *address));
+    return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));
 }
 
 int complain(const std::string& what) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sinks against a real server: over both transports, watching, playing, and reading slowly.
-#include "tools/load/sink_crowd.h"
+#include "tools/load/passive_client_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ protected:
                                                         ? server_.http_port()
                                                         : server_.grpc_port());
         plan.ramp = plan.settle = 0.1;
-        SinkCrowd pool(plan, resolve(plan.target).value());
+        PassiveClientPool pool(plan, resolve(plan.target).value());
         const std::atomic<bool> stop{false};
         return run_load(plan, pool, std::nullopt, stop);
     }

@@ -53,6 +53,6 @@ private:
     std::thread thread_;
 };
 
-using SinkCrowd = ThreadedCrowd<SinkThread>;
+using PassiveClientPool = ThreadedCrowd<SinkThread>;
 
 }  // namespace jostle::load

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/sink_crowd.h"
+#include "tools/load/passive_client_pool.h"
 
 #include <sys/epoll.h>
 #include <time.h>

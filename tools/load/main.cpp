@@ -9,7 +9,7 @@
 
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/load/load_run.h"
-#include "tools/load/player_crowd.h"
+#include "tools/load/library_client_pool.h"
 #include "tools/load/server_cpu.h"
 #include "tools/load/passive_client_pool.h"
 
@@ -126,7 +126,7 @@ jostle::Status finish(Flags& flags) {
 }
 
 jostle::Result<std::unique_ptr<ClientPool>> gather(const Flags& flags) {
-    if (!flags.sink) return std::unique_ptr<ClientPool>(std::make_unique<PlayerCrowd>(flags.load));
+    if (!flags.sink) return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));

@@ -52,6 +52,6 @@ private:
     std::thread thread_;
 };
 
-using PlayerCrowd = ThreadedCrowd<PlayerThread>;
+using LibraryClientPool = ThreadedCrowd<PlayerThread>;
 
 }  // namespace jostle::load

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/player_crowd.h"
+#include "tools/load/library_client_pool.h"
 
 #include <algorithm>
 #include <chrono>

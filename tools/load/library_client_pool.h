@@ -13,7 +13,7 @@
 
 #include "clients/bot/bot.h"
 #include "tools/load/load_plan.h"
-#include "tools/load/threaded_crowd.h"
+#include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
 
@@ -52,6 +52,6 @@ private:
     std::thread thread_;
 };
 
-using LibraryClientPool = ThreadedCrowd<PlayerThread>;
+using LibraryClientPool = ThreadedClientPool<PlayerThread>;
 
 }  // namespace jostle::load

@@ -13,7 +13,7 @@
 
 #include "clients/bot/behaviour.h"
 #include "tools/load/sink_client.h"
-#include "tools/load/threaded_crowd.h"
+#include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
 
@@ -53,6 +53,6 @@ private:
     std::thread thread_;
 };
 
-using PassiveClientPool = ThreadedCrowd<SinkThread>;
+using PassiveClientPool = ThreadedClientPool<SinkThread>;
 
 }  // namespace jostle::load

@@ -15,10 +15,10 @@
 namespace jostle::load {
 
 template <class Thread>
-class ThreadedCrowd : public ClientPool {
+class ThreadedClientPool : public ClientPool {
 public:
     template <class... More>
-    explicit ThreadedCrowd(const LoadPlan& plan, const More&... more) {
+    explicit ThreadedClientPool(const LoadPlan& plan, const More&... more) {
         const Clock::time_point begun = Clock::now();
         const int threads = std::min(plan.threads, plan.clients);
         for (int k = 0; k < threads; k++)

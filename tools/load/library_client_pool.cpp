@@ -17,15 +17,15 @@ constexpr auto farewell = 200ms;  // until what was said last is sent
 
 }  // namespace
 
-PlayerThread::PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun)
+LibraryClientThread::LibraryClientThread(const LoadPlan& plan, int first, int step, Clock::time_point begun)
     : plan_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
 
-PlayerThread::~PlayerThread() {
+LibraryClientThread::~LibraryClientThread() {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
 }
 
-void PlayerThread::run() {
+void LibraryClientThread::run() {
     while (!stop_) {
         const auto now = Clock::now();
         if (measure_.exchange(false)) begin_measurement(now);
@@ -38,7 +38,7 @@ void PlayerThread::run() {
     std::this_thread::sleep_for(farewell);
 }
 
-void PlayerThread::join_due(Clock::time_point now) {
+void LibraryClientThread::join_due(Clock::time_point now) {
     const double since = std::chrono::duration<double>(now - begun_).count();
     for (;;) {
         const int number = first_ + step_ * static_cast<int>(members_.size());
@@ -58,7 +58,7 @@ void PlayerThread::join_due(Clock::time_point now) {
     }
 }
 
-void PlayerThread::think(Clock::time_point now) {
+void LibraryClientThread::think(Clock::time_point now) {
     int joined = 0;
     std::uint64_t snapshots = 0, inputs = 0;
     for (Member& member : members_) {
@@ -76,7 +76,7 @@ void PlayerThread::think(Clock::time_point now) {
 
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
 // full world.
-void PlayerThread::collect(Member& member, Clock::time_point now) {
+void LibraryClientThread::collect(Member& member, Clock::time_point now) {
     client::Client& client = member.bot->client();
     for (const auto& result : client.take_results())
         if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
@@ -85,7 +85,7 @@ void PlayerThread::collect(Member& member, Clock::time_point now) {
         figures_.add_age(static_cast<std::int64_t>(1000 * age), now);
 }
 
-void PlayerThread::begin_measurement(Clock::time_point now) {
+void LibraryClientThread::begin_measurement(Clock::time_point now) {
     for (Member& member : members_) {
         collect(member, now);
         member.before = member.bot->client().stats();
@@ -93,7 +93,7 @@ void PlayerThread::begin_measurement(Clock::time_point now) {
     figures_.begin(now);
 }
 
-void PlayerThread::count() {
+void LibraryClientThread::count() {
     for (const Member& member : members_) {
         const client::ClientStats now = member.bot->client().stats(), &before = member.before;
         figures_.snapshots += now.snapshots - before.snapshots;
@@ -107,12 +107,12 @@ void PlayerThread::count() {
     figures_.end(Clock::now());
 }
 
-ClientPool::Progress PlayerThread::progress() const {
+ClientPool::Progress LibraryClientThread::progress() const {
     return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
             inputs_.load(std::memory_order_relaxed)};
 }
 
-Figures PlayerThread::end() {
+Figures LibraryClientThread::end() {
     stop_ = true;
     thread_.join();
     return std::move(figures_);

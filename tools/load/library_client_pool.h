@@ -17,11 +17,11 @@
 
 namespace jostle::load {
 
-class PlayerThread {
+class LibraryClientThread {
 public:
     // Clients first, first + step, ... of the plan's. The plan outlives it.
-    PlayerThread(const LoadPlan& plan, int first, int step, Clock::time_point begun);
-    ~PlayerThread();
+    LibraryClientThread(const LoadPlan& plan, int first, int step, Clock::time_point begun);
+    ~LibraryClientThread();
 
     ClientPool::Progress progress() const;
     void measure() { measure_ = true; }
@@ -52,6 +52,6 @@ private:
     std::thread thread_;
 };
 
-using LibraryClientPool = ThreadedClientPool<PlayerThread>;
+using LibraryClientPool = ThreadedClientPool<LibraryClientThread>;
 
 }  // namespace jostle::load

@@ -39,7 +39,7 @@ bool is_in_share(int number, double share) {
 
 }  // namespace
 
-SinkThread::SinkThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
+PassiveClientThread::PassiveClientThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
                        Clock::time_point begun)
     : plan_(plan), address_(address), begun_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
     for (int number = first; number < plan.clients; number += step)
@@ -47,13 +47,13 @@ SinkThread::SinkThread(const LoadPlan& plan, const SinkAddress& address, int fir
     thread_ = std::thread([this] { run(); });
 }
 
-SinkThread::~SinkThread() {
+PassiveClientThread::~PassiveClientThread() {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
     close(epoll_);
 }
 
-SinkThread::Member SinkThread::make_member(int number, bool has_eyes) {
+PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_eyes) {
     const bool plays = !plan_.script.empty();
     SinkWishes wishes{.world = plan_.world,
                       .name = "load " + std::to_string(number + 1),
@@ -74,7 +74,7 @@ SinkThread::Member SinkThread::make_member(int number, bool has_eyes) {
     return member;
 }
 
-void SinkThread::run() {
+void PassiveClientThread::run() {
     const auto sweep_period = plan_.read_rate > 0 ? slow_reader_sweep_period : usual_sweep_period;
     std::vector<std::uint8_t> scratch(scratch_bytes);
     std::array<epoll_event, events_at_once> events{};
@@ -101,7 +101,7 @@ void SinkThread::run() {
     figures_.cpu_seconds = thread_cpu_seconds() - cpu_before;
 }
 
-void SinkThread::sweep(Clock::time_point now) {
+void PassiveClientThread::sweep(Clock::time_point now) {
     int joined = 0;
     for (Member& member : members_) {
         if (!member.client->began()) {
@@ -117,7 +117,7 @@ void SinkThread::sweep(Clock::time_point now) {
     inputs_.store(figures_.inputs_sent, std::memory_order_relaxed);
 }
 
-void SinkThread::think(Member& member, Clock::time_point now) {
+void PassiveClientThread::think(Member& member, Clock::time_point now) {
     const client::WorldView* view = members_.front().client->conversation().view();
     if (view == nullptr || !member.client->joined() || view->frame().frame == 0) return;
     member.thinks_at = now + think_period;
@@ -126,12 +126,12 @@ void SinkThread::think(Member& member, Clock::time_point now) {
     conversation.play(member.behaviour->act(since, *view, conversation.client_id()));
 }
 
-ClientPool::Progress SinkThread::progress() const {
+ClientPool::Progress PassiveClientThread::progress() const {
     return {joined_.load(std::memory_order_relaxed), snapshots_.load(std::memory_order_relaxed),
             inputs_.load(std::memory_order_relaxed)};
 }
 
-Figures SinkThread::end() {
+Figures PassiveClientThread::end() {
     stop_ = true;
     thread_.join();
     members_.clear();  // sockets close

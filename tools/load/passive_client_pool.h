@@ -18,12 +18,12 @@
 namespace jostle::load {
 
 // One thread of them.
-class SinkThread {
+class PassiveClientThread {
 public:
     // Clients first, first + step, ... of the plan's. The plan outlives it.
-    SinkThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
+    PassiveClientThread(const LoadPlan& plan, const SinkAddress& address, int first, int step,
                Clock::time_point begun);
-    ~SinkThread();
+    ~PassiveClientThread();
 
     ClientPool::Progress progress() const;
     void measure() { measure_ = true; }
@@ -53,6 +53,6 @@ private:
     std::thread thread_;
 };
 
-using PassiveClientPool = ThreadedClientPool<SinkThread>;
+using PassiveClientPool = ThreadedClientPool<PassiveClientThread>;
 
 }  // namespace jostle::load

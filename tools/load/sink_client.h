@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One sink: a socket, its framing and its conversation. Lives on the thread of its SinkThread,
+// One sink: a socket, its framing and its conversation. Lives on the thread of its PassiveClientThread,
 // which tells it what epoll says and calls on it every few milliseconds.
 #pragma once
 

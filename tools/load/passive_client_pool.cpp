@@ -64,7 +64,7 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
                       .sight = plan_.sight_of(number),
                       .max_kbps = plan_.max_kbps};
     Member member{
-        .client = std::make_unique<SinkClient>(plan_, std::move(wishes), epoll_, figures_),
+        .client = std::make_unique<PassiveClient>(plan_, std::move(wishes), epoll_, figures_),
         .behaviour = {},
         .joins_at = begun_ + seconds(plan_.ramp * number / plan_.clients),
         .thinks_at = {}};
@@ -90,7 +90,7 @@ void PassiveClientThread::run() {
             cpu_before = thread_cpu_seconds();
         }
         for (int k = 0; k < count; k++)
-            static_cast<SinkClient*>(events[static_cast<std::size_t>(k)].data.ptr)
+            static_cast<PassiveClient*>(events[static_cast<std::size_t>(k)].data.ptr)
                 ->on_event(scratch, Clock::now());
         if (const auto now = Clock::now(); now >= next_sweep) {
             sweep(now);

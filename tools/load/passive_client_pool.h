@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clients/bot/behaviour.h"
-#include "tools/load/sink_client.h"
+#include "tools/load/passive_client.h"
 #include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Member {
-        std::unique_ptr<SinkClient> client;
+        std::unique_ptr<PassiveClient> client;
         std::optional<bots::Behaviour> behaviour;
         Clock::time_point joins_at, thinks_at;
     };

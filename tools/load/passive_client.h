@@ -23,13 +23,13 @@ struct SinkAddress {
 };
 Result<SinkAddress> resolve(const std::string& target);
 
-class SinkClient final : private Framing::Reader {
+class PassiveClient final : private Framing::Reader {
 public:
     // `epoll`: where it registers its socket. Plan and figures outlive it.
-    SinkClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures);
-    ~SinkClient();
-    SinkClient(const SinkClient&) = delete;
-    SinkClient& operator=(const SinkClient&) = delete;
+    PassiveClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures);
+    ~PassiveClient();
+    PassiveClient(const PassiveClient&) = delete;
+    PassiveClient& operator=(const PassiveClient&) = delete;
 
     void connect(const SinkAddress& address);
     // Something arrived, or may be sent; `scratch` is free to be read into.

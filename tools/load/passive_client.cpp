@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/sink_client.h"
+#include "tools/load/passive_client.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -59,18 +59,18 @@ Result<SinkAddress> resolve(const std::string& target) {
     return address;
 }
 
-SinkClient::SinkClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures)
+PassiveClient::PassiveClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures)
     : plan_(plan),
       epoll_(epoll),
       figures_(figures),
       conversation_(std::move(wishes), figures),
       framing_(make_framing(plan)) {}
 
-SinkClient::~SinkClient() {
+PassiveClient::~PassiveClient() {
     if (socket_ >= 0) close(socket_);
 }
 
-void SinkClient::connect(const SinkAddress& address) {
+void PassiveClient::connect(const SinkAddress& address) {
     socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (socket_ < 0) return end(std::string("no socket: ") + std::strerror(errno));
     const int on = 1;
@@ -84,14 +84,14 @@ void SinkClient::connect(const SinkAddress& address) {
         end(std::string("cannot watch a socket: ") + std::strerror(errno));
 }
 
-void SinkClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point now) {
+void PassiveClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point now) {
     if (over_) return;
     now_ = now;
     if (!stands_still()) receive(scratch);
     tick(now);
 }
 
-void SinkClient::tick(Clock::time_point now) {
+void PassiveClient::tick(Clock::time_point now) {
     if (over_ || socket_ < 0) return;
     read_waiting(now);
     say(now);
@@ -99,7 +99,7 @@ void SinkClient::tick(Clock::time_point now) {
     if (!over_) watch();
 }
 
-std::string SinkClient::why_closed() const {
+std::string PassiveClient::why_closed() const {
     std::string why = "the server closed the connection";
     if (conversation_.joined()) return why;
     why += " before it said welcome; is --server the port of ";
@@ -107,7 +107,7 @@ std::string SinkClient::why_closed() const {
     return why;
 }
 
-void SinkClient::receive(std::span<std::uint8_t> scratch) {
+void PassiveClient::receive(std::span<std::uint8_t> scratch) {
     if (plan_.read_rate > 0 && plan_.transport != Transport::grpc)
         scratch = scratch.first(slow_piece);
     const ssize_t size = recv(socket_, scratch.data(), scratch.size(), 0);
@@ -117,7 +117,7 @@ void SinkClient::receive(std::span<std::uint8_t> scratch) {
     if (!taken.ok()) end(taken.error().message);
 }
 
-void SinkClient::on_message(Bytes message) {
+void PassiveClient::on_message(Bytes message) {
     if (plan_.read_rate > 0) {
         waiting_.emplace_back(reinterpret_cast<const char*>(message.data()), message.size());
         return;
@@ -126,7 +126,7 @@ void SinkClient::on_message(Bytes message) {
     framing_->used(message.size());
 }
 
-void SinkClient::read_waiting(Clock::time_point now) {
+void PassiveClient::read_waiting(Clock::time_point now) {
     while (!waiting_.empty() && now >= next_read_) {
         const auto period = std::chrono::duration_cast<Clock::duration>(
             std::chrono::duration<double>(1 / plan_.read_rate));
@@ -140,11 +140,11 @@ void SinkClient::read_waiting(Clock::time_point now) {
     }
 }
 
-void SinkClient::say(Clock::time_point now) {
+void PassiveClient::say(Clock::time_point now) {
     while (const auto message = conversation_.take_message(now)) framing_->send(*message);
 }
 
-void SinkClient::flush() {
+void PassiveClient::flush() {
     std::string& out = framing_->outgoing();
     if (out.empty()) return;
     const ssize_t sent = ::send(socket_, out.data(), out.size(), MSG_NOSIGNAL);
@@ -154,11 +154,11 @@ void SinkClient::flush() {
 }
 
 // gRPC's transport reads ahead as far as its window goes; a WebSocket's reader is its transport.
-bool SinkClient::stands_still() const {
+bool PassiveClient::stands_still() const {
     return plan_.transport != Transport::grpc && !waiting_.empty();
 }
 
-void SinkClient::watch() {
+void PassiveClient::watch() {
     const std::uint32_t wanted =
         (stands_still() ? 0u : EPOLLIN) | (framing_->outgoing().empty() ? 0u : EPOLLOUT);
     if (wanted == watched_) return;
@@ -167,7 +167,7 @@ void SinkClient::watch() {
     epoll_ctl(epoll_, EPOLL_CTL_MOD, socket_, &event);
 }
 
-void SinkClient::end(const std::string& why) {
+void PassiveClient::end(const std::string& why) {
     over_ = true;
     figures_.add_error(conversation_.notice().empty() ? why : why + ": " + conversation_.notice());
     if (socket_ >= 0) close(socket_);

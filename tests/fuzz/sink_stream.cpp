@@ -6,7 +6,7 @@
 #include "tests/fuzz/target.h"
 #include "tools/load/http2_framing.h"
 #include "tools/load/raw_framing.h"
-#include "tools/load/sink_conversation.h"
+#include "tools/load/passive_client_protocol.h"
 #include "tools/load/websocket_framing.h"
 
 namespace jostle::fuzz {
@@ -67,7 +67,7 @@ private:
 
     load::Figures figures_;
     std::unique_ptr<load::Framing> framing_;
-    load::SinkConversation conversation_;
+    load::PassiveClientProtocol conversation_;
     load::Clock::time_point now_ = load::Clock::time_point() + 1000s;
 };
 

@@ -13,7 +13,7 @@
 
 #include "tools/load/framing.h"
 #include "tools/load/load_plan.h"
-#include "tools/load/sink_conversation.h"
+#include "tools/load/passive_client_protocol.h"
 
 namespace jostle::load {
 
@@ -39,7 +39,7 @@ public:
 
     bool began() const { return socket_ >= 0 || over_; }
     bool joined() const { return conversation_.joined() && !over_; }
-    SinkConversation& conversation() { return conversation_; }
+    PassiveClientProtocol& conversation() { return conversation_; }
 
 private:
     void on_message(Bytes message) override;
@@ -55,7 +55,7 @@ private:
     const LoadPlan& plan_;
     const int epoll_;
     Figures& figures_;
-    SinkConversation conversation_;
+    PassiveClientProtocol conversation_;
     std::unique_ptr<Framing> framing_;
     int socket_ = -1;
     std::uint32_t watched_ = 0;

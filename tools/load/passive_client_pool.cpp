@@ -122,7 +122,7 @@ void PassiveClientThread::think(Member& member, Clock::time_point now) {
     if (view == nullptr || !member.client->joined() || view->frame().frame == 0) return;
     member.thinks_at = now + think_period;
     const double since = std::chrono::duration<double>(now - begun_).count();
-    SinkConversation& conversation = member.client->conversation();
+    PassiveClientProtocol& conversation = member.client->conversation();
     conversation.play(member.behaviour->act(since, *view, conversation.client_id()));
 }
 

@@ -31,10 +31,10 @@ struct SinkWishes {
     std::uint32_t max_kbps = 0;               // 0: what the world takes
 };
 
-class SinkConversation {
+class PassiveClientProtocol {
 public:
     // The figures outlive it.
-    SinkConversation(SinkWishes wishes, Figures& figures);
+    PassiveClientProtocol(SinkWishes wishes, Figures& figures);
 
     // A message was read.
     void receive(Bytes message, Clock::time_point now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/sink_conversation.h"
+#include "tools/load/passive_client_protocol.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ bool parse(Message& message, Bytes bytes) {
 
 }  // namespace
 
-SinkConversation::SinkConversation(SinkWishes wishes, Figures& figures)
+PassiveClientProtocol::PassiveClientProtocol(SinkWishes wishes, Figures& figures)
     : wishes_(std::move(wishes)),
       figures_(figures),
       ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every),
@@ -38,7 +38,7 @@ SinkConversation::SinkConversation(SinkWishes wishes, Figures& figures)
 
 // --- what it hears ---
 
-void SinkConversation::receive(Bytes message, Clock::time_point now) {
+void PassiveClientProtocol::receive(Bytes message, Clock::time_point now) {
     figures_.messages++;
     figures_.bytes += message.size();
     FieldWalk walk(message);
@@ -47,7 +47,7 @@ void SinkConversation::receive(Bytes message, Clock::time_point now) {
     if (view_) decode(message);
 }
 
-void SinkConversation::on_field(const Field& field, Clock::time_point now) {
+void PassiveClientProtocol::on_field(const Field& field, Clock::time_point now) {
     switch (field.number) {
         case v1::ServerMessage::kWelcomeFieldNumber:
             return on_welcome(field.bytes);
@@ -65,7 +65,7 @@ void SinkConversation::on_field(const Field& field, Clock::time_point now) {
     }
 }
 
-void SinkConversation::on_welcome(Bytes bytes) {
+void PassiveClientProtocol::on_welcome(Bytes bytes) {
     v1::Welcome welcome;
     if (!parse(welcome, bytes)) return figures_.add_error("the server's welcome is none");
     joined_ = true;
@@ -78,7 +78,7 @@ void SinkConversation::on_welcome(Bytes bytes) {
     }
 }
 
-void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
+void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     joined_ = true;  // a server of a benchmark says no welcome
     std::uint64_t late = 0;
     Bytes own;
@@ -107,7 +107,7 @@ void SinkConversation::on_snapshot(Bytes bytes, Clock::time_point now) {
 }
 
 // As WorldView::times_of(). `late` is a zigzag number: 0, -1, 1, -2 ...
-std::int64_t SinkConversation::due_us(std::uint32_t frame, std::uint64_t late) const {
+std::int64_t PassiveClientProtocol::due_us(std::uint32_t frame, std::uint64_t late) const {
     constexpr auto most = static_cast<std::int64_t>(client::latest_time_us);
     const auto late_us =
         static_cast<std::int64_t>(late >> 1) ^ -static_cast<std::int64_t>(late & 1);
@@ -115,7 +115,7 @@ std::int64_t SinkConversation::due_us(std::uint32_t frame, std::uint64_t late) c
            static_cast<std::int64_t>(std::llround(frame * tick_us_));
 }
 
-void SinkConversation::on_own(Bytes bytes, Clock::time_point now) {
+void PassiveClientProtocol::on_own(Bytes bytes, Clock::time_point now) {
     v1::InputResult result;
     FieldWalk walk(bytes);
     for (Field field; walk.next(field);)
@@ -126,7 +126,7 @@ void SinkConversation::on_own(Bytes bytes, Clock::time_point now) {
 
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
 // full world.
-void SinkConversation::on_result(const v1::InputResult& result, Clock::time_point now) {
+void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time_point now) {
     const bool applied = result.code() == v1::INPUT_CODE_APPLIED;
     figures_.inputs_applied += applied ? 1 : 0;
     if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
@@ -150,7 +150,7 @@ void SinkConversation::on_result(const v1::InputResult& result, Clock::time_poin
     sent_.erase(sent);
 }
 
-void SinkConversation::see_effects(std::uint32_t frame, Clock::time_point now) {
+void PassiveClientProtocol::see_effects(std::uint32_t frame, Clock::time_point now) {
     arrived_.push_back({frame, now});
     if (arrived_.size() > arrived_max) arrived_.pop_front();
     std::erase_if(applied_, [&](const Applied& input) {
@@ -161,7 +161,7 @@ void SinkConversation::see_effects(std::uint32_t frame, Clock::time_point now) {
     });
 }
 
-void SinkConversation::on_pong(Bytes bytes, Clock::time_point now) {
+void PassiveClientProtocol::on_pong(Bytes bytes, Clock::time_point now) {
     v1::Pong pong;
     if (!parse(pong, bytes)) return figures_.add_error("the server sent a pong that is none");
     const std::uint64_t sent = pong.client_time_us(), server = pong.server_time_us(),
@@ -170,11 +170,11 @@ void SinkConversation::on_pong(Bytes bytes, Clock::time_point now) {
     clock_.add(sent, server, here);
 }
 
-std::int64_t SinkConversation::server_us(Clock::time_point now) const {
+std::int64_t PassiveClientProtocol::server_us(Clock::time_point now) const {
     return same_clock_ ? static_cast<std::int64_t>(client::to_us(now)) : clock_.server_us(now);
 }
 
-void SinkConversation::decode(Bytes bytes) {
+void PassiveClientProtocol::decode(Bytes bytes) {
     v1::ServerMessage message;
     if (!parse(message, bytes)) return;  // that was counted
     Status applied;
@@ -192,7 +192,7 @@ void SinkConversation::decode(Bytes bytes) {
 
 // --- what it says ---
 
-std::optional<std::string_view> SinkConversation::take_message(Clock::time_point now) {
+std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_point now) {
     if (!said_hello_) {
         said_hello_ = true;
         v1::Hello& hello = *out_.mutable_hello();
@@ -234,17 +234,17 @@ std::optional<std::string_view> SinkConversation::take_message(Clock::time_point
     return std::nullopt;
 }
 
-void SinkConversation::play(const std::vector<v1::Input>& inputs) {
+void PassiveClientProtocol::play(const std::vector<v1::Input>& inputs) {
     for (const v1::Input& input : inputs) *batch_.add_inputs() = input;
 }
 
-bool SinkConversation::ack_is_due(Clock::time_point now) const {
+bool PassiveClientProtocol::ack_is_due(Clock::time_point now) const {
     if (unacked_ == 0) return false;
     return need_keyframe_ || (ack_every_ > 0 && unacked_ >= ack_every_) ||
            now - last_ack_ >= ack_patience_;
 }
 
-void SinkConversation::fill_ack(v1::Ack& ack, Clock::time_point now) {
+void PassiveClientProtocol::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(frame_);
     ack.set_need_keyframe(need_keyframe_);
     ack.set_ack_delay_ms(static_cast<std::uint32_t>(
@@ -253,7 +253,7 @@ void SinkConversation::fill_ack(v1::Ack& ack, Clock::time_point now) {
     last_ack_ = now;
 }
 
-std::string_view SinkConversation::serialized() {
+std::string_view PassiveClientProtocol::serialized() {
     out_.SerializeToString(&out_bytes_);
     out_.Clear();
     return out_bytes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/sink_conversation.h"
+#include "tools/load/passive_client_protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ struct Talk {
     }
 
     Figures figures;
-    SinkConversation sink;
+    PassiveClientProtocol sink;
 };
 
 int count_acks(const std::vector<v1::ClientMessage>& messages) {
@@ -57,9 +57,9 @@ int count_acks(const std::vector<v1::ClientMessage>& messages) {
 
 }  // namespace
 
-TEST(SinkConversation, says_hello_first_and_waits_for_the_welcome) {
+TEST(PassiveClientProtocol, says_hello_first_and_waits_for_the_welcome) {
     Figures figures;
-    SinkConversation sink({.world = "sandbox", .name = "load 1"}, figures);
+    PassiveClientProtocol sink({.world = "sandbox", .name = "load 1"}, figures);
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(std::string(sink.take_message(noon).value())));
     EXPECT_EQ(hello.hello().world(), "sandbox");
@@ -68,7 +68,7 @@ TEST(SinkConversation, says_hello_first_and_waits_for_the_welcome) {
     EXPECT_FALSE(sink.joined());
 }
 
-TEST(SinkConversation, acknowledges_when_as_much_time_passed_as_the_server_says) {
+TEST(PassiveClientProtocol, acknowledges_when_as_much_time_passed_as_the_server_says) {
     Talk talk;
     talk.welcome(100);
     int acks = 0;
@@ -81,7 +81,7 @@ TEST(SinkConversation, acknowledges_when_as_much_time_passed_as_the_server_says)
     EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
 }
 
-TEST(SinkConversation, acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
+TEST(PassiveClientProtocol, acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
     Talk talk({.ack_every = 3});
     talk.welcome(1000);
     talk.snapshot(1);
@@ -98,7 +98,7 @@ TEST(SinkConversation, acknowledges_every_third_snapshot_when_told_so_whatever_t
     EXPECT_EQ(acks, 4);
 }
 
-TEST(SinkConversation, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_another_time) {
+TEST(PassiveClientProtocol, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_another_time) {
     Talk talk;
     talk.welcome();
     talk.snapshot(1);
@@ -108,7 +108,7 @@ TEST(SinkConversation, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_
     EXPECT_EQ(count_acks(talk.said(noon + 150ms)), 1);
 }
 
-TEST(SinkConversation, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_ms_old) {
+TEST(PassiveClientProtocol, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_ms_old) {
     Talk talk;
     talk.welcome();
     v1::ServerMessage pong;
@@ -122,7 +122,7 @@ TEST(SinkConversation, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_
     EXPECT_EQ(talk.figures.gap.count(), 9u);
 }
 
-TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
+TEST(PassiveClientProtocol, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
     Talk talk({.spectator = false});
     talk.welcome();
     v1::Input push;
@@ -145,7 +145,7 @@ TEST(SinkConversation, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_
     EXPECT_EQ(talk.figures.inputs_applied, 1u);
 }
 
-TEST(SinkConversation, bytes_that_are_no_message_are_an_error_each_and_no_more) {
+TEST(PassiveClientProtocol, bytes_that_are_no_message_are_an_error_each_and_no_more) {
     Talk talk({.decodes = true});
     std::mt19937 random(3);
     for (int k = 0; k < 2000; k++) {

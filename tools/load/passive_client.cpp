@@ -63,7 +63,7 @@ PassiveClient::PassiveClient(const LoadPlan& plan, SinkWishes wishes, int epoll,
     : plan_(plan),
       epoll_(epoll),
       figures_(figures),
-      conversation_(std::move(wishes), figures),
+      protocol_(std::move(wishes), figures),
       framing_(make_framing(plan)) {}
 
 PassiveClient::~PassiveClient() {
@@ -101,7 +101,7 @@ void PassiveClient::tick(Clock::time_point now) {
 
 std::string PassiveClient::why_closed() const {
     std::string why = "the server closed the connection";
-    if (conversation_.joined()) return why;
+    if (protocol_.joined()) return why;
     why += " before it said welcome; is --server the port of ";
     why += plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?";
     return why;
@@ -122,7 +122,7 @@ void PassiveClient::on_message(Bytes message) {
         waiting_.emplace_back(reinterpret_cast<const char*>(message.data()), message.size());
         return;
     }
-    conversation_.receive(message, now_);
+    protocol_.receive(message, now_);
     framing_->used(message.size());
 }
 
@@ -134,14 +134,14 @@ void PassiveClient::read_waiting(Clock::time_point now) {
         next_read_ = (now - next_read_ < period ? next_read_ : now) + period;
         const std::string message = std::move(waiting_.front());
         waiting_.pop_front();
-        conversation_.receive(
+        protocol_.receive(
             {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}, now);
         framing_->used(message.size());
     }
 }
 
 void PassiveClient::say(Clock::time_point now) {
-    while (const auto message = conversation_.take_message(now)) framing_->send(*message);
+    while (const auto message = protocol_.take_message(now)) framing_->send(*message);
 }
 
 void PassiveClient::flush() {
@@ -169,7 +169,7 @@ void PassiveClient::watch() {
 
 void PassiveClient::end(const std::string& why) {
     over_ = true;
-    figures_.add_error(conversation_.notice().empty() ? why : why + ": " + conversation_.notice());
+    figures_.add_error(protocol_.notice().empty() ? why : why + ": " + protocol_.notice());
     if (socket_ >= 0) close(socket_);
     socket_ = -1;
 }

@@ -38,8 +38,8 @@ public:
     void tick(Clock::time_point now);
 
     bool began() const { return socket_ >= 0 || over_; }
-    bool joined() const { return conversation_.joined() && !over_; }
-    PassiveClientProtocol& conversation() { return conversation_; }
+    bool joined() const { return protocol_.joined() && !over_; }
+    PassiveClientProtocol& protocol() { return protocol_; }
 
 private:
     void on_message(Bytes message) override;
@@ -55,7 +55,7 @@ private:
     const LoadPlan& plan_;
     const int epoll_;
     Figures& figures_;
-    PassiveClientProtocol conversation_;
+    PassiveClientProtocol protocol_;
     std::unique_ptr<Framing> framing_;
     int socket_ = -1;
     std::uint32_t watched_ = 0;

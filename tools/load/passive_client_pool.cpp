@@ -118,12 +118,12 @@ void PassiveClientThread::sweep(Clock::time_point now) {
 }
 
 void PassiveClientThread::think(Member& member, Clock::time_point now) {
-    const client::WorldView* view = members_.front().client->conversation().view();
+    const client::WorldView* view = members_.front().client->protocol().view();
     if (view == nullptr || !member.client->joined() || view->frame().frame == 0) return;
     member.thinks_at = now + think_period;
     const double since = std::chrono::duration<double>(now - begun_).count();
-    PassiveClientProtocol& conversation = member.client->conversation();
-    conversation.play(member.behaviour->act(since, *view, conversation.client_id()));
+    PassiveClientProtocol& protocol = member.client->protocol();
+    protocol.play(member.behaviour->act(since, *view, protocol.client_id()));
 }
 
 ClientPool::Progress PassiveClientThread::progress() const {

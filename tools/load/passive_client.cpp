@@ -59,7 +59,7 @@ Result<SinkAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadPlan& plan, SinkWishes wishes, int epoll, Figures& figures)
+PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions wishes, int epoll, Figures& figures)
     : plan_(plan),
       epoll_(epoll),
       figures_(figures),

@@ -55,7 +55,7 @@ PassiveClientThread::~PassiveClientThread() {
 
 PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_eyes) {
     const bool plays = !plan_.script.empty();
-    SinkWishes wishes{.world = plan_.world,
+    PassiveClientOptions wishes{.world = plan_.world,
                       .name = "load " + std::to_string(number + 1),
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,

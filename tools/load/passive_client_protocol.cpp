@@ -28,7 +28,7 @@ bool parse(Message& message, Bytes bytes) {
 
 }  // namespace
 
-PassiveClientProtocol::PassiveClientProtocol(SinkWishes wishes, Figures& figures)
+PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions wishes, Figures& figures)
     : wishes_(std::move(wishes)),
       figures_(figures),
       ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every),

@@ -20,7 +20,7 @@
 
 namespace jostle::load {
 
-struct SinkWishes {
+struct PassiveClientOptions {
     std::string world;  // name or id; empty: the first
     std::string name;
     std::string token;      // in the hello; empty: none
@@ -34,7 +34,7 @@ struct SinkWishes {
 class PassiveClientProtocol {
 public:
     // The figures outlive it.
-    PassiveClientProtocol(SinkWishes wishes, Figures& figures);
+    PassiveClientProtocol(PassiveClientOptions wishes, Figures& figures);
 
     // A message was read.
     void receive(Bytes message, Clock::time_point now);
@@ -76,7 +76,7 @@ private:
     void fill_ack(v1::Ack& ack, Clock::time_point now);
     std::string_view serialized();
 
-    const SinkWishes wishes_;
+    const PassiveClientOptions wishes_;
     Figures& figures_;
     std::unique_ptr<client::WorldView> view_;
     v1::ClientMessage out_;

@@ -59,11 +59,11 @@ Result<SinkAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions wishes, int epoll, Figures& figures)
+PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, Figures& figures)
     : plan_(plan),
       epoll_(epoll),
       figures_(figures),
-      protocol_(std::move(wishes), figures),
+      protocol_(std::move(options), figures),
       framing_(make_framing(plan)) {}
 
 PassiveClient::~PassiveClient() {

@@ -26,7 +26,7 @@ Result<SinkAddress> resolve(const std::string& target);
 class PassiveClient final : private Framing::Reader {
 public:
     // `epoll`: where it registers its socket. Plan and figures outlive it.
-    PassiveClient(const LoadPlan& plan, PassiveClientOptions wishes, int epoll, Figures& figures);
+    PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, Figures& figures);
     ~PassiveClient();
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;

@@ -55,7 +55,7 @@ PassiveClientThread::~PassiveClientThread() {
 
 PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_eyes) {
     const bool plays = !plan_.script.empty();
-    PassiveClientOptions wishes{.world = plan_.world,
+    PassiveClientOptions options{.world = plan_.world,
                       .name = "load " + std::to_string(number + 1),
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,
@@ -64,7 +64,7 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
                       .sight = plan_.sight_of(number),
                       .max_kbps = plan_.max_kbps};
     Member member{
-        .client = std::make_unique<PassiveClient>(plan_, std::move(wishes), epoll_, figures_),
+        .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, figures_),
         .behaviour = {},
         .joins_at = begun_ + seconds(plan_.ramp * number / plan_.clients),
         .thinks_at = {}};

@@ -28,12 +28,12 @@ bool parse(Message& message, Bytes bytes) {
 
 }  // namespace
 
-PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions wishes, Figures& figures)
-    : wishes_(std::move(wishes)),
+PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, Figures& figures)
+    : options_(std::move(options)),
       figures_(figures),
-      ack_every_(wishes_.ack_every > 0 ? wishes_.ack_every : usual_ack_every),
+      ack_every_(options_.ack_every > 0 ? options_.ack_every : usual_ack_every),
       ack_patience_(usual_ack_patience) {
-    if (wishes_.decodes) view_ = std::make_unique<client::WorldView>();
+    if (options_.decodes) view_ = std::make_unique<client::WorldView>();
 }
 
 // --- what it hears ---
@@ -72,7 +72,7 @@ void PassiveClientProtocol::on_welcome(Bytes bytes) {
     client_id_ = welcome.client_id();
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
     tick_us_ = welcome.tick_hz() > 0 ? 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5) : 0;
-    if (wishes_.ack_every == 0 && welcome.ack_interval_ms() > 0) {
+    if (options_.ack_every == 0 && welcome.ack_interval_ms() > 0) {
         ack_every_ = 0;
         ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_interval_ms(), ack_ms_max));
     }
@@ -100,7 +100,7 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     last_snapshot_ = now;
     if (clock_.ready() && tick_us_ > 0)
         figures_.add_age(server_us(now) - due_us(frame_, late), now);
-    if (!wishes_.spectator) {
+    if (!options_.spectator) {
         see_effects(frame_, now);
         on_own(own, now);
     }
@@ -197,15 +197,15 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         said_hello_ = true;
         v1::Hello& hello = *out_.mutable_hello();
         hello.set_protocol(protocol_version);
-        hello.set_world(wishes_.world);
-        hello.set_name(wishes_.name);
-        hello.set_token(wishes_.token);
-        hello.set_spectator(wishes_.spectator);
-        hello.set_max_kbps(wishes_.max_kbps);
-        if (wishes_.sight) {
-            hello.mutable_interest()->mutable_focus()->set_x(wishes_.sight->x);
-            hello.mutable_interest()->mutable_focus()->set_z(wishes_.sight->z);
-            hello.mutable_interest()->set_radius(wishes_.sight->radius);
+        hello.set_world(options_.world);
+        hello.set_name(options_.name);
+        hello.set_token(options_.token);
+        hello.set_spectator(options_.spectator);
+        hello.set_max_kbps(options_.max_kbps);
+        if (options_.sight) {
+            hello.mutable_interest()->mutable_focus()->set_x(options_.sight->x);
+            hello.mutable_interest()->mutable_focus()->set_z(options_.sight->z);
+            hello.mutable_interest()->set_radius(options_.sight->radius);
         }
         return serialized();
     }

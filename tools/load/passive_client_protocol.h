@@ -34,7 +34,7 @@ struct PassiveClientOptions {
 class PassiveClientProtocol {
 public:
     // The figures outlive it.
-    PassiveClientProtocol(PassiveClientOptions wishes, Figures& figures);
+    PassiveClientProtocol(PassiveClientOptions options, Figures& figures);
 
     // A message was read.
     void receive(Bytes message, Clock::time_point now);
@@ -76,7 +76,7 @@ private:
     void fill_ack(v1::Ack& ack, Clock::time_point now);
     std::string_view serialized();
 
-    const PassiveClientOptions wishes_;
+    const PassiveClientOptions options_;
     Figures& figures_;
     std::unique_ptr<client::WorldView> view_;
     v1::ClientMessage out_;

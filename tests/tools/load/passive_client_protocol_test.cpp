@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 const Clock::time_point noon = Clock::time_point(1000s);
 
 struct Talk {
-    explicit Talk(PassiveClientOptions wishes = {}) : sink(std::move(wishes), figures) {
+    explicit Talk(PassiveClientOptions options = {}) : sink(std::move(options), figures) {
         said();  // hello
     }
     // All that it has to say.

@@ -41,7 +41,7 @@ std::unique_ptr<Framing> make_framing(const LoadPlan& plan) {
 
 }  // namespace
 
-Result<SinkAddress> resolve(const std::string& target) {
+Result<ServerAddress> resolve(const std::string& target) {
     const std::size_t colon = target.rfind(':');
     if (colon == std::string::npos)
         return invalid_argument("--server is " + target + "; it must be HOST:PORT");
@@ -52,7 +52,7 @@ Result<SinkAddress> resolve(const std::string& target) {
     if (const int error = getaddrinfo(host.c_str(), target.c_str() + colon + 1, &hints, &found);
         error != 0)
         return invalid_argument("--server is " + target + ": " + gai_strerror(error));
-    SinkAddress address;
+    ServerAddress address;
     std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
     address.size = found->ai_addrlen;
     freeaddrinfo(found);
@@ -70,7 +70,7 @@ PassiveClient::~PassiveClient() {
     if (socket_ >= 0) close(socket_);
 }
 
-void PassiveClient::connect(const SinkAddress& address) {
+void PassiveClient::connect(const ServerAddress& address) {
     socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (socket_ < 0) return end(std::string("no socket: ") + std::strerror(errno));
     const int on = 1;

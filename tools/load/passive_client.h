@@ -17,11 +17,11 @@
 
 namespace jostle::load {
 
-struct SinkAddress {
+struct ServerAddress {
     sockaddr_storage bytes{};
     socklen_t size = 0;
 };
-Result<SinkAddress> resolve(const std::string& target);
+Result<ServerAddress> resolve(const std::string& target);
 
 class PassiveClient final : private Framing::Reader {
 public:
@@ -31,7 +31,7 @@ public:
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;
 
-    void connect(const SinkAddress& address);
+    void connect(const ServerAddress& address);
     // Something arrived, or may be sent; `scratch` is free to be read into.
     void on_event(std::span<std::uint8_t> scratch, Clock::time_point now);
     // Reads what may be read by now, and says what is due.

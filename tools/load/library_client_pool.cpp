@@ -51,7 +51,7 @@ void LibraryClientThread::join_due(Clock::time_point now) {
                                        .world = plan_.world,
                                        .name = "load " + std::to_string(number + 1),
                                        .max_kbps = plan_.max_kbps,
-                                       .sight = plan_.sight_of(number),
+                                       .interest = plan_.interest_of(number),
                                        .datagrams = plan_.datagrams},
                  line_for(plan_.script, number), static_cast<std::uint32_t>(number + 1)),
              {}});

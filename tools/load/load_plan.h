@@ -25,11 +25,11 @@ struct LoadPlan {
     bots::Script script;                        // empty: the clients only watch
     // Of the world they see what is within so many metres of a point; 0: all. The points lie evenly
     // in a disc of that radius about the origin, each client's elsewhere.
-    double sight = 0;
+    double interest_radius = 0;
     std::uint32_t max_kbps = 0;  // that the server may send to each; 0: what the world takes
 
     // Of a client that sees a part; number from 0.
-    std::optional<client::AreaOfInterest> sight_of(int number) const;
+    std::optional<client::AreaOfInterest> interest_of(int number) const;
 
     bool datagrams = false;  // of clients of the library: ClientOptions::datagrams
 
@@ -37,7 +37,7 @@ struct LoadPlan {
     Transport transport = Transport::grpc;
     int ack_every = 0;           // snapshots; 0: as the server's welcome asks for
     double read_rate = 0;        // messages a second that each client reads; 0: as they come
-    double decode_share = 0.01;  // of the clients; 0: none
+    double decode_ratio = 0.01;  // of the clients; 0: none
 };
 
 }  // namespace jostle::load

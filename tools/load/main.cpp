@@ -44,7 +44,7 @@ struct Flags {
     jostle::client::SecurityFiles files;
     LoadPlan load{.target = "localhost:50051"};
     std::string script, json;
-    bool sink = false, websocket = false;
+    bool passive = false, websocket = false;
     int server_pid = 0;
     Plan plan;
 };
@@ -72,23 +72,23 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--script", flags.script, "What clients do (jostle-bot --help has the format)");
     CLI::Option* datagrams = app.add_flag("--datagrams", load.datagrams,
                                           "Clients take snapshots as datagrams where offered");
-    CLI::Option* sink = app.add_flag("--passive", flags.sink, "Clients that only count: see below");
-    sink->excludes(datagrams);
-    app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(sink);
+    CLI::Option* passive = app.add_flag("--passive", flags.passive, "Clients that only count: see below");
+    passive->excludes(datagrams);
+    app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(passive);
     app.add_option("--ack-every", load.ack_every,
                    "Snapshots that a sink acknowledges together; as the server asks when not given")
-        ->needs(sink)
+        ->needs(passive)
         ->check(CLI::Range(1, 1000));
     app.add_option("--read-rate", load.read_rate,
                    "Messages a second that each sink reads; as they come when not given")
-        ->needs(sink)
+        ->needs(passive)
         ->check(CLI::Range(0.1, 1000.0));
-    app.add_option("--decode-ratio", load.decode_share, "Share of the sinks that decode")
-        ->needs(sink)
+    app.add_option("--decode-ratio", load.decode_ratio, "Share of the sinks that decode")
+        ->needs(passive)
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));
     app.add_option(
-           "--interest-radius", load.sight,
+           "--interest-radius", load.interest_radius,
            "Metres that each client sees about a point of its own; all of the world when not given")
         ->check(CLI::Range(1.0, 1e6));
     app.add_option("--max-kbps", load.max_kbps,
@@ -107,7 +107,7 @@ void add_flags(CLI::App& app, Flags& flags) {
 // Files are read, and what does not fit together is refused.
 jostle::Status finish(Flags& flags) {
     LoadPlan& load = flags.load;
-    if (!flags.sink || !flags.script.empty()) {
+    if (!flags.passive || !flags.script.empty()) {
         auto script = jostle::bots::script_or_default(flags.script);
         if (!script.ok()) return script.error();
         load.script = std::move(*script);
@@ -115,7 +115,7 @@ jostle::Status finish(Flags& flags) {
     auto security = jostle::client::read_security(flags.files, load.target);
     if (!security.ok()) return security.error();
     load.security = std::move(*security);
-    if (flags.sink && load.security.tls)
+    if (flags.passive && load.security.tls)
         return jostle::invalid_argument("--passive does not speak TLS; leave one of the two out");
     if (flags.websocket) load.transport = Transport::websocket;
     if (!allow_sockets(load.clients))
@@ -126,7 +126,7 @@ jostle::Status finish(Flags& flags) {
 }
 
 jostle::Result<std::unique_ptr<ClientPool>> gather(const Flags& flags) {
-    if (!flags.sink) return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
+    if (!flags.passive) return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));

@@ -59,9 +59,9 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
                       .name = "load " + std::to_string(number + 1),
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,
-                      .decodes = is_in_share(number, plan_.decode_share) || (plays && has_eyes),
+                      .decodes = is_in_share(number, plan_.decode_ratio) || (plays && has_eyes),
                       .ack_every = plan_.ack_every,
-                      .sight = plan_.sight_of(number),
+                      .interest = plan_.interest_of(number),
                       .max_kbps = plan_.max_kbps};
     Member member{
         .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, figures_),

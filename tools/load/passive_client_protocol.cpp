@@ -202,10 +202,10 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_token(options_.token);
         hello.set_spectator(options_.spectator);
         hello.set_max_kbps(options_.max_kbps);
-        if (options_.sight) {
-            hello.mutable_interest()->mutable_focus()->set_x(options_.sight->x);
-            hello.mutable_interest()->mutable_focus()->set_z(options_.sight->z);
-            hello.mutable_interest()->set_radius(options_.sight->radius);
+        if (options_.interest) {
+            hello.mutable_interest()->mutable_focus()->set_x(options_.interest->x);
+            hello.mutable_interest()->mutable_focus()->set_z(options_.interest->z);
+            hello.mutable_interest()->set_radius(options_.interest->radius);
         }
         return serialized();
     }

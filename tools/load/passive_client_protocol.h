@@ -27,7 +27,7 @@ struct PassiveClientOptions {
     bool spectator = true;  // sends no inputs
     bool decodes = false;
     int ack_every = 0;  // snapshots; 0: as often as the server's welcome asks for
-    std::optional<client::AreaOfInterest> sight = {};  // nothing: all of the world
+    std::optional<client::AreaOfInterest> interest = {};  // nothing: all of the world
     std::uint32_t max_kbps = 0;               // 0: what the world takes
 };
 

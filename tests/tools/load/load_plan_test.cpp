@@ -9,17 +9,17 @@ namespace jostle::load {
 namespace {
 
 TEST(LoadPlan, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
-    const LoadPlan plan{.clients = 100, .sight = 50};
+    const LoadPlan plan{.clients = 100, .interest_radius = 50};
     int inner = 0;
     for (int k = 0; k < plan.clients; k++) {
-        const client::AreaOfInterest sight = *plan.sight_of(k);
-        const double far = std::hypot(sight.x, sight.z);
+        const client::AreaOfInterest interest_radius = *plan.interest_of(k);
+        const double far = std::hypot(interest_radius.x, interest_radius.z);
         EXPECT_LT(far, 50);
-        EXPECT_EQ(sight.radius, 50);
+        EXPECT_EQ(interest_radius.radius, 50);
         inner += far < 25 ? 1 : 0;
     }
     EXPECT_EQ(inner, 25) << "a quarter of the disc";
-    EXPECT_FALSE(LoadPlan{}.sight_of(0)) << "all of the world";
+    EXPECT_FALSE(LoadPlan{}.interest_of(0)) << "all of the world";
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ protected:
 TEST_F(PassiveClientPoolTest, ten_sinks_see_every_snapshot_over_either_transport) {
     for (const Transport transport : {Transport::grpc, Transport::websocket}) {
         const Report report =
-            run({.clients = 10, .seconds = 0.4, .transport = transport, .decode_share = 0.5});
+            run({.clients = 10, .seconds = 0.4, .transport = transport, .decode_ratio = 0.5});
         EXPECT_EQ(report.connected, 10);
         EXPECT_EQ(report.errors, 0u) << report.last_error;
         EXPECT_GT(report.snapshots_per_second_per_client, 30) << "60 on an idle machine";
@@ -57,7 +57,7 @@ TEST_F(PassiveClientPoolTest, sinks_that_play_by_a_script_see_what_became_of_the
 
 TEST_F(PassiveClientPoolTest, sinks_that_see_a_part_of_the_world_decode_what_they_are_sent) {
     const Report report =
-        run({.clients = 5, .seconds = 0.5, .sight = 6, .max_kbps = 200, .decode_share = 1});
+        run({.clients = 5, .seconds = 0.5, .interest_radius = 6, .max_kbps = 200, .decode_ratio = 1});
     EXPECT_EQ(report.errors, 0u) << report.last_error;
     EXPECT_EQ(report.connected, 5);
     EXPECT_GT(report.decoded_share, 0.9);

@@ -49,9 +49,9 @@ Vec3 in_square(int k, double spacing) {
 }
 
 // Figures that wave on the floor, or lie there and twitch: none sleeps.
-class Figures final : public ModuleScene {
+class LoadMetrics final : public ModuleScene {
 public:
-    Figures(int count, RagdollMode mode) : ragdolls_(add<Ragdolls>(world_)) {
+    LoadMetrics(int count, RagdollMode mode) : ragdolls_(add<Ragdolls>(world_)) {
         add_floor(world_);
         RagdollDef figure = human_figure();
         figure.sleep_allowed = false;
@@ -235,7 +235,7 @@ std::unique_ptr<ModuleScene> make(int count) {
 
 template <RagdollMode mode>
 std::unique_ptr<ModuleScene> figures(int count) {
-    return std::make_unique<Figures>(count, mode);
+    return std::make_unique<LoadMetrics>(count, mode);
 }
 
 constexpr ModuleCase cases[] = {

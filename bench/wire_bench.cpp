@@ -33,12 +33,12 @@ struct Flags {
     std::string json;
 };
 
-struct Figures {
+struct LoadMetrics {
     double moving = 0, bytes = 0, bits = 0, encode_ns = 0, decode_ns = 0;
 };
 
 // Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
+std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
                                wire::Codec codec) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
@@ -61,7 +61,7 @@ std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, 
     }
     const double per_frame = static_cast<double>(std::max<std::size_t>(count, 1));
     const double per_moving = static_cast<double>(std::max<std::size_t>(moving, 1));
-    return Figures{.moving = static_cast<double>(moving) / per_frame,
+    return LoadMetrics{.moving = static_cast<double>(moving) / per_frame,
                    .bytes = static_cast<double>(bytes) / per_frame,
                    .bits = 8 * static_cast<double>(bytes) / per_moving,
                    .encode_ns = encoding * 1e9 / per_moving,

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "tools/load/figures.h"
+#include "tools/load/load_metrics.h"
 
 namespace jostle::load {
 
@@ -21,7 +21,7 @@ public:
     // Figures count from now on.
     virtual void measure() = 0;
     // Ends all, in order, and tells what they saw; once.
-    virtual Figures end() = 0;
+    virtual LoadMetrics end() = 0;
 };
 
 }  // namespace jostle::load

@@ -112,7 +112,7 @@ ClientPool::Progress LibraryClientThread::progress() const {
             inputs_.load(std::memory_order_relaxed)};
 }
 
-Figures LibraryClientThread::end() {
+LoadMetrics LibraryClientThread::end() {
     stop_ = true;
     thread_.join();
     return std::move(figures_);

@@ -59,7 +59,7 @@ Result<ServerAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, Figures& figures)
+PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& figures)
     : plan_(plan),
       epoll_(epoll),
       figures_(figures),

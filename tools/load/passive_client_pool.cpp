@@ -131,7 +131,7 @@ ClientPool::Progress PassiveClientThread::progress() const {
             inputs_.load(std::memory_order_relaxed)};
 }
 
-Figures PassiveClientThread::end() {
+LoadMetrics PassiveClientThread::end() {
     stop_ = true;
     thread_.join();
     members_.clear();  // sockets close

@@ -27,7 +27,7 @@ public:
 
     ClientPool::Progress progress() const;
     void measure() { measure_ = true; }
-    Figures end();
+    LoadMetrics end();
 
 private:
     struct Member {
@@ -45,7 +45,7 @@ private:
     const ServerAddress address_;
     const Clock::time_point begun_;
     int epoll_ = -1;
-    Figures figures_;
+    LoadMetrics figures_;
     std::vector<Member> members_;
     std::atomic<bool> measure_{false}, stop_{false};
     std::atomic<int> joined_{0};

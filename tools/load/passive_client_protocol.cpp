@@ -28,7 +28,7 @@ bool parse(Message& message, Bytes bytes) {
 
 }  // namespace
 
-PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, Figures& figures)
+PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& figures)
     : options_(std::move(options)),
       figures_(figures),
       ack_every_(options_.ack_every > 0 ? options_.ack_every : usual_ack_every),

@@ -16,7 +16,7 @@
 #include "jostle/client/world_view.h"
 #include "jostle/v1/play.pb.h"
 #include "tools/load/field_walk.h"
-#include "tools/load/figures.h"
+#include "tools/load/load_metrics.h"
 
 namespace jostle::load {
 
@@ -34,7 +34,7 @@ struct PassiveClientOptions {
 class PassiveClientProtocol {
 public:
     // The figures outlive it.
-    PassiveClientProtocol(PassiveClientOptions options, Figures& figures);
+    PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& figures);
 
     // A message was read.
     void receive(Bytes message, Clock::time_point now);
@@ -77,7 +77,7 @@ private:
     std::string_view serialized();
 
     const PassiveClientOptions options_;
-    Figures& figures_;
+    LoadMetrics& figures_;
     std::unique_ptr<client::WorldView> view_;
     v1::ClientMessage out_;
     std::string out_bytes_;

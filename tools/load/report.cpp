@@ -27,7 +27,7 @@ nlohmann::ordered_json percentiles_json(const Percentiles& p) {
 
 }  // namespace
 
-Report make_report(const Figures& f, int clients) {
+Report make_report(const LoadMetrics& f, int clients) {
     const double client_seconds = std::max(1e-3, f.seconds) * std::max(1, clients);
     const auto rate = [&](std::uint64_t count) {
         return static_cast<double>(count) / client_seconds;
@@ -77,7 +77,7 @@ std::string to_text(const Report& r) {
     if (r.age_windows_ms.size() > 1)
         for (std::size_t k = 0; k < r.age_windows_ms.size(); k++)
             text += percentiles_line(
-                format_text("  age_ms from %zu s on", k * Figures::window_s).c_str(),
+                format_text("  age_ms from %zu s on", k * LoadMetrics::window_s).c_str(),
                 r.age_windows_ms[k]);
     text += line("errors", static_cast<double>(r.errors), 0);
     if (r.load_cpu_us > 0) text += line("load_cpu_us_per_message", r.load_cpu_us, 1);
@@ -106,7 +106,7 @@ std::string to_json(const Report& r) {
         {"gap_ms", percentiles_json(r.gap_ms)},
         {"result_delay_ms", percentiles_json(r.result_delay_ms)},
         {"effect_delay_ms", percentiles_json(r.effect_delay_ms)},
-        {"age_window_seconds", Figures::window_s},
+        {"age_window_seconds", LoadMetrics::window_s},
         {"age_windows_ms", windows},
         {"errors", r.errors},
         {"load_cpu_us_per_message", r.load_cpu_us}};

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/load/figures.h"
+#include "tools/load/load_metrics.h"
 
 namespace jostle::load {
 
@@ -36,7 +36,7 @@ struct Plan {
 };
 
 // Of so many clients; what the figures do not know stays as it is.
-Report make_report(const Figures& figures, int clients);
+Report make_report(const LoadMetrics& figures, int clients);
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);

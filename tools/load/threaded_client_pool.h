@@ -38,8 +38,8 @@ public:
     void measure() override {
         for (const auto& thread : threads_) thread->measure();
     }
-    Figures end() override {
-        Figures all;
+    LoadMetrics end() override {
+        LoadMetrics all;
         for (const auto& thread : threads_) all.merge(thread->end());
         return all;
     }

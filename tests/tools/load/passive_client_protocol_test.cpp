@@ -45,7 +45,7 @@ struct Talk {
         hear(message, now);
     }
 
-    Figures figures;
+    LoadMetrics figures;
     PassiveClientProtocol sink;
 };
 
@@ -58,7 +58,7 @@ int count_acks(const std::vector<v1::ClientMessage>& messages) {
 }  // namespace
 
 TEST(PassiveClientProtocol, says_hello_first_and_waits_for_the_welcome) {
-    Figures figures;
+    LoadMetrics figures;
     PassiveClientProtocol sink({.world = "sandbox", .name = "load 1"}, figures);
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(std::string(sink.take_message(noon).value())));

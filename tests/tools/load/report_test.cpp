@@ -38,7 +38,7 @@ TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {
 }
 
 TEST(Report, two_clients_that_got_sixty_snapshots_in_half_a_second) {
-    Figures figures;
+    LoadMetrics figures;
     figures.seconds = 0.5;
     figures.messages = figures.snapshots = 60;
     figures.bytes = 60'000;

@@ -16,7 +16,7 @@ namespace jostle::load {
 
 using client::Clock;
 
-struct Figures {
+struct LoadMetrics {
     std::uint64_t messages = 0, bytes = 0;  // received, of all kinds
     std::uint64_t snapshots = 0, snapshot_bytes = 0;
     std::uint64_t decoded = 0;  // of the snapshots: compared with their CRC
@@ -42,7 +42,7 @@ struct Figures {
     void begin(Clock::time_point now);
     // No more is added.
     void end(Clock::time_point now);
-    void merge(const Figures& other);
+    void merge(const LoadMetrics& other);
 
 private:
     Clock::time_point begun_ = Clock::now();

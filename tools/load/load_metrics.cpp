@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/figures.h"
+#include "tools/load/load_metrics.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace jostle::load {
 
-void Figures::add_age(std::int64_t us, Clock::time_point now) {
+void LoadMetrics::add_age(std::int64_t us, Clock::time_point now) {
     age.add(us);
     const auto window = static_cast<std::size_t>(std::max<std::int64_t>(
         0, std::chrono::duration_cast<std::chrono::seconds>(now - begun_).count() / window_s));
@@ -14,24 +14,24 @@ void Figures::add_age(std::int64_t us, Clock::time_point now) {
     age_windows[window].add(us);
 }
 
-void Figures::add_error(const std::string& what) {
+void LoadMetrics::add_error(const std::string& what) {
     errors++;
     last_error = what;
 }
 
-void Figures::begin(Clock::time_point now) {
-    Figures fresh;
+void LoadMetrics::begin(Clock::time_point now) {
+    LoadMetrics fresh;
     fresh.errors = errors;
     fresh.last_error = std::move(last_error);
     fresh.begun_ = now;
     *this = std::move(fresh);
 }
 
-void Figures::end(Clock::time_point now) {
+void LoadMetrics::end(Clock::time_point now) {
     seconds = std::chrono::duration<double>(now - begun_).count();
 }
 
-void Figures::merge(const Figures& other) {
+void LoadMetrics::merge(const LoadMetrics& other) {
     messages += other.messages;
     bytes += other.bytes;
     snapshots += other.snapshots;

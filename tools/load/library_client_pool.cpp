@@ -80,9 +80,9 @@ void LibraryClientThread::collect(Member& member, Clock::time_point now) {
     client::Client& client = member.bot->client();
     for (const auto& result : client.take_results())
         if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
-            figures_.add_error(result.message());
+            metrics_.add_error(result.message());
     for (const float age : client.take_ages_ms())
-        figures_.add_age(static_cast<std::int64_t>(1000 * age), now);
+        metrics_.add_age(static_cast<std::int64_t>(1000 * age), now);
 }
 
 void LibraryClientThread::begin_measurement(Clock::time_point now) {
@@ -90,21 +90,21 @@ void LibraryClientThread::begin_measurement(Clock::time_point now) {
         collect(member, now);
         member.before = member.bot->client().stats();
     }
-    figures_.begin(now);
+    metrics_.begin(now);
 }
 
 void LibraryClientThread::count() {
     for (const Member& member : members_) {
         const client::ClientStats now = member.bot->client().stats(), &before = member.before;
-        figures_.snapshots += now.snapshots - before.snapshots;
-        figures_.bytes += now.bytes_received - before.bytes_received;
-        figures_.inputs_sent += now.inputs_sent - before.inputs_sent;
-        figures_.inputs_applied += now.inputs_applied - before.inputs_applied;
-        figures_.errors += now.stream_failures + now.decode_errors;
-        if (!now.last_error.empty()) figures_.last_error = now.last_error;
+        metrics_.snapshots += now.snapshots - before.snapshots;
+        metrics_.bytes += now.bytes_received - before.bytes_received;
+        metrics_.inputs_sent += now.inputs_sent - before.inputs_sent;
+        metrics_.inputs_applied += now.inputs_applied - before.inputs_applied;
+        metrics_.errors += now.stream_failures + now.decode_errors;
+        if (!now.last_error.empty()) metrics_.last_error = now.last_error;
     }
-    figures_.decoded = figures_.snapshots;
-    figures_.end(Clock::now());
+    metrics_.decoded = metrics_.snapshots;
+    metrics_.end(Clock::now());
 }
 
 ClientPool::Progress LibraryClientThread::progress() const {
@@ -115,7 +115,7 @@ ClientPool::Progress LibraryClientThread::progress() const {
 LoadMetrics LibraryClientThread::end() {
     stop_ = true;
     thread_.join();
-    return std::move(figures_);
+    return std::move(metrics_);
 }
 
 }  // namespace jostle::load

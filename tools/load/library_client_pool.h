@@ -45,7 +45,7 @@ private:
     const Clock::time_point begun_;
     client::Loop loop_;
     std::vector<Member> members_;
-    LoadMetrics figures_;
+    LoadMetrics metrics_;
     std::atomic<bool> measure_{false}, stop_{false};
     std::atomic<int> joined_{0};
     std::atomic<std::uint64_t> snapshots_{0}, inputs_{0};

@@ -59,11 +59,11 @@ Result<ServerAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& figures)
+PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics)
     : plan_(plan),
       epoll_(epoll),
-      figures_(figures),
-      protocol_(std::move(options), figures),
+      metrics_(metrics),
+      protocol_(std::move(options), metrics),
       framing_(make_framing(plan)) {}
 
 PassiveClient::~PassiveClient() {
@@ -169,7 +169,7 @@ void PassiveClient::watch() {
 
 void PassiveClient::end(const std::string& why) {
     over_ = true;
-    figures_.add_error(protocol_.notice().empty() ? why : why + ": " + protocol_.notice());
+    metrics_.add_error(protocol_.notice().empty() ? why : why + ": " + protocol_.notice());
     if (socket_ >= 0) close(socket_);
     socket_ = -1;
 }

@@ -26,7 +26,7 @@ Result<ServerAddress> resolve(const std::string& target);
 class PassiveClient final : private Framing::Reader {
 public:
     // `epoll`: where it registers its socket. Plan and figures outlive it.
-    PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& figures);
+    PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics);
     ~PassiveClient();
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;
@@ -54,7 +54,7 @@ private:
 
     const LoadPlan& plan_;
     const int epoll_;
-    LoadMetrics& figures_;
+    LoadMetrics& metrics_;
     PassiveClientProtocol protocol_;
     std::unique_ptr<Framing> framing_;
     int socket_ = -1;

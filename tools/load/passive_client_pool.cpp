@@ -64,7 +64,7 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
                       .interest = plan_.interest_of(number),
                       .max_kbps = plan_.max_kbps};
     Member member{
-        .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, figures_),
+        .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, metrics_),
         .behaviour = {},
         .joins_at = begun_ + seconds(plan_.ramp * number / plan_.clients),
         .thinks_at = {}};
@@ -86,7 +86,7 @@ void PassiveClientThread::run() {
         const int count =
             epoll_wait(epoll_, events.data(), events_at_once, static_cast<int>(wait.count()));
         if (measure_.exchange(false)) {
-            figures_.begin(Clock::now());
+            metrics_.begin(Clock::now());
             cpu_before = thread_cpu_seconds();
         }
         for (int k = 0; k < count; k++)
@@ -97,8 +97,8 @@ void PassiveClientThread::run() {
             next_sweep = now + sweep_period;
         }
     }
-    figures_.end(Clock::now());
-    figures_.cpu_seconds = thread_cpu_seconds() - cpu_before;
+    metrics_.end(Clock::now());
+    metrics_.cpu_seconds = thread_cpu_seconds() - cpu_before;
 }
 
 void PassiveClientThread::sweep(Clock::time_point now) {
@@ -113,8 +113,8 @@ void PassiveClientThread::sweep(Clock::time_point now) {
         joined += member.client->joined() ? 1 : 0;
     }
     joined_.store(joined, std::memory_order_relaxed);
-    snapshots_.store(figures_.snapshots, std::memory_order_relaxed);
-    inputs_.store(figures_.inputs_sent, std::memory_order_relaxed);
+    snapshots_.store(metrics_.snapshots, std::memory_order_relaxed);
+    inputs_.store(metrics_.inputs_sent, std::memory_order_relaxed);
 }
 
 void PassiveClientThread::think(Member& member, Clock::time_point now) {
@@ -135,7 +135,7 @@ LoadMetrics PassiveClientThread::end() {
     stop_ = true;
     thread_.join();
     members_.clear();  // sockets close
-    return std::move(figures_);
+    return std::move(metrics_);
 }
 
 }  // namespace jostle::load

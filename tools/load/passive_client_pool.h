@@ -45,7 +45,7 @@ private:
     const ServerAddress address_;
     const Clock::time_point begun_;
     int epoll_ = -1;
-    LoadMetrics figures_;
+    LoadMetrics metrics_;
     std::vector<Member> members_;
     std::atomic<bool> measure_{false}, stop_{false};
     std::atomic<int> joined_{0};

@@ -28,9 +28,9 @@ bool parse(Message& message, Bytes bytes) {
 
 }  // namespace
 
-PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& figures)
+PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& metrics)
     : options_(std::move(options)),
-      figures_(figures),
+      metrics_(metrics),
       ack_every_(options_.ack_every > 0 ? options_.ack_every : usual_ack_every),
       ack_patience_(usual_ack_patience) {
     if (options_.decodes) view_ = std::make_unique<client::WorldView>();
@@ -39,11 +39,11 @@ PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadM
 // --- what it hears ---
 
 void PassiveClientProtocol::receive(Bytes message, Clock::time_point now) {
-    figures_.messages++;
-    figures_.bytes += message.size();
+    metrics_.messages++;
+    metrics_.bytes += message.size();
     FieldWalk walk(message);
     for (Field field; walk.next(field);) on_field(field, now);
-    if (walk.broken()) figures_.add_error("the server sent bytes that are no ServerMessage");
+    if (walk.broken()) metrics_.add_error("the server sent bytes that are no ServerMessage");
     if (view_) decode(message);
 }
 
@@ -67,7 +67,7 @@ void PassiveClientProtocol::on_field(const Field& field, Clock::time_point now) 
 
 void PassiveClientProtocol::on_welcome(Bytes bytes) {
     v1::Welcome welcome;
-    if (!parse(welcome, bytes)) return figures_.add_error("the server's welcome is none");
+    if (!parse(welcome, bytes)) return metrics_.add_error("the server's welcome is none");
     joined_ = true;
     client_id_ = welcome.client_id();
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
@@ -89,17 +89,17 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
         if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
         if (field.number == v1::Snapshot::kClientUpdateFieldNumber) own = field.bytes;
     }
-    if (walk.broken()) return figures_.add_error("the server sent a snapshot that is none");
-    figures_.snapshots++;
-    figures_.snapshot_bytes += bytes.size();
+    if (walk.broken()) return metrics_.add_error("the server sent a snapshot that is none");
+    metrics_.snapshots++;
+    metrics_.snapshot_bytes += bytes.size();
     unacked_++;
     last_received_ = now;
     if (last_snapshot_)
-        figures_.gap.add(
+        metrics_.gap.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
     last_snapshot_ = now;
     if (clock_.ready() && tick_us_ > 0)
-        figures_.add_age(server_us(now) - due_us(frame_, late), now);
+        metrics_.add_age(server_us(now) - due_us(frame_, late), now);
     if (!options_.spectator) {
         see_effects(frame_, now);
         on_own(own, now);
@@ -121,16 +121,16 @@ void PassiveClientProtocol::on_own(Bytes bytes, Clock::time_point now) {
     for (Field field; walk.next(field);)
         if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
             on_result(result, now);
-    if (walk.broken()) figures_.add_error("the server sent results that are none");
+    if (walk.broken()) metrics_.add_error("the server sent results that are none");
 }
 
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
 // full world.
 void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time_point now) {
     const bool applied = result.code() == v1::INPUT_CODE_APPLIED;
-    figures_.inputs_applied += applied ? 1 : 0;
+    metrics_.inputs_applied += applied ? 1 : 0;
     if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
-        figures_.add_error(result.message());
+        metrics_.add_error(result.message());
     const auto sent = std::find_if(sent_.begin(), sent_.end(), [&](const Sent& input) {
         return input.sequence == result.sequence();
     });
@@ -138,12 +138,12 @@ void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time
     const auto us_since_sent = [&](Clock::time_point t) {
         return std::chrono::duration_cast<std::chrono::microseconds>(t - sent->at).count();
     };
-    figures_.result_delay.add(us_since_sent(now));
+    metrics_.result_delay.add(us_since_sent(now));
     if (applied) {
         const auto seen = std::find_if(arrived_.begin(), arrived_.end(),
                                        [&](const Arrival& a) { return a.frame >= result.tick(); });
         if (seen != arrived_.end())
-            figures_.effect_delay.add(us_since_sent(seen->at));
+            metrics_.effect_delay.add(us_since_sent(seen->at));
         else if (applied_.size() < sent_max)
             applied_.push_back({result.tick(), sent->at});
     }
@@ -155,7 +155,7 @@ void PassiveClientProtocol::see_effects(std::uint32_t frame, Clock::time_point n
     if (arrived_.size() > arrived_max) arrived_.pop_front();
     std::erase_if(applied_, [&](const Applied& input) {
         if (frame < input.tick) return false;
-        figures_.effect_delay.add(
+        metrics_.effect_delay.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - input.sent).count());
         return true;
     });
@@ -163,7 +163,7 @@ void PassiveClientProtocol::see_effects(std::uint32_t frame, Clock::time_point n
 
 void PassiveClientProtocol::on_pong(Bytes bytes, Clock::time_point now) {
     v1::Pong pong;
-    if (!parse(pong, bytes)) return figures_.add_error("the server sent a pong that is none");
+    if (!parse(pong, bytes)) return metrics_.add_error("the server sent a pong that is none");
     const std::uint64_t sent = pong.client_time_us(), server = pong.server_time_us(),
                         here = client::to_us(now);
     same_clock_ = same_clock_ && sent <= server && server <= here;
@@ -183,11 +183,11 @@ void PassiveClientProtocol::decode(Bytes bytes) {
     if (message.has_entity_update()) view_->apply(message.entity_update());
     if (message.has_snapshot()) {
         applied = view_->apply(message.snapshot());
-        figures_.decoded += applied.ok() ? 1 : 0;
+        metrics_.decoded += applied.ok() ? 1 : 0;
         // While a keyframe is on its way, what follows cannot be decoded either.
         if (std::exchange(need_keyframe_, !applied.ok())) return;
     }
-    if (!applied.ok()) figures_.add_error(applied.error().message);
+    if (!applied.ok()) metrics_.add_error(applied.error().message);
 }
 
 // --- what it says ---
@@ -215,7 +215,7 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         batch_.set_client_time_us(static_cast<std::uint32_t>(client::to_us(now)));
         for (int k = 0; k < batch_.inputs_size(); k++) sent_.push_back({next_sequence_++, now});
         while (sent_.size() > sent_max) sent_.pop_front();
-        figures_.inputs_sent += static_cast<std::uint64_t>(batch_.inputs_size());
+        metrics_.inputs_sent += static_cast<std::uint64_t>(batch_.inputs_size());
         fill_ack(*batch_.mutable_ack(), now);
         out_.mutable_input()->Swap(&batch_);
         batch_.Clear();

@@ -34,7 +34,7 @@ struct PassiveClientOptions {
 class PassiveClientProtocol {
 public:
     // The figures outlive it.
-    PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& figures);
+    PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& metrics);
 
     // A message was read.
     void receive(Bytes message, Clock::time_point now);
@@ -77,7 +77,7 @@ private:
     std::string_view serialized();
 
     const PassiveClientOptions options_;
-    LoadMetrics& figures_;
+    LoadMetrics& metrics_;
     std::unique_ptr<client::WorldView> view_;
     v1::ClientMessage out_;
     std::string out_bytes_;

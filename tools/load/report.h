@@ -36,7 +36,7 @@ struct Plan {
 };
 
 // Of so many clients; what the figures do not know stays as it is.
-Report make_report(const LoadMetrics& figures, int clients);
+Report make_report(const LoadMetrics& metrics, int clients);
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);

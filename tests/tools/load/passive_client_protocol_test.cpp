@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 const Clock::time_point noon = Clock::time_point(1000s);
 
 struct Talk {
-    explicit Talk(PassiveClientOptions options = {}) : sink(std::move(options), figures) {
+    explicit Talk(PassiveClientOptions options = {}) : sink(std::move(options), metrics) {
         said();  // hello
     }
     // All that it has to say.
@@ -45,7 +45,7 @@ struct Talk {
         hear(message, now);
     }
 
-    LoadMetrics figures;
+    LoadMetrics metrics;
     PassiveClientProtocol sink;
 };
 
@@ -58,8 +58,8 @@ int count_acks(const std::vector<v1::ClientMessage>& messages) {
 }  // namespace
 
 TEST(PassiveClientProtocol, says_hello_first_and_waits_for_the_welcome) {
-    LoadMetrics figures;
-    PassiveClientProtocol sink({.world = "sandbox", .name = "load 1"}, figures);
+    LoadMetrics metrics;
+    PassiveClientProtocol sink({.world = "sandbox", .name = "load 1"}, metrics);
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(std::string(sink.take_message(noon).value())));
     EXPECT_EQ(hello.hello().world(), "sandbox");
@@ -117,9 +117,9 @@ TEST(PassiveClientProtocol, age_and_gap_of_snapshots_that_come_every_20_ms_and_a
     talk.hear(pong, noon + 80ms);  // it waited: a clock of half a round trip would be 40 ms off
     for (int k = 5; k < 15; k++)   // due at 100 ms, 120 ms ..., begun 1 ms early
         talk.snapshot(static_cast<std::uint32_t>(2 * k), noon + k * 20ms + 4ms, -1000);
-    EXPECT_NEAR(percentiles_of(talk.figures.age).p50, 5, 0.15);
-    EXPECT_NEAR(percentiles_of(talk.figures.gap).p50, 20, 0.6);
-    EXPECT_EQ(talk.figures.gap.count(), 9u);
+    EXPECT_NEAR(percentiles_of(talk.metrics.age).p50, 5, 0.15);
+    EXPECT_NEAR(percentiles_of(talk.metrics.gap).p50, 20, 0.6);
+    EXPECT_EQ(talk.metrics.gap.count(), 9u);
 }
 
 TEST(PassiveClientProtocol, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
@@ -140,9 +140,9 @@ TEST(PassiveClientProtocol, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_5
     result->set_code(v1::INPUT_CODE_APPLIED);
     result->set_tick(40);
     talk.hear(results, noon + 50ms);
-    EXPECT_EQ(percentiles_of(talk.figures.effect_delay).max, 30);
-    EXPECT_EQ(percentiles_of(talk.figures.result_delay).max, 50);
-    EXPECT_EQ(talk.figures.inputs_applied, 1u);
+    EXPECT_EQ(percentiles_of(talk.metrics.effect_delay).max, 30);
+    EXPECT_EQ(percentiles_of(talk.metrics.result_delay).max, 50);
+    EXPECT_EQ(talk.metrics.inputs_applied, 1u);
 }
 
 TEST(PassiveClientProtocol, bytes_that_are_no_message_are_an_error_each_and_no_more) {
@@ -156,8 +156,8 @@ TEST(PassiveClientProtocol, bytes_that_are_no_message_are_an_error_each_and_no_m
         talk.sink.receive(as_bytes(bytes), noon);
         talk.said(noon);
     }
-    EXPECT_EQ(talk.figures.messages, 2000u);
-    EXPECT_GT(talk.figures.errors, 100u);
+    EXPECT_EQ(talk.metrics.messages, 2000u);
+    EXPECT_GT(talk.metrics.errors, 100u);
 }
 
 }  // namespace jostle::load

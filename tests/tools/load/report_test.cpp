@@ -38,14 +38,14 @@ TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {
 }
 
 TEST(Report, two_clients_that_got_sixty_snapshots_in_half_a_second) {
-    LoadMetrics figures;
-    figures.seconds = 0.5;
-    figures.messages = figures.snapshots = 60;
-    figures.bytes = 60'000;
-    figures.snapshot_bytes = 57'000;
-    figures.decoded = 6;
-    figures.cpu_seconds = 300e-6;
-    const Report report = make_report(figures, 2);
+    LoadMetrics metrics;
+    metrics.seconds = 0.5;
+    metrics.messages = metrics.snapshots = 60;
+    metrics.bytes = 60'000;
+    metrics.snapshot_bytes = 57'000;
+    metrics.decoded = 6;
+    metrics.cpu_seconds = 300e-6;
+    const Report report = make_report(metrics, 2);
     EXPECT_DOUBLE_EQ(report.snapshots_per_second_per_client, 60);
     EXPECT_DOUBLE_EQ(report.kbit_per_second_per_client, 480);
     EXPECT_DOUBLE_EQ(report.snapshot_bytes, 950);

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "jostle/base/result.h"
-#include "tools/load/field_walk.h"
+#include "tools/load/proto_field_reader.h"
 
 namespace jostle::load {
 

@@ -41,7 +41,7 @@ PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadM
 void PassiveClientProtocol::receive(Bytes message, Clock::time_point now) {
     metrics_.messages++;
     metrics_.bytes += message.size();
-    FieldWalk walk(message);
+    ProtoFieldReader walk(message);
     for (Field field; walk.next(field);) on_field(field, now);
     if (walk.broken()) metrics_.add_error("the server sent bytes that are no ServerMessage");
     if (view_) decode(message);
@@ -82,7 +82,7 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     joined_ = true;  // a server of a benchmark says no welcome
     std::uint64_t late = 0;
     Bytes own;
-    FieldWalk walk(bytes);
+    ProtoFieldReader walk(bytes);
     for (Field field; walk.next(field);) {
         if (field.number == v1::Snapshot::kFrameFieldNumber)
             frame_ = static_cast<std::uint32_t>(field.value);
@@ -117,7 +117,7 @@ std::int64_t PassiveClientProtocol::due_us(std::uint32_t frame, std::uint64_t la
 
 void PassiveClientProtocol::on_own(Bytes bytes, Clock::time_point now) {
     v1::InputResult result;
-    FieldWalk walk(bytes);
+    ProtoFieldReader walk(bytes);
     for (Field field; walk.next(field);)
         if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
             on_result(result, now);

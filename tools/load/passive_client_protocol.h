@@ -15,7 +15,7 @@
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/world_view.h"
 #include "jostle/v1/play.pb.h"
-#include "tools/load/field_walk.h"
+#include "tools/load/proto_field_reader.h"
 #include "tools/load/load_metrics.h"
 
 namespace jostle::load {

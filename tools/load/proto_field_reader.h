@@ -18,9 +18,9 @@ struct Field {
     Bytes bytes;              // of what has a length
 };
 
-class FieldWalk {
+class ProtoFieldReader {
 public:
-    explicit FieldWalk(Bytes message) : left_(message) {}
+    explicit ProtoFieldReader(Bytes message) : left_(message) {}
 
     // False: that was all, or broken().
     bool next(Field& field);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/field_walk.h"
+#include "tools/load/proto_field_reader.h"
 
 namespace jostle::load {
 
-bool FieldWalk::next(Field& field) {
+bool ProtoFieldReader::next(Field& field) {
     if (left_.empty() || broken_) return false;
     std::uint64_t tag = 0;
     broken_ = !read_varint(tag) || tag > 0xffff'ffff || tag >> 3 == 0;
@@ -13,7 +13,7 @@ bool FieldWalk::next(Field& field) {
     return !broken_;
 }
 
-bool FieldWalk::read_value(Field& field, unsigned wire_type) {
+bool ProtoFieldReader::read_value(Field& field, unsigned wire_type) {
     switch (wire_type) {
         case 0:
             return read_varint(field.value);
@@ -33,7 +33,7 @@ bool FieldWalk::read_value(Field& field, unsigned wire_type) {
     }
 }
 
-bool FieldWalk::read_varint(std::uint64_t& value) {
+bool ProtoFieldReader::read_varint(std::uint64_t& value) {
     value = 0;
     for (unsigned k = 0; k < 10 && k < left_.size(); k++) {
         value |= std::uint64_t{left_[k] & 0x7fu} << (7 * k);
@@ -44,7 +44,7 @@ bool FieldWalk::read_varint(std::uint64_t& value) {
     return false;
 }
 
-bool FieldWalk::read_fixed(std::uint64_t& value, std::size_t size) {
+bool ProtoFieldReader::read_fixed(std::uint64_t& value, std::size_t size) {
     if (left_.size() < size) return false;
     value = 0;
     for (std::size_t k = 0; k < size; k++) value |= std::uint64_t{left_[k]} << (8 * k);

@@ -43,7 +43,7 @@ void PassiveClientProtocol::receive(Bytes message, Clock::time_point now) {
     metrics_.bytes += message.size();
     ProtoFieldReader walk(message);
     for (Field field; walk.next(field);) on_field(field, now);
-    if (walk.broken()) metrics_.add_error("the server sent bytes that are no ServerMessage");
+    if (walk.malformed()) metrics_.add_error("the server sent bytes that are no ServerMessage");
     if (view_) decode(message);
 }
 
@@ -89,7 +89,7 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
         if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
         if (field.number == v1::Snapshot::kClientUpdateFieldNumber) own = field.bytes;
     }
-    if (walk.broken()) return metrics_.add_error("the server sent a snapshot that is none");
+    if (walk.malformed()) return metrics_.add_error("the server sent a snapshot that is none");
     metrics_.snapshots++;
     metrics_.snapshot_bytes += bytes.size();
     unacked_++;
@@ -121,7 +121,7 @@ void PassiveClientProtocol::on_own(Bytes bytes, Clock::time_point now) {
     for (Field field; walk.next(field);)
         if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
             on_result(result, now);
-    if (walk.broken()) metrics_.add_error("the server sent results that are none");
+    if (walk.malformed()) metrics_.add_error("the server sent results that are none");
 }
 
 // Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a

@@ -4,13 +4,13 @@
 namespace jostle::load {
 
 bool ProtoFieldReader::next(Field& field) {
-    if (left_.empty() || broken_) return false;
+    if (remaining_.empty() || malformed_) return false;
     std::uint64_t tag = 0;
-    broken_ = !read_varint(tag) || tag > 0xffff'ffff || tag >> 3 == 0;
-    if (broken_) return false;
+    malformed_ = !read_varint(tag) || tag > 0xffff'ffff || tag >> 3 == 0;
+    if (malformed_) return false;
     field = {.number = static_cast<std::uint32_t>(tag >> 3)};
-    broken_ = !read_value(field, static_cast<unsigned>(tag & 7));
-    return !broken_;
+    malformed_ = !read_value(field, static_cast<unsigned>(tag & 7));
+    return !malformed_;
 }
 
 bool ProtoFieldReader::read_value(Field& field, unsigned wire_type) {
@@ -21,9 +21,9 @@ bool ProtoFieldReader::read_value(Field& field, unsigned wire_type) {
             return read_fixed(field.value, 8);
         case 2: {
             std::uint64_t size = 0;
-            if (!read_varint(size) || size > left_.size()) return false;
-            field.bytes = left_.first(static_cast<std::size_t>(size));
-            left_ = left_.subspan(static_cast<std::size_t>(size));
+            if (!read_varint(size) || size > remaining_.size()) return false;
+            field.bytes = remaining_.first(static_cast<std::size_t>(size));
+            remaining_ = remaining_.subspan(static_cast<std::size_t>(size));
             return true;
         }
         case 5:
@@ -35,20 +35,20 @@ bool ProtoFieldReader::read_value(Field& field, unsigned wire_type) {
 
 bool ProtoFieldReader::read_varint(std::uint64_t& value) {
     value = 0;
-    for (unsigned k = 0; k < 10 && k < left_.size(); k++) {
-        value |= std::uint64_t{left_[k] & 0x7fu} << (7 * k);
-        if ((left_[k] & 0x80) != 0) continue;
-        left_ = left_.subspan(k + 1);
+    for (unsigned k = 0; k < 10 && k < remaining_.size(); k++) {
+        value |= std::uint64_t{remaining_[k] & 0x7fu} << (7 * k);
+        if ((remaining_[k] & 0x80) != 0) continue;
+        remaining_ = remaining_.subspan(k + 1);
         return true;
     }
     return false;
 }
 
 bool ProtoFieldReader::read_fixed(std::uint64_t& value, std::size_t size) {
-    if (left_.size() < size) return false;
+    if (remaining_.size() < size) return false;
     value = 0;
-    for (std::size_t k = 0; k < size; k++) value |= std::uint64_t{left_[k]} << (8 * k);
-    left_ = left_.subspan(size);
+    for (std::size_t k = 0; k < size; k++) value |= std::uint64_t{remaining_[k]} << (8 * k);
+    remaining_ = remaining_.subspan(size);
     return true;
 }
 

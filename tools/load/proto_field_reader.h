@@ -20,19 +20,19 @@ struct Field {
 
 class ProtoFieldReader {
 public:
-    explicit ProtoFieldReader(Bytes message) : left_(message) {}
+    explicit ProtoFieldReader(Bytes message) : remaining_(message) {}
 
     // False: that was all, or broken().
     bool next(Field& field);
-    bool broken() const { return broken_; }
+    bool malformed() const { return malformed_; }
 
 private:
     bool read_varint(std::uint64_t& value);
     bool read_fixed(std::uint64_t& value, std::size_t size);
     bool read_value(Field& field, unsigned wire_type);
 
-    Bytes left_;
-    bool broken_ = false;
+    Bytes remaining_;
+    bool malformed_ = false;
 };
 
 }  // namespace jostle::load

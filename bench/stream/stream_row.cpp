@@ -77,7 +77,7 @@ struct Run {
 
 Result<Run> run_sinks(StreamKind kind, const StreamRequest& request, const ServerProcess& server,
                       int clients, double seconds) {
-    load::LoadPlan plan;
+    load::LoadOptions plan;
     plan.target = "127.0.0.1:" + std::to_string(transport_of(kind) == load::Transport::websocket
                                                     ? server.http_port()
                                                     : server.grpc_port());

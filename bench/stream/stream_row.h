@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 
 namespace jostle::bench {
 

@@ -17,7 +17,7 @@ constexpr auto farewell = 200ms;  // until what was said last is sent
 
 }  // namespace
 
-LibraryClientThread::LibraryClientThread(const LoadPlan& plan, int first, int step, Clock::time_point begun)
+LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun)
     : plan_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
 
 LibraryClientThread::~LibraryClientThread() {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clients/bot/bot.h"
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 #include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
@@ -20,7 +20,7 @@ namespace jostle::load {
 class LibraryClientThread {
 public:
     // Clients first, first + step, ... of the plan's. The plan outlives it.
-    LibraryClientThread(const LoadPlan& plan, int first, int step, Clock::time_point begun);
+    LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun);
     ~LibraryClientThread();
 
     ClientPool::Progress progress() const;
@@ -40,7 +40,7 @@ private:
     void begin_measurement(Clock::time_point now);
     void count();
 
-    const LoadPlan& plan_;
+    const LoadOptions& plan_;
     const int first_, step_;
     const Clock::time_point begun_;
     client::Loop loop_;

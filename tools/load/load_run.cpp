@@ -46,7 +46,7 @@ double seconds_since(Clock::time_point t) {
 
 }  // namespace
 
-Report run_load(const LoadPlan& plan, ClientPool& pool, std::optional<int> server_pid,
+Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> server_pid,
                 const std::atomic<bool>& stop, const std::function<void()>& before_end) {
     ProgressLine line;
     const auto cpu = [&] { return server_pid ? cpu_seconds(*server_pid) : std::nullopt; };

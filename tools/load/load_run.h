@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "tools/load/client_pool.h"
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 #include "tools/load/report.h"
 
 namespace jostle::load {
@@ -19,7 +19,7 @@ namespace jostle::load {
 // seconds after the ramp, without them. Ends early when `stop` becomes true. `server_pid`: whose
 // processor time to read; nothing: of nobody. `before_end` is called when the measurement is over
 // and the clients are still there. Tells how it goes on a terminal.
-Report run_load(const LoadPlan& plan, ClientPool& pool, std::optional<int> server_pid,
+Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> server_pid,
                 const std::atomic<bool>& stop, const std::function<void()>& before_end = {});
 
 // One socket a client, and some: as many as the system lets this process have. False: it may not

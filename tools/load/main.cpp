@@ -42,7 +42,7 @@ Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
 
 struct Flags {
     jostle::client::SecurityFiles files;
-    LoadPlan load{.target = "localhost:50051"};
+    LoadOptions load{.target = "localhost:50051"};
     std::string script, json;
     bool passive = false, websocket = false;
     int server_pid = 0;
@@ -50,7 +50,7 @@ struct Flags {
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
-    LoadPlan& load = flags.load;
+    LoadOptions& load = flags.load;
     app.add_option("--server", load.target, "Server, HOST:PORT")->capture_default_str();
     jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", load.world, "World by name or id; the first when not given");
@@ -106,7 +106,7 @@ void add_flags(CLI::App& app, Flags& flags) {
 
 // Files are read, and what does not fit together is refused.
 jostle::Status finish(Flags& flags) {
-    LoadPlan& load = flags.load;
+    LoadOptions& load = flags.load;
     if (!flags.passive || !flags.script.empty()) {
         auto script = jostle::bots::script_or_default(flags.script);
         if (!script.ok()) return script.error();

@@ -22,7 +22,7 @@ namespace {
 // back.
 constexpr std::size_t slow_piece = 2048;
 
-std::unique_ptr<Framing> make_framing(const LoadPlan& plan) {
+std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
     switch (plan.transport) {
         case Transport::websocket:
             return std::make_unique<WebSocketFraming>(plan.target);
@@ -59,7 +59,7 @@ Result<ServerAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics)
+PassiveClient::PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics)
     : plan_(plan),
       epoll_(epoll),
       metrics_(metrics),

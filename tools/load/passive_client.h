@@ -12,7 +12,7 @@
 #include <string>
 
 #include "tools/load/framing.h"
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 #include "tools/load/passive_client_protocol.h"
 
 namespace jostle::load {
@@ -26,7 +26,7 @@ Result<ServerAddress> resolve(const std::string& target);
 class PassiveClient final : private Framing::Reader {
 public:
     // `epoll`: where it registers its socket. Plan and figures outlive it.
-    PassiveClient(const LoadPlan& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics);
+    PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics);
     ~PassiveClient();
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;
@@ -52,7 +52,7 @@ private:
     void end(const std::string& why);
     bool stands_still() const;
 
-    const LoadPlan& plan_;
+    const LoadOptions& plan_;
     const int epoll_;
     LoadMetrics& metrics_;
     PassiveClientProtocol protocol_;

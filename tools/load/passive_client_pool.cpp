@@ -39,7 +39,7 @@ bool is_in_share(int number, double share) {
 
 }  // namespace
 
-PassiveClientThread::PassiveClientThread(const LoadPlan& plan, const ServerAddress& address, int first, int step,
+PassiveClientThread::PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
                        Clock::time_point begun)
     : plan_(plan), address_(address), begun_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
     for (int number = first; number < plan.clients; number += step)

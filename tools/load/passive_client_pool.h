@@ -21,7 +21,7 @@ namespace jostle::load {
 class PassiveClientThread {
 public:
     // Clients first, first + step, ... of the plan's. The plan outlives it.
-    PassiveClientThread(const LoadPlan& plan, const ServerAddress& address, int first, int step,
+    PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
                Clock::time_point begun);
     ~PassiveClientThread();
 
@@ -41,7 +41,7 @@ private:
     void sweep(Clock::time_point now);
     void think(Member& member, Clock::time_point now);
 
-    const LoadPlan& plan_;
+    const LoadOptions& plan_;
     const ServerAddress address_;
     const Clock::time_point begun_;
     int epoll_ = -1;

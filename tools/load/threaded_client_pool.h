@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/load/client_pool.h"
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 
 namespace jostle::load {
 
@@ -18,7 +18,7 @@ template <class Thread>
 class ThreadedClientPool : public ClientPool {
 public:
     template <class... More>
-    explicit ThreadedClientPool(const LoadPlan& plan, const More&... more) {
+    explicit ThreadedClientPool(const LoadOptions& plan, const More&... more) {
         const Clock::time_point begun = Clock::now();
         const int threads = std::min(plan.threads, plan.clients);
         for (int k = 0; k < threads; k++)

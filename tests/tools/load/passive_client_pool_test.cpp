@@ -15,7 +15,7 @@ namespace {
 
 class PassiveClientPoolTest : public testing::Test {
 protected:
-    Report run(LoadPlan plan) {
+    Report run(LoadOptions plan) {
         plan.target = "127.0.0.1:" + std::to_string(plan.transport == Transport::websocket
                                                         ? server_.http_port()
                                                         : server_.grpc_port());

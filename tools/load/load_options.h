@@ -15,7 +15,7 @@ namespace jostle::load {
 
 enum class Transport { grpc, websocket, raw };
 
-struct LoadPlan {
+struct LoadOptions {
     std::string target;  // HOST:PORT
     client::Security security;
     std::string world;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/load/load_plan.h"
+#include "tools/load/load_options.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace jostle::load {
 namespace {
 
-TEST(LoadPlan, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
-    const LoadPlan plan{.clients = 100, .interest_radius = 50};
+TEST(LoadOptions, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
+    const LoadOptions plan{.clients = 100, .interest_radius = 50};
     int inner = 0;
     for (int k = 0; k < plan.clients; k++) {
         const client::AreaOfInterest interest_radius = *plan.interest_of(k);
@@ -19,7 +19,7 @@ TEST(LoadPlan, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
         inner += far < 25 ? 1 : 0;
     }
     EXPECT_EQ(inner, 25) << "a quarter of the disc";
-    EXPECT_FALSE(LoadPlan{}.interest_of(0)) << "all of the world";
+    EXPECT_FALSE(LoadOptions{}.interest_of(0)) << "all of the world";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr auto farewell = 200ms;  // until what was said last is sent
 }  // namespace
 
 LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun)
-    : plan_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
+    : options_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
 
 LibraryClientThread::~LibraryClientThread() {
     stop_ = true;
@@ -42,18 +42,18 @@ void LibraryClientThread::join_due(Clock::time_point now) {
     const double since = std::chrono::duration<double>(now - begun_).count();
     for (;;) {
         const int number = first_ + step_ * static_cast<int>(members_.size());
-        if (number >= plan_.clients || since < plan_.ramp * number / plan_.clients) return;
+        if (number >= options_.clients || since < options_.ramp * number / options_.clients) return;
         members_.push_back(
             {std::make_unique<bots::Bot>(
                  loop_,
-                 client::ClientOptions{.target = plan_.target,
-                                       .security = plan_.security,
-                                       .world = plan_.world,
+                 client::ClientOptions{.target = options_.target,
+                                       .security = options_.security,
+                                       .world = options_.world,
                                        .name = "load " + std::to_string(number + 1),
-                                       .max_kbps = plan_.max_kbps,
-                                       .interest = plan_.interest_of(number),
-                                       .datagrams = plan_.datagrams},
-                 line_for(plan_.script, number), static_cast<std::uint32_t>(number + 1)),
+                                       .max_kbps = options_.max_kbps,
+                                       .interest = options_.interest_of(number),
+                                       .datagrams = options_.datagrams},
+                 line_for(options_.script, number), static_cast<std::uint32_t>(number + 1)),
              {}});
     }
 }

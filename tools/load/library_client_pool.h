@@ -40,7 +40,7 @@ private:
     void begin_measurement(Clock::time_point now);
     void count();
 
-    const LoadOptions& plan_;
+    const LoadOptions& options_;
     const int first_, step_;
     const Clock::time_point begun_;
     client::Loop loop_;

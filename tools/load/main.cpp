@@ -46,7 +46,7 @@ struct Flags {
     std::string script, json;
     bool passive = false, websocket = false;
     int server_pid = 0;
-    Plan plan;
+    LoadThresholds plan;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {

@@ -29,7 +29,7 @@ struct Report {
     std::string last_error;
 };
 
-struct Plan {
+struct LoadThresholds {
     std::optional<double> age_ms_p99_max;
     std::uint64_t errors_max = 0;
     std::optional<int> connected_min;  // default: all clients
@@ -41,6 +41,6 @@ Report make_report(const LoadMetrics& metrics, int clients);
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
 // What of the plan was missed, one line each.
-std::vector<std::string> missed(const Report& report, const Plan& plan);
+std::vector<std::string> missed(const Report& report, const LoadThresholds& plan);
 
 }  // namespace jostle::load

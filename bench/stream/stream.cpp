@@ -179,7 +179,7 @@ Result<Costs> measure_all(const Flags& flags, StreamRequest request) {
 
 int measure(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
-    load::allow_sockets(flags.request.clients);
+    load::raise_socket_limit(flags.request.clients);
     const TemporaryFolder folder;
     StreamRequest request = flags.request;
     request.scene = folder.path + "/turning.json";

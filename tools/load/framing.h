@@ -37,7 +37,7 @@ public:
     virtual Status take(Bytes bytes, Reader& reader) = 0;
     virtual void send(std::string_view message) = 0;
     // The reader is done with a message of so many bytes: the server may send as many more.
-    virtual void used(std::size_t message_bytes) = 0;
+    virtual void consume(std::size_t message_bytes) = 0;
 
     // To be written to the socket, from its front.
     std::string& outgoing() { return out_; }

@@ -149,9 +149,9 @@ void Http2Framing::send_waiting() {
     }
 }
 
-void Http2Framing::used(std::size_t message_bytes) {
+void Http2Framing::consume(std::size_t message_bytes) {
     const std::size_t size = message_bytes + message_head_size;
-    if (!is_large(size)) give_back(size);
+    if (!is_large(size)) replenish_window(size);
 }
 
 // Of a message that does not fit into the window the server can send the end only when the
@@ -161,27 +161,27 @@ bool Http2Framing::is_large(std::size_t size) const {
 }
 
 // Told in halves of the window: a frame for each message would cost the server as much as ours.
-void Http2Framing::give_back(std::size_t bytes) {
-    give_back_ += static_cast<std::uint32_t>(bytes);
-    if (give_back_ < window_ / 2) return;
-    put_window_update(0, give_back_);
-    put_window_update(call_stream, give_back_);
-    unused_ -= give_back_;
-    give_back_ = 0;
+void Http2Framing::replenish_window(std::size_t bytes) {
+    unreported_bytes_ += static_cast<std::uint32_t>(bytes);
+    if (unreported_bytes_ < window_ / 2) return;
+    put_window_update(0, unreported_bytes_);
+    put_window_update(call_stream, unreported_bytes_);
+    unused_ -= unreported_bytes_;
+    unreported_bytes_ = 0;
 }
 
 // --- what arrives ---
 
 Status Http2Framing::take(Bytes bytes, Reader& reader) {
-    if (!rest_.empty()) {
-        rest_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        const std::string all = std::move(rest_);
-        rest_.clear();
+    if (!partial_.empty()) {
+        partial_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        const std::string all = std::move(partial_);
+        partial_.clear();
         return take({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}, reader);
     }
     const Result<std::size_t> taken = take_frames(bytes, reader);
     if (!taken.ok()) return taken.error();
-    rest_.assign(reinterpret_cast<const char*>(bytes.data()) + *taken, bytes.size() - *taken);
+    partial_.assign(reinterpret_cast<const char*>(bytes.data()) + *taken, bytes.size() - *taken);
     if (waiting_bytes_ > waiting_bytes_max || out_.size() > outgoing_bytes_max)
         return Error{ErrorCode::resource_exhausted, "the server does not take what we send"};
     return {};
@@ -248,7 +248,7 @@ Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
         if (payload.empty() || payload[0] >= payload.size()) return broken("padding");
         const std::size_t padding = payload[0];
         payload = payload.subspan(1, payload.size() - 1 - padding);
-        give_back(1 + padding);
+        replenish_window(1 + padding);
     }
     if (Status s = on_messages(payload, reader); !s.ok()) return s;
     if ((head.flags & http2::end_stream) != 0) return broken("DATA ends the stream");
@@ -258,11 +258,11 @@ Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
 // Each message is a byte that says whether it is compressed, its length, and itself.
 Status Http2Framing::on_messages(Bytes bytes, Reader& reader) {
     while (!bytes.empty()) {
-        const Result<std::size_t> size = whole_size(message_.empty() ? bytes : begun_message());
+        const Result<std::size_t> size = whole_size(message_.empty() ? bytes : partial_message());
         if (!size.ok()) return size.error();
         if (message_.empty() && bytes.size() >= *size) {
             reader.on_message(bytes.first(*size).subspan(message_head_size));
-            if (is_large(*size)) give_back(*size);
+            if (is_large(*size)) replenish_window(*size);
             bytes = bytes.subspan(*size);
             continue;
         }
@@ -276,17 +276,17 @@ Status Http2Framing::on_messages(Bytes bytes, Reader& reader) {
 
 Status Http2Framing::on_piece(Reader& reader) {
     if (message_.size() < message_head_size) return {};
-    const Result<std::size_t> size = whole_size(begun_message());
+    const Result<std::size_t> size = whole_size(partial_message());
     if (!size.ok()) return size.error();
-    if (is_large(*size)) give_back(message_.size() - std::exchange(given_back_, message_.size()));
+    if (is_large(*size)) replenish_window(message_.size() - std::exchange(replenished_bytes_, message_.size()));
     if (message_.size() < *size) return {};
-    reader.on_message(begun_message().subspan(message_head_size));
+    reader.on_message(partial_message().subspan(message_head_size));
     message_.clear();
-    given_back_ = 0;
+    replenished_bytes_ = 0;
     return {};
 }
 
-Bytes Http2Framing::begun_message() const {
+Bytes Http2Framing::partial_message() const {
     return {reinterpret_cast<const std::uint8_t*>(message_.data()), message_.size()};
 }
 

@@ -28,7 +28,7 @@ public:
 
     Status take(Bytes bytes, Reader& reader) override;
     void send(std::string_view message) override;
-    void used(std::size_t message_bytes) override;
+    void consume(std::size_t message_bytes) override;
 
 private:
     struct Head {
@@ -39,7 +39,7 @@ private:
     void put_head(std::uint32_t length, std::uint8_t type, std::uint8_t flags,
                   std::uint32_t stream);
     void put_window_update(std::uint32_t stream, std::uint32_t increment);
-    void give_back(std::size_t bytes);
+    void replenish_window(std::size_t bytes);
     void send_waiting();
 
     // The frames that are complete; how many bytes they were.
@@ -48,18 +48,18 @@ private:
     Status on_data(const Head& head, Bytes payload, Reader& reader);
     Status on_messages(Bytes bytes, Reader& reader);
     Status on_piece(Reader& reader);
-    Bytes begun_message() const;
+    Bytes partial_message() const;
     bool is_large(std::size_t size) const;
     Status on_headers(const Head& head);
     Status on_settings(const Head& head, Bytes payload);
     Status on_window_update(const Head& head, Bytes payload);
 
     const std::uint32_t window_;
-    std::string rest_;             // of a frame that is not complete
+    std::string partial_;             // of a frame that is not complete
     std::string message_;          // likewise
-    std::size_t given_back_ = 0;   // of message_, when it is large
+    std::size_t replenished_bytes_ = 0;   // of message_, when it is large
     std::int64_t unused_ = 0;      // bytes of our window that are taken
-    std::uint32_t give_back_ = 0;  // of these, what is used, and not told
+    std::uint32_t unreported_bytes_ = 0;  // of these, what is used, and not told
     // What the server lets us send.
     std::int64_t connection_credit_ = Http2Request::usual_window;
     std::int64_t stream_credit_ = Http2Request::usual_window;

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto play_period = 33ms;
-constexpr auto farewell = 200ms;  // until what was said last is sent
+constexpr auto leave_delay = 200ms;  // until what was said last is sent
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void LibraryClientThread::run() {
     }
     count();
     for (const Member& member : members_) member.bot->client().leave();
-    std::this_thread::sleep_for(farewell);
+    std::this_thread::sleep_for(leave_delay);
 }
 
 void LibraryClientThread::join_due(Clock::time_point now) {

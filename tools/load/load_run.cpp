@@ -16,8 +16,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto look_period = 20ms, line_period = 500ms;
-constexpr double join_patience = 10;  // s after the ramp
+constexpr auto poll_period = 20ms, line_period = 500ms;
+constexpr double join_timeout = 10;  // s after the ramp
 constexpr rlim_t descriptors_besides = 100;
 
 // Rewrites a line of the terminal; nothing elsewhere.
@@ -53,13 +53,13 @@ Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> se
     const auto wait_until = [&](const char* phase, Clock::time_point since, const auto& over) {
         while (!stop && !over(seconds_since(since))) {
             line.show(phase, seconds_since(since), plan.clients, pool.progress());
-            std::this_thread::sleep_for(look_period);
+            std::this_thread::sleep_for(poll_period);
         }
     };
     const auto begun = Clock::now();
     wait_until("joining", begun, [&](double s) {
         return s >= plan.ramp &&
-               (pool.progress().joined >= plan.clients || s >= plan.ramp + join_patience);
+               (pool.progress().joined >= plan.clients || s >= plan.ramp + join_timeout);
     });
     const auto joined = Clock::now();
     wait_until("settling", joined, [&](double s) { return s >= plan.settle; });
@@ -78,7 +78,7 @@ Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> se
     return report;
 }
 
-bool allow_sockets(int clients) {
+bool raise_socket_limit(int clients) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;
     const rlim_t wanted = static_cast<rlim_t>(clients) + descriptors_besides;

@@ -24,6 +24,6 @@ Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> se
 
 // One socket a client, and some: as many as the system lets this process have. False: it may not
 // have so many.
-bool allow_sockets(int clients);
+bool raise_socket_limit(int clients);
 
 }  // namespace jostle::load

@@ -118,21 +118,21 @@ jostle::Status finish(Flags& flags) {
     if (flags.passive && load.security.tls)
         return jostle::invalid_argument("--passive does not speak TLS; leave one of the two out");
     if (flags.websocket) load.transport = Transport::websocket;
-    if (!allow_sockets(load.clients))
+    if (!raise_socket_limit(load.clients))
         return jostle::invalid_argument(
             std::to_string(load.clients) +
             " clients need as many sockets, and this process may not have them: raise ulimit -n");
     return {};
 }
 
-jostle::Result<std::unique_ptr<ClientPool>> gather(const Flags& flags) {
+jostle::Result<std::unique_ptr<ClientPool>> make_client_pool(const Flags& flags) {
     if (!flags.passive) return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));
 }
 
-int complain(const std::string& what) {
+int fail(const std::string& what) {
     std::fprintf(stderr, "jostle-load: %s\n", what.c_str());
     return 2;
 }
@@ -148,21 +148,21 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    if (const auto status = finish(flags); !status.ok()) return complain(status.error().message);
+    if (const auto status = finish(flags); !status.ok()) return fail(status.error().message);
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
     const auto server =
         flags.server_pid > 0 ? std::optional(flags.server_pid) : find_listener(flags.load.target);
-    auto pool = gather(flags);
-    if (!pool.ok()) return complain(pool.error().message);
+    auto pool = make_client_pool(flags);
+    if (!pool.ok()) return fail(pool.error().message);
     const Report report = run_load(flags.load, **pool, server, stop);
     std::fputs(to_text(report).c_str(), stdout);
     if (!flags.json.empty()) {
         std::ofstream out(flags.json);
         out << to_json(report);
-        if (!out) return complain("cannot write " + flags.json);
+        if (!out) return fail("cannot write " + flags.json);
     }
-    const auto lines = missed(report, flags.plan);
+    const auto lines = violated_thresholds(report, flags.plan);
     for (const std::string& line : lines) std::fprintf(stderr, "plan missed: %s\n", line.c_str());
     return lines.empty() ? 0 : 1;
 }

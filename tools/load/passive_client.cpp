@@ -78,25 +78,25 @@ void PassiveClient::connect(const ServerAddress& address) {
     if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address.bytes), address.size) != 0 &&
         errno != EINPROGRESS)
         return end(std::string("cannot connect: ") + std::strerror(errno));
-    watched_ = EPOLLIN | EPOLLOUT;
-    epoll_event event{.events = watched_, .data = {.ptr = this}};
+    epoll_events_ = EPOLLIN | EPOLLOUT;
+    epoll_event event{.events = epoll_events_, .data = {.ptr = this}};
     if (epoll_ctl(epoll_, EPOLL_CTL_ADD, socket_, &event) != 0)
         end(std::string("cannot watch a socket: ") + std::strerror(errno));
 }
 
 void PassiveClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point now) {
-    if (over_) return;
+    if (closed_) return;
     now_ = now;
-    if (!stands_still()) receive(scratch);
+    if (!is_backpressured()) receive(scratch);
     tick(now);
 }
 
 void PassiveClient::tick(Clock::time_point now) {
-    if (over_ || socket_ < 0) return;
+    if (closed_ || socket_ < 0) return;
     read_waiting(now);
-    say(now);
+    send_due(now);
     flush();
-    if (!over_) watch();
+    if (!closed_) update_epoll();
 }
 
 std::string PassiveClient::why_closed() const {
@@ -123,7 +123,7 @@ void PassiveClient::on_message(Bytes message) {
         return;
     }
     protocol_.receive(message, now_);
-    framing_->used(message.size());
+    framing_->consume(message.size());
 }
 
 void PassiveClient::read_waiting(Clock::time_point now) {
@@ -136,11 +136,11 @@ void PassiveClient::read_waiting(Clock::time_point now) {
         waiting_.pop_front();
         protocol_.receive(
             {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}, now);
-        framing_->used(message.size());
+        framing_->consume(message.size());
     }
 }
 
-void PassiveClient::say(Clock::time_point now) {
+void PassiveClient::send_due(Clock::time_point now) {
     while (const auto message = protocol_.take_message(now)) framing_->send(*message);
 }
 
@@ -154,21 +154,21 @@ void PassiveClient::flush() {
 }
 
 // gRPC's transport reads ahead as far as its window goes; a WebSocket's reader is its transport.
-bool PassiveClient::stands_still() const {
+bool PassiveClient::is_backpressured() const {
     return plan_.transport != Transport::grpc && !waiting_.empty();
 }
 
-void PassiveClient::watch() {
+void PassiveClient::update_epoll() {
     const std::uint32_t wanted =
-        (stands_still() ? 0u : EPOLLIN) | (framing_->outgoing().empty() ? 0u : EPOLLOUT);
-    if (wanted == watched_) return;
-    watched_ = wanted;
+        (is_backpressured() ? 0u : EPOLLIN) | (framing_->outgoing().empty() ? 0u : EPOLLOUT);
+    if (wanted == epoll_events_) return;
+    epoll_events_ = wanted;
     epoll_event event{.events = wanted, .data = {.ptr = this}};
     epoll_ctl(epoll_, EPOLL_CTL_MOD, socket_, &event);
 }
 
 void PassiveClient::end(const std::string& why) {
-    over_ = true;
+    closed_ = true;
     metrics_.add_error(protocol_.notice().empty() ? why : why + ": " + protocol_.notice());
     if (socket_ >= 0) close(socket_);
     socket_ = -1;

@@ -37,8 +37,8 @@ public:
     // Reads what may be read by now, and says what is due.
     void tick(Clock::time_point now);
 
-    bool began() const { return socket_ >= 0 || over_; }
-    bool joined() const { return protocol_.joined() && !over_; }
+    bool began() const { return socket_ >= 0 || closed_; }
+    bool joined() const { return protocol_.joined() && !closed_; }
     PassiveClientProtocol& protocol() { return protocol_; }
 
 private:
@@ -46,11 +46,11 @@ private:
     std::string why_closed() const;
     void receive(std::span<std::uint8_t> scratch);
     void read_waiting(Clock::time_point now);
-    void say(Clock::time_point now);
+    void send_due(Clock::time_point now);
     void flush();
-    void watch();
+    void update_epoll();
     void end(const std::string& why);
-    bool stands_still() const;
+    bool is_backpressured() const;
 
     const LoadOptions& plan_;
     const int epoll_;
@@ -58,8 +58,8 @@ private:
     PassiveClientProtocol protocol_;
     std::unique_ptr<Framing> framing_;
     int socket_ = -1;
-    std::uint32_t watched_ = 0;
-    bool over_ = false;
+    std::uint32_t epoll_events_ = 0;
+    bool closed_ = false;
     Clock::time_point now_{};  // of the event that is handled
     // Of one that reads at a rate of its own: what has arrived, and when it reads the next.
     std::deque<std::string> waiting_;

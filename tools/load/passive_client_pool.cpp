@@ -53,13 +53,13 @@ PassiveClientThread::~PassiveClientThread() {
     close(epoll_);
 }
 
-PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_eyes) {
+PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_view) {
     const bool plays = !plan_.script.empty();
     PassiveClientOptions options{.world = plan_.world,
                       .name = "load " + std::to_string(number + 1),
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,
-                      .decodes = is_in_share(number, plan_.decode_ratio) || (plays && has_eyes),
+                      .decodes = is_in_share(number, plan_.decode_ratio) || (plays && has_view),
                       .ack_every = plan_.ack_every,
                       .interest = plan_.interest_of(number),
                       .max_kbps = plan_.max_kbps};

@@ -36,7 +36,7 @@ private:
         Clock::time_point joins_at, thinks_at;
     };
 
-    Member make_member(int number, bool has_eyes);
+    Member make_member(int number, bool has_view);
     void run();
     void sweep(Clock::time_point now);
     void think(Member& member, Clock::time_point now);

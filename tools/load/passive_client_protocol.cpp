@@ -101,8 +101,8 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     if (clock_.ready() && tick_us_ > 0)
         metrics_.add_age(server_us(now) - due_us(frame_, late), now);
     if (!options_.spectator) {
-        see_effects(frame_, now);
-        on_own(own, now);
+        record_effect_delays(frame_, now);
+        on_client_update(own, now);
     }
 }
 
@@ -115,7 +115,7 @@ std::int64_t PassiveClientProtocol::due_us(std::uint32_t frame, std::uint64_t la
            static_cast<std::int64_t>(std::llround(frame * tick_us_));
 }
 
-void PassiveClientProtocol::on_own(Bytes bytes, Clock::time_point now) {
+void PassiveClientProtocol::on_client_update(Bytes bytes, Clock::time_point now) {
     v1::InputResult result;
     ProtoFieldReader walk(bytes);
     for (Field field; walk.next(field);)
@@ -150,7 +150,7 @@ void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time
     sent_.erase(sent);
 }
 
-void PassiveClientProtocol::see_effects(std::uint32_t frame, Clock::time_point now) {
+void PassiveClientProtocol::record_effect_delays(std::uint32_t frame, Clock::time_point now) {
     arrived_.push_back({frame, now});
     if (arrived_.size() > arrived_max) arrived_.pop_front();
     std::erase_if(applied_, [&](const Applied& input) {
@@ -193,8 +193,8 @@ void PassiveClientProtocol::decode(Bytes bytes) {
 // --- what it says ---
 
 std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_point now) {
-    if (!said_hello_) {
-        said_hello_ = true;
+    if (!hello_sent_) {
+        hello_sent_ = true;
         v1::Hello& hello = *out_.mutable_hello();
         hello.set_protocol(protocol_version);
         hello.set_world(options_.world);

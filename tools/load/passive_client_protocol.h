@@ -65,10 +65,10 @@ private:
     void on_field(const Field& field, Clock::time_point now);
     void on_welcome(Bytes bytes);
     void on_snapshot(Bytes bytes, Clock::time_point now);
-    void on_own(Bytes bytes, Clock::time_point now);
+    void on_client_update(Bytes bytes, Clock::time_point now);
     void on_result(const v1::InputResult& result, Clock::time_point now);
     void on_pong(Bytes bytes, Clock::time_point now);
-    void see_effects(std::uint32_t frame, Clock::time_point now);
+    void record_effect_delays(std::uint32_t frame, Clock::time_point now);
     void decode(Bytes message);
     std::int64_t server_us(Clock::time_point now) const;
     std::int64_t due_us(std::uint32_t frame, std::uint64_t late) const;
@@ -82,7 +82,7 @@ private:
     v1::ClientMessage out_;
     std::string out_bytes_;
     std::string notice_;
-    bool said_hello_ = false, joined_ = false;
+    bool hello_sent_ = false, joined_ = false;
     std::uint32_t client_id_ = 0;
 
     // Whether the server's clock is ours, because it runs on this machine: every pong so far said a

@@ -15,9 +15,9 @@ std::size_t length_of(Bytes bytes) {
 
 Status RawFraming::take(Bytes bytes, Reader& reader) {
     std::string all;
-    if (!rest_.empty()) {
-        all = std::move(rest_);
-        rest_.clear();
+    if (!partial_.empty()) {
+        all = std::move(partial_);
+        partial_.clear();
         all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         bytes = {reinterpret_cast<const std::uint8_t*>(all.data()), all.size()};
     }
@@ -30,7 +30,7 @@ Status RawFraming::take(Bytes bytes, Reader& reader) {
         reader.on_message(bytes.subspan(length_size, size));
         bytes = bytes.subspan(length_size + size);
     }
-    rest_.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    partial_.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return {};
 }
 

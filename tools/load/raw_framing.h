@@ -12,10 +12,10 @@ class RawFraming : public Framing {
 public:
     Status take(Bytes bytes, Reader& reader) override;
     void send(std::string_view message) override;
-    void used(std::size_t) override {}
+    void consume(std::size_t) override {}
 
 private:
-    std::string rest_;  // of a message that is not complete
+    std::string partial_;  // of a message that is not complete
 };
 
 }  // namespace jostle::load

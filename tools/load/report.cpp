@@ -117,7 +117,7 @@ std::string to_json(const Report& r) {
     return json.dump(2) + "\n";
 }
 
-std::vector<std::string> missed(const Report& r, const LoadThresholds& plan) {
+std::vector<std::string> violated_thresholds(const Report& r, const LoadThresholds& plan) {
     std::vector<std::string> lines;
     const int wanted = plan.connected_min.value_or(r.clients);
     if (r.connected < wanted)

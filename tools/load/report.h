@@ -41,6 +41,6 @@ Report make_report(const LoadMetrics& metrics, int clients);
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
 // What of the plan was missed, one line each.
-std::vector<std::string> missed(const Report& report, const LoadThresholds& plan);
+std::vector<std::string> violated_thresholds(const Report& report, const LoadThresholds& plan);
 
 }  // namespace jostle::load

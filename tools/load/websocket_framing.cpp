@@ -46,7 +46,7 @@ WebSocketFraming::WebSocketFraming(const std::string& authority) {
 }
 
 void WebSocketFraming::send(std::string_view message) {
-    put_frame(open_ ? out_ : before_open_, websocket::binary, message);
+    put_frame(open_ ? out_ : pending_until_open_, websocket::binary, message);
 }
 
 void WebSocketFraming::put_frame(std::string& out, std::uint8_t opcode, std::string_view payload) {
@@ -69,15 +69,15 @@ void WebSocketFraming::put_frame(std::string& out, std::uint8_t opcode, std::str
 
 Status WebSocketFraming::take(Bytes bytes, Reader& reader) {
     std::string all;
-    if (!rest_.empty()) {
-        all = std::move(rest_);
-        rest_.clear();
+    if (!partial_.empty()) {
+        all = std::move(partial_);
+        partial_.clear();
         all += chars_of(bytes);
         bytes = {reinterpret_cast<const std::uint8_t*>(all.data()), all.size()};
     }
     std::size_t taken = 0;
     if (!open_) {
-        const Result<std::size_t> answer = take_answer(bytes);
+        const Result<std::size_t> answer = take_response(bytes);
         if (!answer.ok()) return answer.error();
         taken = *answer;
     }
@@ -86,14 +86,14 @@ Status WebSocketFraming::take(Bytes bytes, Reader& reader) {
         if (!frames.ok()) return frames.error();
         taken += *frames;
     }
-    rest_ = chars_of(bytes.subspan(taken));
+    partial_ = chars_of(bytes.subspan(taken));
     if (out_.size() > outgoing_bytes_max)
         return Error{ErrorCode::resource_exhausted, "the server does not take what we send"};
     return {};
 }
 
 // HTTP's answer to the upgrade; 0 when it is not complete.
-Result<std::size_t> WebSocketFraming::take_answer(Bytes bytes) {
+Result<std::size_t> WebSocketFraming::take_response(Bytes bytes) {
     const std::string_view answer = chars_of(bytes);
     const std::size_t end = answer.find("\r\n\r\n");
     if (end == std::string_view::npos) {
@@ -108,8 +108,8 @@ Result<std::size_t> WebSocketFraming::take_answer(Bytes bytes) {
     if (head.find(websocket_accept) == std::string_view::npos)
         return broken_socket("its answer does not fit the key");
     open_ = true;
-    out_ += before_open_;
-    before_open_.clear();
+    out_ += pending_until_open_;
+    pending_until_open_.clear();
     return end + 4;
 }
 

@@ -16,7 +16,7 @@ public:
 
     Status take(Bytes bytes, Reader& reader) override;
     void send(std::string_view message) override;
-    void used(std::size_t) override {}  // TCP holds the server back, when its reader does not read
+    void consume(std::size_t) override {}  // TCP holds the server back, when its reader does not read
 
 private:
     struct Head {
@@ -28,13 +28,13 @@ private:
 
     static Result<Head> read_head(Bytes bytes);  // size 0: it is not complete
     static void put_frame(std::string& out, std::uint8_t opcode, std::string_view payload);
-    Result<std::size_t> take_answer(Bytes bytes);
+    Result<std::size_t> take_response(Bytes bytes);
     Result<std::size_t> take_frames(Bytes bytes, Reader& reader);
     Status on_frame(const Head& head, Bytes payload, Reader& reader);
 
     bool open_ = false;
-    std::string before_open_;  // to be sent when the server has answered
-    std::string rest_;         // of a frame that is not complete
+    std::string pending_until_open_;  // to be sent when the server has answered
+    std::string partial_;         // of a frame that is not complete
     std::string message_;      // of one in several frames
     bool continues_ = false;
 };

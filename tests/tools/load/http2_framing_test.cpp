@@ -88,11 +88,11 @@ TEST(Http2Framing, half_a_usual_window_that_was_used_is_given_back_and_more_than
     const std::string one = frame(data, none, 1, message(std::string(10'000, 'x')));
     for (int k = 0; k < 3; k++) {
         ASSERT_TRUE(framing.take(as_bytes(one), list));
-        framing.used(10'000);
+        framing.consume(10'000);
         EXPECT_EQ(framing.outgoing(), "") << k;
     }
     ASSERT_TRUE(framing.take(as_bytes(one), list));
-    framing.used(10'000);
+    framing.consume(10'000);
     EXPECT_EQ(framing.outgoing(), frame(update, none, 0, big_endian(40'020, 4)) +
                                       frame(update, none, 1, big_endian(40'020, 4)));
     // From here on nobody reads: six more fit.

@@ -13,7 +13,7 @@ std::size_t Histogram::bucket_of(std::uint64_t value) {
     return shift * fine + static_cast<std::size_t>(value >> shift);
 }
 
-double Histogram::middle_of(std::size_t bucket) {
+double Histogram::bucket_center(std::size_t bucket) {
     if (bucket < 2 * fine) return static_cast<double>(bucket);
     const std::size_t shift = bucket / fine - 1;
     const double low =
@@ -41,7 +41,7 @@ double Histogram::percentile(double p) const {
     std::uint64_t passed = 0;
     for (std::size_t k = 0; k < counts_.size(); k++) {
         passed += counts_[k];
-        if (passed > wanted) return std::min(middle_of(k), static_cast<double>(max_));
+        if (passed > wanted) return std::min(bucket_center(k), static_cast<double>(max_));
     }
     return static_cast<double>(max_);
 }

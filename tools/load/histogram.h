@@ -27,7 +27,7 @@ private:
     static constexpr std::size_t fine = 1u << fine_bits;
 
     static std::size_t bucket_of(std::uint64_t value);
-    static double middle_of(std::size_t bucket);
+    static double bucket_center(std::size_t bucket);
 
     std::array<std::uint64_t, (value_bits - fine_bits + 1) * fine> counts_{};
     std::uint64_t count_ = 0;

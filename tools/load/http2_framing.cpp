@@ -101,8 +101,8 @@ Http2Framing::Http2Framing(const Http2Request& request) : window_(request.window
     put_big_endian(out_, 0, 4);
     put_big_endian(out_, http2::setting_initial_window, 2);
     put_big_endian(out_, window_, 4);
-    if (window_ > Http2Request::usual_window)
-        put_window_update(0, window_ - Http2Request::usual_window);
+    if (window_ > Http2Request::default_window)
+        put_window_update(0, window_ - Http2Request::default_window);
     const std::string block = header_block(request);
     put_head(static_cast<std::uint32_t>(block.size()), http2::headers, http2::end_headers,
              call_stream);

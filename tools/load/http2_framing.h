@@ -16,9 +16,9 @@ struct Http2Request {
     std::string token;      // shown as "Bearer ..."; empty: none
     // How much the server may send before used() says that it may send more. The usual window is
     // that of clients that did not ask for another.
-    std::uint32_t window = usual_window;
+    std::uint32_t window = default_window;
 
-    static constexpr std::uint32_t usual_window = 65'535, window_max = 0x7fff'ffff;
+    static constexpr std::uint32_t default_window = 65'535, window_max = 0x7fff'ffff;
 };
 
 class Http2Framing : public Framing {
@@ -61,9 +61,9 @@ private:
     std::int64_t unused_ = 0;      // bytes of our window that are taken
     std::uint32_t unreported_bytes_ = 0;  // of these, what is used, and not told
     // What the server lets us send.
-    std::int64_t connection_credit_ = Http2Request::usual_window;
-    std::int64_t stream_credit_ = Http2Request::usual_window;
-    std::uint32_t server_window_ = Http2Request::usual_window;
+    std::int64_t connection_credit_ = Http2Request::default_window;
+    std::int64_t stream_credit_ = Http2Request::default_window;
+    std::uint32_t server_window_ = Http2Request::default_window;
     std::deque<std::string> waiting_;  // DATA for which there is no credit yet
     std::size_t waiting_bytes_ = 0;
     bool header_block_open_ = false, header_ends_stream_ = false;

@@ -18,7 +18,7 @@ constexpr auto leave_delay = 200ms;  // until what was said last is sent
 }  // namespace
 
 LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun)
-    : options_(plan), first_(first), step_(step), begun_(begun), thread_([this] { run(); }) {}
+    : options_(plan), first_(first), step_(step), start_(begun), thread_([this] { run(); }) {}
 
 LibraryClientThread::~LibraryClientThread() {
     stop_ = true;
@@ -39,7 +39,7 @@ void LibraryClientThread::run() {
 }
 
 void LibraryClientThread::join_due(Clock::time_point now) {
-    const double since = std::chrono::duration<double>(now - begun_).count();
+    const double since = std::chrono::duration<double>(now - start_).count();
     for (;;) {
         const int number = first_ + step_ * static_cast<int>(members_.size());
         if (number >= options_.clients || since < options_.ramp * number / options_.clients) return;

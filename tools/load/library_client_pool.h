@@ -42,7 +42,7 @@ private:
 
     const LoadOptions& options_;
     const int first_, step_;
-    const Clock::time_point begun_;
+    const Clock::time_point start_;
     client::Loop loop_;
     std::vector<Member> members_;
     LoadMetrics metrics_;

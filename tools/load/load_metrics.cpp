@@ -9,7 +9,7 @@ namespace jostle::load {
 void LoadMetrics::add_age(std::int64_t us, Clock::time_point now) {
     age.add(us);
     const auto window = static_cast<std::size_t>(std::max<std::int64_t>(
-        0, std::chrono::duration_cast<std::chrono::seconds>(now - begun_).count() / window_s));
+        0, std::chrono::duration_cast<std::chrono::seconds>(now - start_).count() / window_s));
     if (age_windows.size() <= window) age_windows.resize(window + 1);
     age_windows[window].add(us);
 }
@@ -23,12 +23,12 @@ void LoadMetrics::begin(Clock::time_point now) {
     LoadMetrics fresh;
     fresh.errors = errors;
     fresh.last_error = std::move(last_error);
-    fresh.begun_ = now;
+    fresh.start_ = now;
     *this = std::move(fresh);
 }
 
 void LoadMetrics::end(Clock::time_point now) {
-    seconds = std::chrono::duration<double>(now - begun_).count();
+    seconds = std::chrono::duration<double>(now - start_).count();
 }
 
 void LoadMetrics::merge(const LoadMetrics& other) {

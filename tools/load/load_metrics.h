@@ -45,7 +45,7 @@ struct LoadMetrics {
     void merge(const LoadMetrics& other);
 
 private:
-    Clock::time_point begun_ = Clock::now();
+    Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace jostle::load

@@ -16,16 +16,16 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto poll_period = 20ms, line_period = 500ms;
+constexpr auto poll_period = 20ms, progress_period = 500ms;
 constexpr double join_timeout = 10;  // s after the ramp
-constexpr rlim_t descriptors_besides = 100;
+constexpr rlim_t reserved_descriptors = 100;
 
 // Rewrites a line of the terminal; nothing elsewhere.
 class ProgressLine {
 public:
     void show(const char* phase, double seconds, int clients, const ClientPool::Progress& progress) {
         if (!live_ || Clock::now() < next_) return;
-        next_ = Clock::now() + line_period;
+        next_ = Clock::now() + progress_period;
         std::fprintf(stderr, "\r\033[K%s %5.1f s  %d of %d joined  %llu snapshots  %llu inputs ",
                      phase, seconds, progress.joined, clients,
                      static_cast<unsigned long long>(progress.snapshots),
@@ -81,7 +81,7 @@ Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> se
 bool raise_socket_limit(int clients) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;
-    const rlim_t wanted = static_cast<rlim_t>(clients) + descriptors_besides;
+    const rlim_t wanted = static_cast<rlim_t>(clients) + reserved_descriptors;
     if (limit.rlim_cur >= wanted) return true;
     limit.rlim_cur = std::min(wanted, limit.rlim_max);
     return setrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur >= wanted;

@@ -20,7 +20,7 @@ namespace {
 
 // What a slow reader of a WebSocket takes from the socket at once: it is TCP that holds its server
 // back.
-constexpr std::size_t slow_piece = 2048;
+constexpr std::size_t slow_read_bytes = 2048;
 
 std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
     switch (plan.transport) {
@@ -36,7 +36,7 @@ std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
     return std::make_unique<Http2Framing>(Http2Request{
         .authority = plan.target,
         .token = plan.security.token,
-        .window = plan.read_rate > 0 ? Http2Request::usual_window : Http2Request::window_max});
+        .window = plan.read_rate > 0 ? Http2Request::default_window : Http2Request::window_max});
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::string PassiveClient::why_closed() const {
 
 void PassiveClient::receive(std::span<std::uint8_t> scratch) {
     if (plan_.read_rate > 0 && plan_.transport != Transport::grpc)
-        scratch = scratch.first(slow_piece);
+        scratch = scratch.first(slow_read_bytes);
     const ssize_t size = recv(socket_, scratch.data(), scratch.size(), 0);
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (size <= 0) return end(size < 0 ? std::strerror(errno) : why_closed());

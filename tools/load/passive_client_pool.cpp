@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t scratch_bytes = 256 * 1024;
 // How often each client is looked after; one that reads at a rate of its own needs it finer.
-constexpr auto usual_sweep_period = 10ms, slow_reader_sweep_period = 1ms;
+constexpr auto default_tick_period = 10ms, slow_reader_tick_period = 1ms;
 constexpr auto think_period = 33ms;
 constexpr int events_at_once = 256;
 
@@ -33,7 +33,7 @@ Clock::duration seconds(double s) {
 }
 
 // Of every hundred clients the first one, when a hundredth is to decode.
-bool is_in_share(int number, double share) {
+bool is_selected(int number, double share) {
     return share > 0 && std::floor(number * share) != std::floor((number - 1) * share);
 }
 
@@ -41,7 +41,7 @@ bool is_in_share(int number, double share) {
 
 PassiveClientThread::PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
                        Clock::time_point begun)
-    : plan_(plan), address_(address), begun_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
+    : plan_(plan), address_(address), start_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
     for (int number = first; number < plan.clients; number += step)
         members_.push_back(make_member(number, number == first));
     thread_ = std::thread([this] { run(); });
@@ -59,14 +59,14 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
                       .name = "load " + std::to_string(number + 1),
                       .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
                       .spectator = !plays,
-                      .decodes = is_in_share(number, plan_.decode_ratio) || (plays && has_view),
+                      .decodes = is_selected(number, plan_.decode_ratio) || (plays && has_view),
                       .ack_every = plan_.ack_every,
                       .interest = plan_.interest_of(number),
                       .max_kbps = plan_.max_kbps};
     Member member{
         .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, metrics_),
         .behaviour = {},
-        .joins_at = begun_ + seconds(plan_.ramp * number / plan_.clients),
+        .joins_at = start_ + seconds(plan_.ramp * number / plan_.clients),
         .thinks_at = {}};
     if (plays)
         member.behaviour.emplace(line_for(plan_.script, number),
@@ -75,7 +75,7 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
 }
 
 void PassiveClientThread::run() {
-    const auto sweep_period = plan_.read_rate > 0 ? slow_reader_sweep_period : usual_sweep_period;
+    const auto sweep_period = plan_.read_rate > 0 ? slow_reader_tick_period : default_tick_period;
     std::vector<std::uint8_t> scratch(scratch_bytes);
     std::array<epoll_event, events_at_once> events{};
     Clock::time_point next_sweep = Clock::now();
@@ -93,7 +93,7 @@ void PassiveClientThread::run() {
             static_cast<PassiveClient*>(events[static_cast<std::size_t>(k)].data.ptr)
                 ->on_event(scratch, Clock::now());
         if (const auto now = Clock::now(); now >= next_sweep) {
-            sweep(now);
+            tick_all(now);
             next_sweep = now + sweep_period;
         }
     }
@@ -101,7 +101,7 @@ void PassiveClientThread::run() {
     metrics_.cpu_seconds = thread_cpu_seconds() - cpu_before;
 }
 
-void PassiveClientThread::sweep(Clock::time_point now) {
+void PassiveClientThread::tick_all(Clock::time_point now) {
     int joined = 0;
     for (Member& member : members_) {
         if (!member.client->began()) {
@@ -121,7 +121,7 @@ void PassiveClientThread::think(Member& member, Clock::time_point now) {
     const client::WorldView* view = members_.front().client->protocol().view();
     if (view == nullptr || !member.client->joined() || view->frame().frame == 0) return;
     member.thinks_at = now + think_period;
-    const double since = std::chrono::duration<double>(now - begun_).count();
+    const double since = std::chrono::duration<double>(now - start_).count();
     PassiveClientProtocol& protocol = member.client->protocol();
     protocol.play(member.behaviour->act(since, *view, protocol.client_id()));
 }

@@ -38,12 +38,12 @@ private:
 
     Member make_member(int number, bool has_view);
     void run();
-    void sweep(Clock::time_point now);
+    void tick_all(Clock::time_point now);
     void think(Member& member, Clock::time_point now);
 
     const LoadOptions& plan_;
     const ServerAddress address_;
-    const Clock::time_point begun_;
+    const Clock::time_point start_;
     int epoll_ = -1;
     LoadMetrics metrics_;
     std::vector<Member> members_;

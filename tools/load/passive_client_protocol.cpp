@@ -16,8 +16,8 @@ constexpr int initial_pings = 3;  // to have a clock soon
 constexpr auto initial_ping_period = 100ms;
 constexpr auto ping_period = 5s;
 // Where nothing else is asked for: a snapshot is acknowledged by then, however few came since.
-constexpr auto usual_ack_patience = 150ms;
-constexpr int usual_ack_every = 6;
+constexpr auto default_ack_delay = 150ms;
+constexpr int default_ack_every = 6;
 constexpr std::uint32_t ack_ms_max = 1000;  // whatever the server says
 constexpr std::size_t sent_max = 4096, arrived_max = 128;
 
@@ -31,8 +31,8 @@ bool parse(Message& message, Bytes bytes) {
 PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& metrics)
     : options_(std::move(options)),
       metrics_(metrics),
-      ack_every_(options_.ack_every > 0 ? options_.ack_every : usual_ack_every),
-      ack_patience_(usual_ack_patience) {
+      ack_every_(options_.ack_every > 0 ? options_.ack_every : default_ack_every),
+      ack_delay_(default_ack_delay) {
     if (options_.decodes) view_ = std::make_unique<client::WorldView>();
 }
 
@@ -74,7 +74,7 @@ void PassiveClientProtocol::on_welcome(Bytes bytes) {
     tick_us_ = welcome.tick_hz() > 0 ? 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5) : 0;
     if (options_.ack_every == 0 && welcome.ack_interval_ms() > 0) {
         ack_every_ = 0;
-        ack_patience_ = std::chrono::milliseconds(std::min(welcome.ack_interval_ms(), ack_ms_max));
+        ack_delay_ = std::chrono::milliseconds(std::min(welcome.ack_interval_ms(), ack_ms_max));
     }
 }
 
@@ -241,7 +241,7 @@ void PassiveClientProtocol::play(const std::vector<v1::Input>& inputs) {
 bool PassiveClientProtocol::ack_is_due(Clock::time_point now) const {
     if (unacked_ == 0) return false;
     return need_keyframe_ || (ack_every_ > 0 && unacked_ >= ack_every_) ||
-           now - last_ack_ >= ack_patience_;
+           now - last_ack_ >= ack_delay_;
 }
 
 void PassiveClientProtocol::fill_ack(v1::Ack& ack, Clock::time_point now) {

@@ -97,7 +97,7 @@ private:
     double tick_us_ = 0;         // from tick to tick; 0: not known
 
     int ack_every_, unacked_ = 0;  // 0: only by time
-    Clock::duration ack_patience_;
+    Clock::duration ack_delay_;
     Clock::time_point last_received_{}, last_ack_{};
     std::uint32_t frame_ = 0;  // of the newest snapshot
     std::optional<Clock::time_point> last_snapshot_;

@@ -82,7 +82,7 @@ TEST(Http2Framing, pings_and_settings_are_answered) {
 }
 
 TEST(Http2Framing, half_a_usual_window_that_was_used_is_given_back_and_more_than_it_is_refused) {
-    Http2Framing framing = make(Http2Request::usual_window);
+    Http2Framing framing = make(Http2Request::default_window);
     framing.outgoing().clear();
     MessageList list;
     const std::string one = frame(data, none, 1, message(std::string(10'000, 'x')));
@@ -101,7 +101,7 @@ TEST(Http2Framing, half_a_usual_window_that_was_used_is_given_back_and_more_than
 }
 
 TEST(Http2Framing, a_message_larger_than_the_window_arrives) {
-    Http2Framing framing = make(Http2Request::usual_window);
+    Http2Framing framing = make(Http2Request::default_window);
     MessageList list;
     const std::string large = message(std::string(200'000, 'x'));
     for (std::size_t at = 0; at < large.size(); at += 16'000)

@@ -11,7 +11,7 @@
 
 #include "jostle/physics/serialization.h"
 #include "jostle/scenes/scene_file.h"
-#include "tools/replay/kept_world.h"
+#include "tools/replay/world_replay.h"
 #include "tools/replay/recording_report.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/replay/kept_world.h"
+#include "tools/replay/world_replay.h"
 
 #include <algorithm>
 #include <map>

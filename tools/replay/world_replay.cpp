@@ -79,7 +79,7 @@ Result<PersistedWorld::Summary> PersistedWorld::summary() {
     }
 }
 
-Result<RecoveredWorld> PersistedWorld::from_the_first(const server::RecoveryOptions& options) {
+Result<RecoveredWorld> PersistedWorld::replay_from_first(const server::RecoveryOptions& options) {
     const auto first = oldest();
     if (!first.ok()) return first.error();
     server::RecoveryOptions from = options;
@@ -107,7 +107,7 @@ Result<PersistedWorld::Verified> PersistedWorld::verify() {
             verified.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
                                       " is not what the world had become");
     };
-    const auto world = from_the_first({.after_tick = compare});
+    const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();
     verified.first_tick = world->checkpoint;
     verified.last_tick = world->tick;
@@ -135,7 +135,7 @@ Status PersistedWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
     const auto tell = [&](const server::HostedWorld& world, std::uint32_t tick) {
         if (tick % every == 0) on_hash(tick, physics::state_hash(world.world()));
     };
-    const auto world = from_the_first({.after_tick = tell});
+    const auto world = replay_from_first({.after_tick = tell});
     if (!world.ok()) return world.error();
     if (!world->warnings.empty()) return Error{ErrorCode::corrupt_data, world->warnings.back()};
     return {};
@@ -160,9 +160,9 @@ Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_differen
             return Error{ErrorCode::failed_precondition, "they have no tick in common"};
         return std::optional<Difference>();
     }
-    const auto a = from_the_first({.last_tick = differs});
+    const auto a = replay_from_first({.last_tick = differs});
     if (!a.ok()) return a.error();
-    const auto b = other.from_the_first({.last_tick = differs});
+    const auto b = other.replay_from_first({.last_tick = differs});
     if (!b.ok()) return b.error();
     return std::optional(
         Difference{*differs, physics::first_difference(a->world.world(), b->world.world())

@@ -62,7 +62,7 @@ private:
     PersistedWorld(std::unique_ptr<server::WorldStorage> store, server::StoredWorld stored,
               server::WorldDefinition record)
         : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
-    Result<server::RecoveredWorld> from_the_first(const server::RecoveryOptions& options);
+    Result<server::RecoveredWorld> replay_from_first(const server::RecoveryOptions& options);
     Result<std::uint32_t> oldest();
 
     std::unique_ptr<server::WorldStorage> store_;

@@ -87,10 +87,10 @@ Result<RecoveredWorld> PersistedWorld::replay_from_first(const server::RecoveryO
     return server::recover_world(*store_, stored_, record_, from);
 }
 
-Result<PersistedWorld::Verified> PersistedWorld::verify() {
+Result<PersistedWorld::Verification> PersistedWorld::verify() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
-    Verified verified;
+    Verification verified;
     std::map<std::uint32_t, std::uint64_t> hashes;
     for (const std::uint32_t tick : *ticks) {
         const auto kept = store_->checkpoint(stored_.id, tick);

@@ -32,13 +32,13 @@ public:
     };
     Result<Summary> summary();
 
-    struct Verified {
+    struct Verification {
         std::uint32_t first_tick = 0, last_tick = 0;
         int checkpoints = 0;              // that were compared, the first one not among them
         std::vector<std::string> errors;  // each a sentence
     };
     // From the oldest checkpoint on: each later one must be what the world has become then.
-    Result<Verified> verify();
+    Result<Verification> verify();
 
     // From the newest checkpoint before it. not_found: that tick is not kept.
     Result<server::RecoveredWorld> at(std::uint32_t tick);

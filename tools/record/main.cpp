@@ -76,11 +76,11 @@ jostle::client::ClientOptions options_of(const Flags& flags, Recorder& recorder)
             .channels = {"*"},
             .reconnect = false,
             .on_message = [&recorder](const std::string& bytes, Clock::time_point now) {
-                recorder.take(bytes, now);
+                recorder.on_message(bytes, now);
             }};
 }
 
-std::string line_of(const jostle::client::RecordingWriter::Counts& counts) {
+std::string status_line(const jostle::client::RecordingWriter::Counts& counts) {
     char text[160];
     std::snprintf(text, sizeof text, "%.1f s, ticks %u to %u, %llu keyframes, %.2f MB",
                   static_cast<double>(counts.arrived_us) / 1e6, counts.first_tick, counts.last_tick,
@@ -100,7 +100,7 @@ std::string record(const Flags& flags, jostle::client::Client& client, Recorder&
                      Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         const auto now = Clock::now();
-        if (std::string fault = recorder.fault(); !fault.empty()) return fault;
+        if (std::string error_message = recorder.error_message(); !error_message.empty()) return error_message;
         const auto stats = client.stats();
         if (stats.stream_failures > 0) return stats.last_error;
         if (now >= next_keyframe) {
@@ -110,7 +110,7 @@ std::string record(const Flags& flags, jostle::client::Client& client, Recorder&
         if (now < next_line) continue;
         next_line = now + std::chrono::milliseconds(500);
         recorder.flush();
-        if (live) std::fprintf(stderr, "\r%s ", line_of(recorder.counts()).c_str());
+        if (live) std::fprintf(stderr, "\r%s ", status_line(recorder.counts()).c_str());
     }
     if (live) std::fprintf(stderr, "\n");
     return {};
@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
     const auto finished = recorder.finish();
     if (counts.records == 0)
         return fail(1, ended.empty() ? "no answer from " + flags.target : ended);
-    std::printf("%s: %s\n", flags.file.c_str(), line_of(counts).c_str());
+    std::printf("%s: %s\n", flags.file.c_str(), status_line(counts).c_str());
     if (!ended.empty()) return fail(1, ended);
     if (!finished.ok()) return fail(1, finished.error().message);
     return 0;

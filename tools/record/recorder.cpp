@@ -20,19 +20,19 @@ Status Recorder::open(const std::string& path, bool replace) {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     writer_.emplace(out_, static_cast<std::uint64_t>(
                               std::chrono::duration_cast<std::chrono::microseconds>(now).count()));
-    began_ = client::Clock::now();
+    start_ = client::Clock::now();
     return {};
 }
 
-void Recorder::take(const std::string& bytes, client::Clock::time_point now) {
+void Recorder::on_message(const std::string& bytes, client::Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     // A server that lets nobody in says why before it would say welcome: the client tells that.
     v1::ServerMessage message;
     if (writer_->counts().records == 0 && message.ParseFromString(bytes) && message.has_notice())
         return;
-    if (!fault_.empty()) return;
-    if (const Status s = writer_->add(bytes, client::to_us(now) - client::to_us(began_)); !s.ok())
-        fault_ = path_ + ": " + s.error().message;
+    if (!error_message_.empty()) return;
+    if (const Status s = writer_->add(bytes, client::to_us(now) - client::to_us(start_)); !s.ok())
+        error_message_ = path_ + ": " + s.error().message;
 }
 
 void Recorder::flush() {
@@ -58,9 +58,9 @@ client::RecordingWriter::Counts Recorder::counts() const {
     return writer_->counts();
 }
 
-std::string Recorder::fault() const {
+std::string Recorder::error_message() const {
     const std::lock_guard lock(mutex_);
-    return fault_;
+    return error_message_;
 }
 
 }  // namespace jostle::record

@@ -18,7 +18,7 @@ class Recorder {
 public:
     // Begins a new file; one that is there is only replaced when told so.
     Status open(const std::string& path, bool replace);
-    void take(const std::string& bytes, client::Clock::time_point now);
+    void on_message(const std::string& bytes, client::Clock::time_point now);
     // What was taken so far will be there whatever becomes of the program.
     void flush();
     // Closes the file in order; one into which nothing came is removed.
@@ -26,14 +26,14 @@ public:
 
     client::RecordingWriter::Counts counts() const;
     // Why it takes nothing more; empty: it does.
-    std::string fault() const;
+    std::string error_message() const;
 
 private:
     mutable std::mutex mutex_;  // guards all
-    std::string path_, fault_;
+    std::string path_, error_message_;
     std::ofstream out_;
     std::optional<client::RecordingWriter> writer_;
-    client::Clock::time_point began_{};
+    client::Clock::time_point start_{};
 };
 
 }  // namespace jostle::record

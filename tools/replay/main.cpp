@@ -117,7 +117,7 @@ int summarize(PersistedWorld& world, const Flags& flags) {
                             {"entries", summary->entries},
                             {"commands", summary->commands},
                             {"bytes", summary->bytes},
-                            {"damage", summary->damage}});
+                            {"damage", summary->corruption}});
     } else {
         std::printf(
             "world %s \"%s\" of scene %s, kept by %s\n%zu checkpoints, the oldest of "
@@ -129,26 +129,26 @@ int summarize(PersistedWorld& world, const Flags& flags) {
             static_cast<unsigned long long>(summary->commands),
             static_cast<unsigned long long>(summary->entries),
             static_cast<double>(summary->bytes) / 1e3);
-        if (!summary->damage.empty()) std::printf("damaged: %s\n", summary->damage.c_str());
+        if (!summary->corruption.empty()) std::printf("damaged: %s\n", summary->corruption.c_str());
     }
-    return summary->damage.empty() ? 0 : 1;
+    return summary->corruption.empty() ? 0 : 1;
 }
 
 int verify(PersistedWorld& world, const Flags& flags) {
-    const auto verified = world.verify();
-    if (!verified.ok()) return fail(1, verified.error().message);
+    const auto verification = world.verify();
+    if (!verification.ok()) return fail(1, verification.error().message);
     if (flags.json) {
-        show(nlohmann::json{{"first_tick", verified->first_tick},
-                            {"last_tick", verified->last_tick},
-                            {"checkpoints", verified->checkpoints},
-                            {"faults", verified->errors}});
+        show(nlohmann::json{{"first_tick", verification->first_tick},
+                            {"last_tick", verification->last_tick},
+                            {"checkpoints", verification->checkpoints},
+                            {"faults", verification->errors}});
     } else {
-        for (const std::string& fault : verified->errors) std::printf("%s\n", fault.c_str());
+        for (const std::string& fault : verification->errors) std::printf("%s\n", fault.c_str());
         std::printf("ticks %u to %u done again, %d checkpoints compared: %s\n",
-                    verified->first_tick, verified->last_tick, verified->checkpoints,
-                    verified->errors.empty() ? "all is as it was" : "FAULTS");
+                    verification->first_tick, verification->last_tick, verification->checkpoints,
+                    verification->errors.empty() ? "all is as it was" : "FAULTS");
     }
-    return verified->errors.empty() ? 0 : 1;
+    return verification->errors.empty() ? 0 : 1;
 }
 
 int show_at(PersistedWorld& world, const Flags& flags) {

@@ -53,16 +53,16 @@ Result<PersistedWorld::Summary> PersistedWorld::summary() {
                     .engine = stored_.engine,
                     .checkpoints = {ticks->rbegin(), ticks->rend()}};
     if (summary.checkpoints.empty()) {
-        summary.damage = "it has no checkpoint";
+        summary.corruption = "it has no checkpoint";
         return summary;
     }
     summary.last_tick = summary.checkpoints.back();
     const auto first = store_->checkpoint(stored_.id, summary.checkpoints.front());
-    if (!first.ok()) summary.damage = first.error().message;
+    if (!first.ok()) summary.corruption = first.error().message;
     std::uint64_t after = first.ok() ? first->sequence : 0;
     for (;;) {
         const auto entries = store_->entries(stored_.id, after, 8 << 20);
-        if (!entries.ok()) summary.damage = entries.error().message;
+        if (!entries.ok()) summary.corruption = entries.error().message;
         if (!entries.ok() || entries->empty()) return summary;
         for (const server::JournalEntry& entry : *entries) {
             summary.entries++;
@@ -70,7 +70,7 @@ Result<PersistedWorld::Summary> PersistedWorld::summary() {
             summary.last_tick = std::max(summary.last_tick, entry.last_tick);
             const auto data = server::decompress(entry.data, 64 << 20);
             const auto batch = data.ok() ? server::decode_journal(*data) : data.error();
-            if (!batch.ok()) summary.damage = batch.error().message;
+            if (!batch.ok()) summary.corruption = batch.error().message;
             if (!batch.ok()) return summary;
             for (const server::JournaledTick& tick : batch->ticks)
                 summary.commands += tick.commands.size();
@@ -90,29 +90,29 @@ Result<RecoveredWorld> PersistedWorld::replay_from_first(const server::RecoveryO
 Result<PersistedWorld::Verification> PersistedWorld::verify() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
-    Verification verified;
+    Verification verification;
     std::map<std::uint32_t, std::uint64_t> hashes;
     for (const std::uint32_t tick : *ticks) {
         const auto kept = store_->checkpoint(stored_.id, tick);
         if (kept.ok())
             hashes[tick] = kept->hash;
         else
-            verified.errors.push_back(kept.error().message);
+            verification.errors.push_back(kept.error().message);
     }
     const auto compare = [&](const server::HostedWorld& world, std::uint32_t tick) {
         const auto at = hashes.find(tick);
         if (at == hashes.end()) return;
-        verified.checkpoints++;
+        verification.checkpoints++;
         if (physics::state_hash(world.world()) != at->second)
-            verified.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
+            verification.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
                                       " is not what the world had become");
     };
     const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();
-    verified.first_tick = world->checkpoint;
-    verified.last_tick = world->tick;
-    verified.errors.insert(verified.errors.end(), world->warnings.begin(), world->warnings.end());
-    return verified;
+    verification.first_tick = world->checkpoint;
+    verification.last_tick = world->tick;
+    verification.errors.insert(verification.errors.end(), world->warnings.begin(), world->warnings.end());
+    return verification;
 }
 
 Result<RecoveredWorld> PersistedWorld::at(std::uint32_t tick) {

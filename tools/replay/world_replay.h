@@ -28,7 +28,7 @@ public:
         std::vector<std::uint32_t> checkpoints;  // ticks, rising
         std::uint32_t last_tick = 0;
         std::uint64_t entries = 0, commands = 0, bytes = 0;
-        std::string damage;  // empty: none was found
+        std::string corruption;  // empty: none was found
     };
     Result<Summary> summary();
 

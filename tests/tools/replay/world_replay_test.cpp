@@ -60,7 +60,7 @@ TEST(PersistedWorld, what_was_kept_is_done_again_to_the_bit) {
     EXPECT_EQ(summary.commands, 20u);
     EXPECT_EQ(summary.last_tick, 201u);
     EXPECT_GT(summary.checkpoints.size(), 2u);
-    EXPECT_EQ(summary.damage, "");
+    EXPECT_EQ(summary.corruption, "");
     const auto verified = world.verify().value();
     EXPECT_EQ(verified.errors, std::vector<std::string>());
     EXPECT_EQ(verified.checkpoints + 1, static_cast<int>(summary.checkpoints.size()));

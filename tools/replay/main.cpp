@@ -96,7 +96,7 @@ int list(const Flags& flags) {
     if (!worlds.ok()) return fail(2, worlds.error().message);
     auto json = nlohmann::json::array();
     for (const auto& world : *worlds) {
-        json.push_back({{"id", world.id}, {"name", world.name}, {"lives", world.epoch}});
+        json.push_back({{"id", world.id}, {"name", world.name}, {"epochs", world.epoch}});
         if (!flags.json)
             std::printf("%-16s %s, taken up %llu times\n", world.id.c_str(), world.name.c_str(),
                         static_cast<unsigned long long>(world.epoch));

@@ -58,13 +58,13 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-int show(const std::string& text) {
+int print(const std::string& text) {
     std::fputs(text.c_str(), stdout);
     return 0;
 }
 
-int show(const nlohmann::json& json) {
-    return show(json.dump(2) + "\n");
+int print(const nlohmann::json& json) {
+    return print(json.dump(2) + "\n");
 }
 
 // --- recordings ---
@@ -74,18 +74,18 @@ int run_recording(const Flags& flags) {
     if (!recording.ok()) return fail(2, recording.error().message);
     if (!flags.at && !flags.verify) {
         const auto summary = summarize(*recording);
-        return show(flags.json ? replay::to_json(*recording, summary)
+        return print(flags.json ? replay::to_json(*recording, summary)
                                : replay::to_text(*recording, summary));
     }
     Playback playback(*std::move(recording));
     if (flags.verify) {
         const auto check = jostle::client::check(playback);
-        show(flags.json ? replay::to_json(check) : replay::to_text(check));
+        print(flags.json ? replay::to_json(check) : replay::to_text(check));
         return check.errors.empty() ? 0 : 1;
     }
     if (const auto s = playback.seek(*flags.at); !s.ok())
         return fail(1, flags.file + ": " + s.error().message);
-    return show(flags.json ? replay::state_json(playback, *flags.at)
+    return print(flags.json ? replay::state_json(playback, *flags.at)
                            : replay::state_text(playback, *flags.at));
 }
 
@@ -101,14 +101,14 @@ int list(const Flags& flags) {
             std::printf("%-16s %s, taken up %llu times\n", world.id.c_str(), world.name.c_str(),
                         static_cast<unsigned long long>(world.epoch));
     }
-    return flags.json ? show(json) : 0;
+    return flags.json ? print(json) : 0;
 }
 
 int summarize(PersistedWorld& world, const Flags& flags) {
     const auto summary = world.summary();
     if (!summary.ok()) return fail(1, summary.error().message);
     if (flags.json) {
-        show(nlohmann::json{{"id", summary->id},
+        print(nlohmann::json{{"id", summary->id},
                             {"name", summary->name},
                             {"scene", summary->scene},
                             {"engine", summary->engine},
@@ -138,7 +138,7 @@ int verify(PersistedWorld& world, const Flags& flags) {
     const auto verification = world.verify();
     if (!verification.ok()) return fail(1, verification.error().message);
     if (flags.json) {
-        show(nlohmann::json{{"first_tick", verification->first_tick},
+        print(nlohmann::json{{"first_tick", verification->first_tick},
                             {"last_tick", verification->last_tick},
                             {"checkpoints", verification->checkpoints},
                             {"faults", verification->errors}});
@@ -151,7 +151,7 @@ int verify(PersistedWorld& world, const Flags& flags) {
     return verification->errors.empty() ? 0 : 1;
 }
 
-int show_at(PersistedWorld& world, const Flags& flags) {
+int print_state_at(PersistedWorld& world, const Flags& flags) {
     if (flags.export_to.empty()) {
         auto found = world.at(*flags.at);
         if (!found.ok()) return fail(1, found.error().message);
@@ -161,7 +161,7 @@ int show_at(PersistedWorld& world, const Flags& flags) {
             hash, sizeof hash, "%016llx",
             static_cast<unsigned long long>(jostle::physics::state_hash(found->world.world())));
         if (flags.json)
-            return show(nlohmann::json{{"tick", found->tick}, {"bodies", bodies}, {"hash", hash}});
+            return print(nlohmann::json{{"tick", found->tick}, {"bodies", bodies}, {"hash", hash}});
         std::printf("tick %u: %zu bodies, hash %s\n", found->tick, bodies, hash);
         return 0;
     }
@@ -176,7 +176,7 @@ int show_at(PersistedWorld& world, const Flags& flags) {
     return 0;
 }
 
-int show_hashes(PersistedWorld& world, const Flags& flags) {
+int print_hashes(PersistedWorld& world, const Flags& flags) {
     const auto tell = [](std::uint32_t tick, std::uint64_t hash) {
         std::printf("%u %016llx\n", tick, static_cast<unsigned long long>(hash));
     };
@@ -184,12 +184,12 @@ int show_hashes(PersistedWorld& world, const Flags& flags) {
     return done.ok() ? 0 : fail(1, done.error().message);
 }
 
-int show_difference(PersistedWorld& world, const Flags& flags) {
+int print_difference(PersistedWorld& world, const Flags& flags) {
     auto other = PersistedWorld::open(flags.diff, *flags.world);
     if (!other.ok()) return fail(2, other.error().message);
     const auto difference = world.first_difference(*other);
     if (!difference.ok()) return fail(1, difference.error().message);
-    if (!*difference) return show(std::string("they are the same\n"));
+    if (!*difference) return print(std::string("they are the same\n"));
     std::printf("they part in tick %u: %s\n", (*difference)->tick, (*difference)->field.c_str());
     return 1;
 }
@@ -199,9 +199,9 @@ int run_store(const Flags& flags) {
     auto world = PersistedWorld::open(flags.file, *flags.world);
     if (!world.ok()) return fail(2, world.error().message);
     if (flags.verify) return verify(*world, flags);
-    if (flags.at) return show_at(*world, flags);
-    if (flags.hash_every) return show_hashes(*world, flags);
-    if (!flags.diff.empty()) return show_difference(*world, flags);
+    if (flags.at) return print_state_at(*world, flags);
+    if (flags.hash_every) return print_hashes(*world, flags);
+    if (!flags.diff.empty()) return print_difference(*world, flags);
     return summarize(*world, flags);
 }
 

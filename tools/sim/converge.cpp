@@ -39,7 +39,7 @@ double error_of(const Distance& distance, double scale) {
     return std::max(distance.position / scale, distance.angle);
 }
 
-Status check(const scenes::SceneDescription& scene, const ConvergenceQuestion& question) {
+Status check(const scenes::SceneDescription& scene, const ConvergenceOptions& question) {
     const auto is_dynamic = [](const auto& b) { return b.body.type == physics::BodyType::dynamic; };
     if (std::none_of(scene.bodies.begin(), scene.bodies.end(), is_dynamic))
         return Error{{}, scene.name + " has no dynamic body: there is nothing to converge"};
@@ -57,7 +57,7 @@ Status check(const scenes::SceneDescription& scene, const ConvergenceQuestion& q
 }
 
 std::vector<double> rates_of(const scenes::SceneDescription& scene,
-                             const ConvergenceQuestion& question) {
+                             const ConvergenceOptions& question) {
     if (!question.rates.empty()) return question.rates;
     std::vector<double> rates = {0.5 * scene.hz >= slowest_hz ? 0.5 * scene.hz : scene.hz};
     while (2 * rates.back() <= question.finest_hz * (1 + 1e-9)) rates.push_back(2 * rates.back());
@@ -65,7 +65,7 @@ std::vector<double> rates_of(const scenes::SceneDescription& scene,
 }
 
 std::vector<int> substeps_of(const scenes::SceneDescription& scene,
-                             const ConvergenceQuestion& question) {
+                             const ConvergenceOptions& question) {
     std::vector<int> substeps = question.substeps;
     const int usual = scene.world.substeps;
     if (substeps.empty())
@@ -78,7 +78,7 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
 // Runs a scene at one setting after the other, as long as the budget lasts.
 class Runs {
 public:
-    Runs(const scenes::SceneDescription& scene, const ConvergenceQuestion& question,
+    Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& question,
          Samples samples, const Announce& announce)
         : scene_(scene),
           samples_(samples),
@@ -138,7 +138,7 @@ double end_error(const Motion& a, const Motion& b, double scale) {
 }
 
 // With the most sub-steps, from the lowest rate up, until two neighbours agree.
-Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceQuestion& question,
+Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& question,
                                      const std::vector<double>& rates, int substeps,
                                      Convergence& found) {
     std::vector<Runs::Run> ladder;
@@ -203,7 +203,7 @@ void add_orders(std::vector<ConvergenceRow>& rows, double doubt) {
 }
 
 // Whether starts that hardly differ part as the runs do.
-Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceQuestion& question,
+Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& question,
              Convergence& found) {
     const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
     found.nudge = nudge_share * found.scale;
@@ -235,7 +235,7 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
-                             const ConvergenceQuestion& question, const Announce& announce) {
+                             const ConvergenceOptions& question, const Announce& announce) {
     if (auto status = check(scene, question); !status) return status.error();
     const std::vector<double> rates = rates_of(scene, question);
     const std::vector<int> substeps = substeps_of(scene, question);

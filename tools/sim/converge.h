@@ -14,7 +14,7 @@
 
 namespace jostle::sim {
 
-struct ConvergenceQuestion {
+struct ConvergenceOptions {
     double seconds = 10;
     // Ascending; each a multiple of the first. Empty: from half the scene's rate on, doubled until
     // two runs agree, up to finest_hz.
@@ -72,7 +72,7 @@ using Announce = std::function<void(const std::string&)>;
 
 // What is wrong with the question, or with the scene, is said before anything runs.
 physics::Result<Convergence> converge(const scenes::SceneDescription& scene,
-                                      const ConvergenceQuestion& question,
+                                      const ConvergenceOptions& question,
                                       const Announce& announce);
 
 }  // namespace jostle::sim

@@ -264,7 +264,7 @@ bool write_text(const std::string& path, const std::string& text) {
 
 int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
     if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
-    jostle::sim::ConvergenceQuestion question{.seconds = flags.seconds,
+    jostle::sim::ConvergenceOptions question{.seconds = flags.seconds,
                                               .rates = flags.rates,
                                               .finest_hz = flags.finest_hz,
                                               .substeps = flags.substep_counts,

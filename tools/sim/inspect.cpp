@@ -71,7 +71,7 @@ Result<BodyId> body_named(const std::string& text, const scenes::SceneDescriptio
 }
 
 InspectedGroup group_of(ConstraintSystem system, const Names& names,
-                        const InspectQuestion& question, bool in_full) {
+                        const InspectOptions& question, bool in_full) {
     InspectedGroup group{.system = std::move(system)};
     for (const physics::SystemBody& body : group.system.bodies)
         if (body.moves) group.bodies.push_back(names.of(body.id));
@@ -92,7 +92,7 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names,
 
 // Each group by the body of it that comes first, in the order of the scene.
 std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Names& names,
-                                       const InspectQuestion& question) {
+                                       const InspectOptions& question) {
     struct Refused {
         BodyId body;
         std::string why;
@@ -153,7 +153,7 @@ const linear_systems::Solution* InspectedGroup::best() const {
 }
 
 Result<Inspection> inspect(const scenes::SceneDescription& scene, const scenes::BuiltScene& built,
-                           const InspectQuestion& question) {
+                           const InspectOptions& question) {
     Inspection found{
         .scene = scene.name, .step = built.world.step_count(), .time = built.world.time()};
     const Names names(scene, built);

@@ -15,7 +15,7 @@
 
 namespace jostle::sim {
 
-struct InspectQuestion {
+struct InspectOptions {
     std::string body = "all";  // a name, a place in the scene, or "all"
     physics::ConstraintSystemOptions rows;
     linear_systems::Effort effort;
@@ -50,6 +50,6 @@ struct Inspection {
 // An error when the body is none of the scene's, or nothing is solved for it.
 physics::Result<Inspection> inspect(const scenes::SceneDescription& scene,
                                     const scenes::BuiltScene& built,
-                                    const InspectQuestion& question);
+                                    const InspectOptions& question);
 
 }  // namespace jostle::sim

@@ -39,11 +39,11 @@ double error_of(const Distance& distance, double scale) {
     return std::max(distance.position / scale, distance.angle);
 }
 
-Status check(const scenes::SceneDescription& scene, const ConvergenceOptions& question) {
+Status check(const scenes::SceneDescription& scene, const ConvergenceOptions& options) {
     const auto is_dynamic = [](const auto& b) { return b.body.type == physics::BodyType::dynamic; };
     if (std::none_of(scene.bodies.begin(), scene.bodies.end(), is_dynamic))
         return Error{{}, scene.name + " has no dynamic body: there is nothing to converge"};
-    const auto& rates = question.rates;
+    const auto& rates = options.rates;
     if (rates.size() == 1)
         return Error{{}, "one rate cannot be compared with anything: give two or more"};
     for (std::size_t k = 1; k < rates.size(); k++) {
@@ -57,16 +57,16 @@ Status check(const scenes::SceneDescription& scene, const ConvergenceOptions& qu
 }
 
 std::vector<double> rates_of(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& question) {
-    if (!question.rates.empty()) return question.rates;
+                             const ConvergenceOptions& options) {
+    if (!options.rates.empty()) return options.rates;
     std::vector<double> rates = {0.5 * scene.hz >= slowest_hz ? 0.5 * scene.hz : scene.hz};
-    while (2 * rates.back() <= question.finest_hz * (1 + 1e-9)) rates.push_back(2 * rates.back());
+    while (2 * rates.back() <= options.finest_hz * (1 + 1e-9)) rates.push_back(2 * rates.back());
     return rates;
 }
 
 std::vector<int> substeps_of(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& question) {
-    std::vector<int> substeps = question.substeps;
+                             const ConvergenceOptions& options) {
+    std::vector<int> substeps = options.substeps;
     const int usual = scene.world.substeps;
     if (substeps.empty())
         substeps = {std::max(usual / 4, 1), std::max(usual / 2, 1), usual, std::min(2 * usual, 64)};
@@ -78,12 +78,12 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
 // Runs a scene at one setting after the other, as long as the budget lasts.
 class Runs {
 public:
-    Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& question,
+    Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& options,
          Samples samples, const Announce& announce)
         : scene_(scene),
           samples_(samples),
           seconds_(static_cast<double>(samples.count) / samples.hz),
-          budget_(question.budget_seconds),
+          budget_(options.budget_seconds),
           announce_(announce) {}
 
     struct Run {
@@ -138,7 +138,7 @@ double end_error(const Motion& a, const Motion& b, double scale) {
 }
 
 // With the most sub-steps, from the lowest rate up, until two neighbours agree.
-Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& question,
+Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& options,
                                      const std::vector<double>& rates, int substeps,
                                      Convergence& found) {
     std::vector<Runs::Run> ladder;
@@ -157,11 +157,11 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& quest
                          "the run at " + name_of(run->setting) + " ended: " + run->motion.blown};
         ladder.push_back(std::move(*run));
         const double extent = extent_of(ladder.back().motion);
-        found.scale = question.scale > 0 ? question.scale : extent > least_extent ? extent : 1;
+        found.scale = options.scale > 0 ? options.scale : extent > least_extent ? extent : 1;
         if (ladder.size() < 2) continue;
         doubts.push_back(error_of(
             distance_between(ladder[ladder.size() - 2].motion, ladder.back().motion), found.scale));
-        if (question.rates.empty() && doubts.back() <= safe_share * question.tolerances.back())
+        if (options.rates.empty() && doubts.back() <= safe_share * options.tolerances.back())
             break;
     }
     if (doubts.empty())
@@ -203,7 +203,7 @@ void add_orders(std::vector<ConvergenceRow>& rows, double doubt) {
 }
 
 // Whether starts that hardly differ part as the runs do.
-Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& question,
+Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& options,
              Convergence& found) {
     const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
     found.nudge = nudge_share * found.scale;
@@ -211,7 +211,7 @@ Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const Convergence
     if (!twin) return twin.error();
     if (twin->samples() == 0) return Error{{}, "the nudged run ended: " + twin->blown};
     found.twin_error = end_error(same.motion, *twin, found.scale);
-    found.growth = found.twin_error / (nudge_share * question.seconds);
+    found.growth = found.twin_error / (nudge_share * options.seconds);
     return {};
 }
 
@@ -235,30 +235,30 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& question, const Announce& announce) {
-    if (auto status = check(scene, question); !status) return status.error();
-    const std::vector<double> rates = rates_of(scene, question);
-    const std::vector<int> substeps = substeps_of(scene, question);
+                             const ConvergenceOptions& options, const Announce& announce) {
+    if (auto status = check(scene, options); !status) return status.error();
+    const std::vector<double> rates = rates_of(scene, options);
+    const std::vector<int> substeps = substeps_of(scene, options);
     // Every step of the lowest rate, or every second one, and so on.
-    const double steps = std::round(question.seconds * rates[0]);
+    const double steps = std::round(options.seconds * rates[0]);
     if (steps < 1)
         return Error{{},
-                     number(question.seconds) + " s are less than one step at " + number(rates[0]) +
+                     number(options.seconds) + " s are less than one step at " + number(rates[0]) +
                          " Hz: simulate longer"};
     const double stride = std::ceil(steps / static_cast<double>(samples_max));
     const Samples samples{rates[0] / stride, static_cast<std::size_t>(steps / stride)};
 
     Convergence found{.scene = scene.name,
                       .seconds = static_cast<double>(samples.count) / samples.hz,
-                      .tolerances = question.tolerances};
-    Runs runs(scene, question, samples, announce);
-    auto ladder = climb(runs, question, rates, substeps.back(), found);
+                      .tolerances = options.tolerances};
+    Runs runs(scene, options, samples, announce);
+    auto ladder = climb(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
     const Motion& truth = ladder->back().motion;
     found.bodies = static_cast<int>(truth.bodies);
     found.agree_until = agree_until((*ladder)[ladder->size() - 2].motion, truth, found.scale,
                                     found.tolerances.front(), samples);
-    if (auto status = nudge(runs, *ladder, question, found); !status) return status.error();
+    if (auto status = nudge(runs, *ladder, options, found); !status) return status.error();
     found.verdict = verdict_of(found);
 
     for (const int count : substeps)

@@ -72,7 +72,7 @@ using Announce = std::function<void(const std::string&)>;
 
 // What is wrong with the question, or with the scene, is said before anything runs.
 physics::Result<Convergence> converge(const scenes::SceneDescription& scene,
-                                      const ConvergenceOptions& question,
+                                      const ConvergenceOptions& options,
                                       const Announce& announce);
 
 }  // namespace jostle::sim

@@ -71,7 +71,7 @@ Result<BodyId> body_named(const std::string& text, const scenes::SceneDescriptio
 }
 
 InspectedGroup group_of(ConstraintSystem system, const Names& names,
-                        const InspectOptions& question, bool in_full) {
+                        const InspectOptions& options, bool in_full) {
     InspectedGroup group{.system = std::move(system)};
     for (const physics::SystemBody& body : group.system.bodies)
         if (body.moves) group.bodies.push_back(names.of(body.id));
@@ -80,19 +80,19 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names,
         group.problem.names[k] = names.of(group.system.rows[k], group.system);
     group.analysis = linear_systems::analyse(group.problem);
     if (in_full) {
-        group.solutions = linear_systems::solve_all(group.problem, question.effort);
+        group.solutions = linear_systems::solve_all(group.problem, options.effort);
         group.treatments =
-            linear_systems::treatments(group.problem, group.analysis, question.effort);
+            linear_systems::treatments(group.problem, group.analysis, options.effort);
     } else {
         group.solutions = {
-            linear_systems::solve(group.problem, Method::projected_gauss_seidel, question.effort)};
+            linear_systems::solve(group.problem, Method::projected_gauss_seidel, options.effort)};
     }
     return group;
 }
 
 // Each group by the body of it that comes first, in the order of the scene.
 std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Names& names,
-                                       const InspectOptions& question) {
+                                       const InspectOptions& options) {
     struct Refused {
         BodyId body;
         std::string why;
@@ -107,7 +107,7 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
     };
     for (const BodyId body : built.world.bodies()) {
         if (seen[body] || built.world.body(body)->type != physics::BodyType::dynamic) continue;
-        auto system = built.world.constraint_system(body, question.rows);
+        auto system = built.world.constraint_system(body, options.rows);
         if (system.ok()) {
             for (const physics::SystemBody& member : system->bodies) seen[member.id] = true;
             systems.push_back(std::move(*system));
@@ -119,7 +119,7 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
     std::vector<InspectedGroup> groups;
     const bool in_full = systems.size() == 1 && refused.empty();
     for (ConstraintSystem& system : systems)
-        groups.push_back(group_of(std::move(system), names, question, in_full));
+        groups.push_back(group_of(std::move(system), names, options, in_full));
     for (const Refused& group : refused)
         groups.push_back({.bodies = {names.of(group.body)}, .refused = group.why});
     return groups;
@@ -153,20 +153,20 @@ const linear_systems::Solution* InspectedGroup::best() const {
 }
 
 Result<Inspection> inspect(const scenes::SceneDescription& scene, const scenes::BuiltScene& built,
-                           const InspectOptions& question) {
+                           const InspectOptions& options) {
     Inspection found{
         .scene = scene.name, .step = built.world.step_count(), .time = built.world.time()};
     const Names names(scene, built);
-    if (question.body == "all") {
-        found.groups = all_groups(built, names, question);
+    if (options.body == "all") {
+        found.groups = all_groups(built, names, options);
         return found;
     }
-    const auto body = body_named(question.body, scene, built);
+    const auto body = body_named(options.body, scene, built);
     if (!body.ok()) return body.error();
-    auto system = built.world.constraint_system(*body, question.rows);
+    auto system = built.world.constraint_system(*body, options.rows);
     if (!system.ok())
         return Error{system.error().code, names.of(*body) + ": " + system.error().message};
-    found.groups.push_back(group_of(std::move(*system), names, question, true));
+    found.groups.push_back(group_of(std::move(*system), names, options, true));
     return found;
 }
 

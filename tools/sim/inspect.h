@@ -50,6 +50,6 @@ struct Inspection {
 // An error when the body is none of the scene's, or nothing is solved for it.
 physics::Result<Inspection> inspect(const scenes::SceneDescription& scene,
                                     const scenes::BuiltScene& built,
-                                    const InspectOptions& question);
+                                    const InspectOptions& options);
 
 }  // namespace jostle::sim

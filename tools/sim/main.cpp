@@ -264,18 +264,18 @@ bool write_text(const std::string& path, const std::string& text) {
 
 int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
     if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
-    jostle::sim::ConvergenceOptions question{.seconds = flags.seconds,
+    jostle::sim::ConvergenceOptions options{.seconds = flags.seconds,
                                               .rates = flags.rates,
                                               .finest_hz = flags.finest_hz,
                                               .substeps = flags.substep_counts,
                                               .tolerances = flags.tolerances,
                                               .scale = flags.scale,
                                               .budget_seconds = flags.budget};
-    std::sort(question.rates.begin(), question.rates.end());
-    question.rates.erase(std::unique(question.rates.begin(), question.rates.end()),
-                         question.rates.end());
-    std::sort(question.tolerances.rbegin(), question.tolerances.rend());
-    const auto found = jostle::sim::converge(scene, question, jostle::sim::show_line);
+    std::sort(options.rates.begin(), options.rates.end());
+    options.rates.erase(std::unique(options.rates.begin(), options.rates.end()),
+                         options.rates.end());
+    std::sort(options.tolerances.rbegin(), options.tolerances.rend());
+    const auto found = jostle::sim::converge(scene, options, jostle::sim::show_line);
     jostle::sim::show_line("");
     if (!found) return fail(2, found.error().message);
     std::fputs(to_text(*found).c_str(), stdout);

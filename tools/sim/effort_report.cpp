@@ -19,9 +19,9 @@ struct Sum {
     double error = 0;
 };
 
-std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& efforts) {
+std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& island_substeps) {
     std::map<int, Sum> sums;
-    for (const IslandSubsteps& e : efforts) {
+    for (const IslandSubsteps& e : island_substeps) {
         Sum& sum = sums[e.substeps];
         sum.islands++;
         sum.bodies += e.bodies;
@@ -36,16 +36,16 @@ std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& efforts) {
 
 }  // namespace
 
-std::string to_text(const std::vector<IslandSubsteps>& efforts) {
-    if (efforts.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
+std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
+    if (island_substeps.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
     std::string out =
         "islands by sub-steps; error: m in a second, the worst; short: want more than the "
         "budget gives\n"
         "  sub-steps islands  bodies contacts  joints  direct   short    error\n";
-    for (const auto& [substeps, s] : sums_of(efforts))
+    for (const auto& [substeps, s] : sums_of(island_substeps))
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
                            s.contacts, s.joints, s.direct, s.short_of, s.error);
-    std::vector<IslandSubsteps> worst = efforts;
+    std::vector<IslandSubsteps> worst = island_substeps;
     std::stable_sort(worst.begin(), worst.end(), [](const IslandSubsteps& x, const IslandSubsteps& y) {
         return x.error > y.error;
     });
@@ -59,9 +59,9 @@ std::string to_text(const std::vector<IslandSubsteps>& efforts) {
     return out;
 }
 
-std::string to_json(const std::vector<IslandSubsteps>& efforts) {
+std::string to_json(const std::vector<IslandSubsteps>& island_substeps) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const IslandSubsteps& e : efforts)
+    for (const IslandSubsteps& e : island_substeps)
         all.push_back({{"body", e.body.index},
                        {"bodies", e.bodies},
                        {"contacts", e.contacts},

@@ -60,7 +60,7 @@ struct Flags {
     std::optional<double> tolerance;
     std::optional<double> substep_budget;
     std::optional<double> step_budget;
-    std::string efforts;
+    std::string island_substeps;
     int threads = 1, trace_every = 1;
     bool list = false, converge = false;
     std::vector<double> rates, tolerances = {0.01};
@@ -192,7 +192,7 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Work of a step, in units of about 0.1 microseconds: after one of more the next "
                    "gives something up; 0: any amount; default: the scene's")
         ->check(between(0, 4294967295.0));
-    app.add_option("--substep-report", flags.efforts,
+    app.add_option("--substep-report", flags.island_substeps,
                    "Writes here, as JSON, what each island took in the end; - shows it as text");
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
         ->capture_default_str()
@@ -385,11 +385,11 @@ int run(const Flags& flags) {
         out << to_json(report);
         if (!out) return fail(1, "cannot write " + flags.json);
     }
-    if (flags.efforts == "-")
+    if (flags.island_substeps == "-")
         std::fputs(jostle::sim::to_text(built->world.island_substeps()).c_str(), stdout);
-    else if (!flags.efforts.empty() &&
-             !write_text(flags.efforts, jostle::sim::to_json(built->world.island_substeps())))
-        return fail(1, "cannot write " + flags.efforts);
+    else if (!flags.island_substeps.empty() &&
+             !write_text(flags.island_substeps, jostle::sim::to_json(built->world.island_substeps())))
+        return fail(1, "cannot write " + flags.island_substeps);
     if (!flags.save.empty() && !save_world(built->world, flags.save))
         return fail(1, "cannot write " + flags.save);
     return 0;

@@ -69,9 +69,9 @@ TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_an
 TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
     ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-report " + file("e.json")), 0)
         << output();
-    const auto efforts = nlohmann::json::parse(read(file("e.json")));
-    ASSERT_GE(efforts.size(), 4u) << "car, wheels, gears, lift, gimbal";
-    for (const auto& island : efforts) {
+    const auto island_substeps = nlohmann::json::parse(read(file("e.json")));
+    ASSERT_GE(island_substeps.size(), 4u) << "car, wheels, gears, lift, gimbal";
+    for (const auto& island : island_substeps) {
         EXPECT_GT(island["error_m"].get<double>(), 0);
         EXPECT_GE(island["substeps"].get<int>(), 2);
         EXPECT_GT(island["joints"].get<int>() + island["contacts"].get<int>(), 0);

@@ -32,8 +32,8 @@ std::vector<BodyId> add_chain(World& world, double x, int links, double ratio) {
     return chain;
 }
 
-const IslandSubsteps& of(const std::vector<IslandSubsteps>& efforts, BodyId body) {
-    return *std::find_if(efforts.begin(), efforts.end(),
+const IslandSubsteps& of(const std::vector<IslandSubsteps>& island_substeps, BodyId body) {
+    return *std::find_if(island_substeps.begin(), island_substeps.end(),
                          [&](const IslandSubsteps& e) { return e.body == body; });
 }
 
@@ -50,15 +50,15 @@ TEST(SubstepLevels,
     for (int k = 0; k < 20; k++) boxes.push_back(add(world, {.position = {-2.0 * k, 0.5, 0}}));
     const BodyId link = add_chain(world, 10, 10, 100).front();
     run(world, 1);
-    const std::vector<IslandSubsteps> efforts = world.island_substeps();
-    ASSERT_EQ(efforts.size(), 21u);
+    const std::vector<IslandSubsteps> island_substeps = world.island_substeps();
+    ASSERT_EQ(island_substeps.size(), 21u);
     for (const BodyId box : boxes) {
-        EXPECT_EQ(of(efforts, box).substeps, 2);
-        EXPECT_LT(of(efforts, box).error, 1e-3);
+        EXPECT_EQ(of(island_substeps, box).substeps, 2);
+        EXPECT_LT(of(island_substeps, box).error, 1e-3);
     }
-    EXPECT_GE(of(efforts, link).substeps, 16);
-    EXPECT_TRUE(of(efforts, link).direct);
-    EXPECT_EQ(of(efforts, link).joints, 10);
+    EXPECT_GE(of(island_substeps, link).substeps, 16);
+    EXPECT_TRUE(of(island_substeps, link).direct);
+    EXPECT_EQ(of(island_substeps, link).joints, 10);
 }
 
 TEST(SubstepLevels, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
@@ -111,9 +111,9 @@ TEST(SubstepLevels, within_a_budget_those_give_in_whom_it_harms_least) {
         if (k >= 20 && world.profile().body_substeps <= 400) kept++;
     }
     EXPECT_EQ(kept, 100);
-    const std::vector<IslandSubsteps> efforts = world.island_substeps();
-    EXPECT_GE(of(efforts, heavy).target_substeps, of(efforts, heavy).substeps);
-    for (const IslandSubsteps& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
+    const std::vector<IslandSubsteps> island_substeps = world.island_substeps();
+    EXPECT_GE(of(island_substeps, heavy).target_substeps, of(island_substeps, heavy).substeps);
+    for (const IslandSubsteps& e : island_substeps) EXPECT_LE(e.error, of(island_substeps, heavy).error);
 }
 
 TEST(SubstepLevels, without_a_tolerance_nothing_is_tried_and_nothing_known) {

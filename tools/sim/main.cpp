@@ -13,7 +13,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "tools/sim/converge.h"
 #include "tools/sim/convergence_report.h"
-#include "tools/sim/effort_report.h"
+#include "tools/sim/substep_report.h"
 #include "tools/sim/inspect_plot.h"
 #include "tools/sim/inspect_report.h"
 #include "tools/sim/progress.h"

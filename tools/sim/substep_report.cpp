@@ -19,7 +19,7 @@ struct Sum {
     double error = 0;
 };
 
-std::map<int, Sum> sums_of(const std::vector<IslandSubsteps>& island_substeps) {
+std::map<int, Sum> totals_by_substeps(const std::vector<IslandSubsteps>& island_substeps) {
     std::map<int, Sum> sums;
     for (const IslandSubsteps& e : island_substeps) {
         Sum& sum = sums[e.substeps];
@@ -42,7 +42,7 @@ std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
         "islands by sub-steps; error: m in a second, the worst; short: want more than the "
         "budget gives\n"
         "  sub-steps islands  bodies contacts  joints  direct   short    error\n";
-    for (const auto& [substeps, s] : sums_of(island_substeps))
+    for (const auto& [substeps, s] : totals_by_substeps(island_substeps))
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
                            s.contacts, s.joints, s.direct, s.short_of, s.error);
     std::vector<IslandSubsteps> worst = island_substeps;

@@ -14,15 +14,15 @@ using physics::IslandSubsteps;
 
 constexpr std::size_t shown_islands = 8;
 
-struct Sum {
+struct SubstepTotal {
     int islands = 0, bodies = 0, contacts = 0, joints = 0, direct = 0, short_of = 0;
     double error = 0;
 };
 
-std::map<int, Sum> totals_by_substeps(const std::vector<IslandSubsteps>& island_substeps) {
-    std::map<int, Sum> sums;
+std::map<int, SubstepTotal> totals_by_substeps(const std::vector<IslandSubsteps>& island_substeps) {
+    std::map<int, SubstepTotal> sums;
     for (const IslandSubsteps& e : island_substeps) {
-        Sum& sum = sums[e.substeps];
+        SubstepTotal& sum = sums[e.substeps];
         sum.islands++;
         sum.bodies += e.bodies;
         sum.contacts += e.contacts;

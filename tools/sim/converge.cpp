@@ -88,7 +88,7 @@ public:
 
     struct Run {
         Setting setting;
-        Motion motion;
+        Trajectory motion;
         double cpu_us_per_second = 0;
     };
 
@@ -107,7 +107,7 @@ public:
     }
 
     // The same with starts that hardly differ.
-    Result<Motion> run_twin(const Setting& setting, double nudge) {
+    Result<Trajectory> run_twin(const Setting& setting, double nudge) {
         announce_(name_of(setting) + ", nudged");
         return run_motion(nudged(scene_, nudge), setting, samples_);
     }
@@ -124,7 +124,7 @@ private:
 };
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
-double agree_until(const Motion& a, const Motion& b, double scale, double tolerance,
+double agree_until(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
                    const Samples& samples) {
     const std::size_t count = std::min(a.samples(), b.samples());
     for (std::size_t k = 0; k < count; k++)
@@ -133,7 +133,7 @@ double agree_until(const Motion& a, const Motion& b, double scale, double tolera
     return static_cast<double>(count) / samples.hz;
 }
 
-double end_error(const Motion& a, const Motion& b, double scale) {
+double end_error(const Trajectory& a, const Trajectory& b, double scale) {
     return error_of(distance_at(a, b, std::min(a.samples(), b.samples()) - 1), scale);
 }
 
@@ -175,7 +175,7 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& optio
     return ladder;
 }
 
-ConvergenceRow row_of(const Runs::Run& run, const Motion& truth, const Convergence& found,
+ConvergenceRow row_of(const Runs::Run& run, const Trajectory& truth, const Convergence& found,
                       const Samples& samples) {
     ConvergenceRow row{.setting = run.setting,
                        .cpu_us_per_second = run.cpu_us_per_second,
@@ -254,7 +254,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     Runs runs(scene, options, samples, announce);
     auto ladder = climb(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
-    const Motion& truth = ladder->back().motion;
+    const Trajectory& truth = ladder->back().motion;
     found.bodies = static_cast<int>(truth.bodies);
     found.agree_until = agree_until((*ladder)[ladder->size() - 2].motion, truth, found.scale,
                                     found.tolerances.front(), samples);

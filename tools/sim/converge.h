@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "jostle/scenes/scene.h"
-#include "tools/sim/motion.h"
+#include "tools/sim/trajectory.h"
 
 namespace jostle::sim {
 

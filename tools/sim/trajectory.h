@@ -25,7 +25,7 @@ struct Samples {
     std::size_t count = 0;
 };
 
-struct Motion {
+struct Trajectory {
     std::size_t bodies = 0;           // the scene's dynamic ones
     std::vector<physics::Vec3> at;    // centres of mass: all bodies of the first sample, and so on
     std::vector<physics::Quat> turn;  // likewise
@@ -36,14 +36,14 @@ struct Motion {
 };
 
 // The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
-physics::Result<Motion> run_motion(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> run_motion(scenes::SceneDescription scene, const Setting& setting,
                                    const Samples& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
 scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed);
 
 // Diagonal of the box around all places of all bodies, m.
-double extent_of(const Motion& motion);
+double extent_of(const Trajectory& motion);
 
 // Root of the mean of squares over all bodies.
 struct Distance {
@@ -51,7 +51,7 @@ struct Distance {
     double angle = 0;     // rad
 };
 // Over all samples of both runs, and at one sample.
-Distance distance_between(const Motion& a, const Motion& b);
-Distance distance_at(const Motion& a, const Motion& b, std::size_t sample);
+Distance distance_between(const Trajectory& a, const Trajectory& b);
+Distance distance_at(const Trajectory& a, const Trajectory& b, std::size_t sample);
 
 }  // namespace jostle::sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/sim/motion.h"
+#include "tools/sim/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ double angle_between(Quat a, Quat b) {
 struct DistanceSum {
     Rms position, angle;
 
-    void add(const Motion& a, const Motion& b, std::size_t sample) {
+    void add(const Trajectory& a, const Trajectory& b, std::size_t sample) {
         for (std::size_t k = sample * a.bodies; k < (sample + 1) * a.bodies; k++) {
             position.add(length_squared(a.at[k] - b.at[k]));
             const double turned = angle_between(a.turn[k], b.turn[k]);
@@ -47,7 +47,7 @@ struct DistanceSum {
 
 }  // namespace
 
-physics::Result<Motion> run_motion(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> run_motion(scenes::SceneDescription scene, const Setting& setting,
                                    const Samples& samples) {
     scene.world.substeps = setting.substeps;
     scene.world.tolerance = 0;  // it would choose them
@@ -56,7 +56,7 @@ physics::Result<Motion> run_motion(scenes::SceneDescription scene, const Setting
     if (!built) return built.error();
     const std::vector<physics::BodyId> bodies = dynamic_bodies(*built);
     const long steps = std::lround(setting.hz / samples.hz);
-    Motion motion{.bodies = bodies.size()};
+    Trajectory motion{.bodies = bodies.size()};
     for (std::size_t sample = 0; sample < samples.count; sample++) {
         const double before = thread_seconds();
         for (long step = 0; step < steps; step++)
@@ -93,7 +93,7 @@ scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed) {
     return scene;
 }
 
-double extent_of(const Motion& motion) {
+double extent_of(const Trajectory& motion) {
     if (motion.at.empty()) return 0;
     Vec3 low = motion.at[0], high = low;
     for (const Vec3 p : motion.at)
@@ -104,14 +104,14 @@ double extent_of(const Motion& motion) {
     return length(high - low);
 }
 
-Distance distance_between(const Motion& a, const Motion& b) {
+Distance distance_between(const Trajectory& a, const Trajectory& b) {
     DistanceSum sum;
     const std::size_t samples = std::min(a.samples(), b.samples());
     for (std::size_t sample = 0; sample < samples; sample++) sum.add(a, b, sample);
     return sum.value();
 }
 
-Distance distance_at(const Motion& a, const Motion& b, std::size_t sample) {
+Distance distance_at(const Trajectory& a, const Trajectory& b, std::size_t sample) {
     DistanceSum sum;
     sum.add(a, b, sample);
     return sum.value();

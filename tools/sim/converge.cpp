@@ -88,28 +88,28 @@ public:
 
     struct Run {
         Setting setting;
-        Trajectory motion;
+        Trajectory trajectory;
         double cpu_us_per_second = 0;
     };
 
     Result<Run> run(const Setting& setting) {
         announce_(name_of(setting));
-        auto motion = run_motion(scene_, setting, samples_);
-        if (!motion) return motion.error();
-        double least = motion->cpu_seconds;
+        auto trajectory = simulate_trajectory(scene_, setting, samples_);
+        if (!trajectory) return trajectory.error();
+        double least = trajectory->cpu_seconds;
         spent_ += least;
         for (int k = 0; k < 2 && least < short_run; k++)
-            if (auto again = run_motion(scene_, setting, samples_)) {
+            if (auto again = simulate_trajectory(scene_, setting, samples_)) {
                 least = std::min(least, again->cpu_seconds);
                 spent_ += again->cpu_seconds;
             }
-        return Run{setting, std::move(*motion), 1e6 * least / seconds_};
+        return Run{setting, std::move(*trajectory), 1e6 * least / seconds_};
     }
 
     // The same with starts that hardly differ.
     Result<Trajectory> run_twin(const Setting& setting, double nudge) {
         announce_(name_of(setting) + ", nudged");
-        return run_motion(nudged(scene_, nudge), setting, samples_);
+        return simulate_trajectory(nudged(scene_, nudge), setting, samples_);
     }
 
     bool affords(double cpu_us_per_second) const {
@@ -152,15 +152,15 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& optio
         }
         auto run = runs.run({hz, substeps});
         if (!run) return run.error();
-        if (!run->motion.blown.empty())
+        if (!run->trajectory.blown.empty())
             return Error{{},
-                         "the run at " + name_of(run->setting) + " ended: " + run->motion.blown};
+                         "the run at " + name_of(run->setting) + " ended: " + run->trajectory.blown};
         ladder.push_back(std::move(*run));
-        const double extent = extent_of(ladder.back().motion);
+        const double extent = extent_of(ladder.back().trajectory);
         found.scale = options.scale > 0 ? options.scale : extent > least_extent ? extent : 1;
         if (ladder.size() < 2) continue;
         doubts.push_back(error_of(
-            distance_between(ladder[ladder.size() - 2].motion, ladder.back().motion), found.scale));
+            distance_between(ladder[ladder.size() - 2].trajectory, ladder.back().trajectory), found.scale));
         if (options.rates.empty() && doubts.back() <= safe_share * options.tolerances.back())
             break;
     }
@@ -179,15 +179,15 @@ ConvergenceRow row_of(const Runs::Run& run, const Trajectory& truth, const Conve
                       const Samples& samples) {
     ConvergenceRow row{.setting = run.setting,
                        .cpu_us_per_second = run.cpu_us_per_second,
-                       .blown = run.motion.blown};
+                       .blown = run.trajectory.blown};
     if (!row.blown.empty()) return row;
-    const Distance distance = distance_between(run.motion, truth);
+    const Distance distance = distance_between(run.trajectory, truth);
     row.distance = distance.position;
     row.angle = distance.angle;
     row.error = error_of(distance, found.scale);
-    row.end_error = end_error(run.motion, truth, found.scale);
+    row.end_error = end_error(run.trajectory, truth, found.scale);
     row.agrees_until =
-        agree_until(run.motion, truth, found.scale, found.tolerances.front(), samples);
+        agree_until(run.trajectory, truth, found.scale, found.tolerances.front(), samples);
     return row;
 }
 
@@ -210,7 +210,7 @@ Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const Convergence
     auto twin = runs.run_twin(same.setting, found.nudge);
     if (!twin) return twin.error();
     if (twin->samples() == 0) return Error{{}, "the nudged run ended: " + twin->blown};
-    found.twin_error = end_error(same.motion, *twin, found.scale);
+    found.twin_error = end_error(same.trajectory, *twin, found.scale);
     found.growth = found.twin_error / (nudge_share * options.seconds);
     return {};
 }
@@ -254,9 +254,9 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     Runs runs(scene, options, samples, announce);
     auto ladder = climb(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
-    const Trajectory& truth = ladder->back().motion;
+    const Trajectory& truth = ladder->back().trajectory;
     found.bodies = static_cast<int>(truth.bodies);
-    found.agree_until = agree_until((*ladder)[ladder->size() - 2].motion, truth, found.scale,
+    found.agree_until = agree_until((*ladder)[ladder->size() - 2].trajectory, truth, found.scale,
                                     found.tolerances.front(), samples);
     if (auto status = nudge(runs, *ladder, options, found); !status) return status.error();
     found.verdict = verdict_of(found);

@@ -38,7 +38,7 @@ struct DistanceSum {
     void add(const Trajectory& a, const Trajectory& b, std::size_t sample) {
         for (std::size_t k = sample * a.bodies; k < (sample + 1) * a.bodies; k++) {
             position.add(length_squared(a.at[k] - b.at[k]));
-            const double turned = angle_between(a.turn[k], b.turn[k]);
+            const double turned = angle_between(a.rotations[k], b.rotations[k]);
             angle.add(turned * turned);
         }
     }
@@ -47,7 +47,7 @@ struct DistanceSum {
 
 }  // namespace
 
-physics::Result<Trajectory> run_motion(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const Setting& setting,
                                    const Samples& samples) {
     scene.world.substeps = setting.substeps;
     scene.world.tolerance = 0;  // it would choose them
@@ -56,26 +56,26 @@ physics::Result<Trajectory> run_motion(scenes::SceneDescription scene, const Set
     if (!built) return built.error();
     const std::vector<physics::BodyId> bodies = dynamic_bodies(*built);
     const long steps = std::lround(setting.hz / samples.hz);
-    Trajectory motion{.bodies = bodies.size()};
+    Trajectory trajectory{.bodies = bodies.size()};
     for (std::size_t sample = 0; sample < samples.count; sample++) {
         const double before = thread_seconds();
         for (long step = 0; step < steps; step++)
             if (const auto status = built->world.step(1 / setting.hz); !status) {
-                motion.blown = status.error().message;
-                return motion;
+                trajectory.blown = status.error().message;
+                return trajectory;
             }
-        motion.cpu_seconds += thread_seconds() - before;
+        trajectory.cpu_seconds += thread_seconds() - before;
         for (const physics::BodyId id : bodies) {
             const auto body = built->world.body(id);
             if (!body) {
-                motion.blown = "a body is gone";
-                return motion;
+                trajectory.blown = "a body is gone";
+                return trajectory;
             }
-            motion.at.push_back(body->center);
-            motion.turn.push_back(body->pose.rotation);
+            trajectory.at.push_back(body->center);
+            trajectory.rotations.push_back(body->pose.rotation);
         }
     }
-    return motion;
+    return trajectory;
 }
 
 // Directions spread over the sphere by the golden angle: no two bodies get the same.
@@ -93,10 +93,10 @@ scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed) {
     return scene;
 }
 
-double extent_of(const Trajectory& motion) {
-    if (motion.at.empty()) return 0;
-    Vec3 low = motion.at[0], high = low;
-    for (const Vec3 p : motion.at)
+double extent_of(const Trajectory& trajectory) {
+    if (trajectory.at.empty()) return 0;
+    Vec3 low = trajectory.at[0], high = low;
+    for (const Vec3 p : trajectory.at)
         for (int k = 0; k < 3; k++) {
             low[k] = std::min(low[k], p[k]);
             high[k] = std::max(high[k], p[k]);

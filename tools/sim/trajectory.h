@@ -28,7 +28,7 @@ struct Samples {
 struct Trajectory {
     std::size_t bodies = 0;           // the scene's dynamic ones
     std::vector<physics::Vec3> at;    // centres of mass: all bodies of the first sample, and so on
-    std::vector<physics::Quat> turn;  // likewise
+    std::vector<physics::Quat> rotations;  // likewise
     double cpu_seconds = 0;           // of the steps alone
     std::string blown;                // why the run ended early; empty: it did not
 
@@ -36,14 +36,14 @@ struct Trajectory {
 };
 
 // The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
-physics::Result<Trajectory> run_motion(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const Setting& setting,
                                    const Samples& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
 scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed);
 
 // Diagonal of the box around all places of all bodies, m.
-double extent_of(const Trajectory& motion);
+double extent_of(const Trajectory& trajectory);
 
 // Root of the mean of squares over all bodies.
 struct Distance {

@@ -31,7 +31,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string name_of(const Setting& setting) {
+std::string name_of(const StepSettings& setting) {
     return number(setting.hz) + " Hz, " + std::to_string(setting.substeps) + " sub-steps";
 }
 
@@ -87,12 +87,12 @@ public:
           announce_(announce) {}
 
     struct Run {
-        Setting setting;
+        StepSettings setting;
         Trajectory trajectory;
         double cpu_us_per_second = 0;
     };
 
-    Result<Run> run(const Setting& setting) {
+    Result<Run> run(const StepSettings& setting) {
         announce_(name_of(setting));
         auto trajectory = simulate_trajectory(scene_, setting, samples_);
         if (!trajectory) return trajectory.error();
@@ -107,7 +107,7 @@ public:
     }
 
     // The same with starts that hardly differ.
-    Result<Trajectory> run_twin(const Setting& setting, double nudge) {
+    Result<Trajectory> run_twin(const StepSettings& setting, double nudge) {
         announce_(name_of(setting) + ", nudged");
         return simulate_trajectory(nudged(scene_, nudge), setting, samples_);
     }

@@ -29,7 +29,7 @@ struct ConvergenceOptions {
 // Errors are the larger of two numbers: RMS distance of the bodies' centres over the scale, and RMS
 // angle in radians.
 struct ConvergenceRow {
-    Setting setting;
+    StepSettings setting;
     double error = 0;  // over all samples, against the finest run; the doubt, where that is more
     double end_error = 0;          // at the last sample
     double distance = 0;           // m, over all samples
@@ -52,7 +52,7 @@ struct Convergence {
     int bodies = 0;
     std::vector<double> tolerances;
     Verdict verdict = Verdict::agreed;
-    Setting finest;          // against whose run all errors are
+    StepSettings finest;          // against whose run all errors are
     double doubt = 0;        // error of the run at the next lower rate: how well the truth is known
     double agree_until = 0;  // s: the two finest runs, within the largest tolerance
     std::optional<double> doubt_order;  // of the last refinement: how fast the doubt falls

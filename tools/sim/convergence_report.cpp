@@ -25,7 +25,7 @@ std::string table(const Convergence& found) {
     std::string text = format_text("%8s %10s %10s %10s %8s %8s %9s %11s\n", "hz", "sub-steps",
                                    "error", "at end", "order", "same to", "us/step", "cpu us/s");
     for (const ConvergenceRow& row : found.rows) {
-        const Setting& s = row.setting;
+        const StepSettings& s = row.setting;
         if (!row.blown.empty()) {
             text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.blown.c_str());
             continue;

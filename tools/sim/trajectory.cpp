@@ -47,7 +47,7 @@ struct DistanceSum {
 
 }  // namespace
 
-physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
                                    const Samples& samples) {
     scene.world.substeps = setting.substeps;
     scene.world.tolerance = 0;  // it would choose them

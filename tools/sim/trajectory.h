@@ -13,10 +13,10 @@
 namespace jostle::sim {
 
 // How a run steps.
-struct Setting {
+struct StepSettings {
     double hz = 60;
     int substeps = 8;
-    bool operator==(const Setting&) const = default;
+    bool operator==(const StepSettings&) const = default;
 };
 
 // Which times are looked at: every 1 / hz seconds, `count` times.
@@ -36,7 +36,7 @@ struct Trajectory {
 };
 
 // The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
-physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const Setting& setting,
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
                                    const Samples& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.

@@ -79,7 +79,7 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
 class Runs {
 public:
     Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& options,
-         Samples samples, const Announce& announce)
+         SampleTimes samples, const Announce& announce)
         : scene_(scene),
           samples_(samples),
           seconds_(static_cast<double>(samples.count) / samples.hz),
@@ -118,14 +118,14 @@ public:
 
 private:
     const scenes::SceneDescription& scene_;
-    Samples samples_;
+    SampleTimes samples_;
     double seconds_, budget_, spent_ = 0;
     const Announce& announce_;
 };
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
 double agree_until(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
-                   const Samples& samples) {
+                   const SampleTimes& samples) {
     const std::size_t count = std::min(a.samples(), b.samples());
     for (std::size_t k = 0; k < count; k++)
         if (error_of(distance_at(a, b, k), scale) > tolerance)
@@ -176,7 +176,7 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& optio
 }
 
 ConvergenceRow row_of(const Runs::Run& run, const Trajectory& truth, const Convergence& found,
-                      const Samples& samples) {
+                      const SampleTimes& samples) {
     ConvergenceRow row{.setting = run.setting,
                        .cpu_us_per_second = run.cpu_us_per_second,
                        .blown = run.trajectory.blown};
@@ -246,7 +246,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
                      number(options.seconds) + " s are less than one step at " + number(rates[0]) +
                          " Hz: simulate longer"};
     const double stride = std::ceil(steps / static_cast<double>(samples_max));
-    const Samples samples{rates[0] / stride, static_cast<std::size_t>(steps / stride)};
+    const SampleTimes samples{rates[0] / stride, static_cast<std::size_t>(steps / stride)};
 
     Convergence found{.scene = scene.name,
                       .seconds = static_cast<double>(samples.count) / samples.hz,

@@ -48,7 +48,7 @@ struct DistanceSum {
 }  // namespace
 
 physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
-                                   const Samples& samples) {
+                                   const SampleTimes& samples) {
     scene.world.substeps = setting.substeps;
     scene.world.tolerance = 0;  // it would choose them
     scene.world.threads = 1;

@@ -20,7 +20,7 @@ struct StepSettings {
 };
 
 // Which times are looked at: every 1 / hz seconds, `count` times.
-struct Samples {
+struct SampleTimes {
     double hz = 60;
     std::size_t count = 0;
 };
@@ -37,7 +37,7 @@ struct Trajectory {
 
 // The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
 physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
-                                   const Samples& samples);
+                                   const SampleTimes& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
 scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed);

@@ -19,10 +19,10 @@ constexpr double slowest_hz = 4;          // of any step
 constexpr std::size_t samples_max = 240;  // looked at in a run
 constexpr double short_run = 0.05;        // s of processor time: repeated, the least counts
 constexpr double safe_share = 0.25;       // of the tolerance: agreement that leaves no doubt
-constexpr double nudge_share = 1e-6;      // of the scale, a second
+constexpr double perturbation_ratio = 1e-6;      // of the scale, a second
 constexpr double chaotic_growth = 100;    // of a nudge
 constexpr double hopeless_order = 0.5;    // of the doubt: below, refining does not help
-constexpr double clear_of_doubt = 4;      // times it: an error that is the run's own
+constexpr double reference_error_margin = 4;      // times it: an error that is the run's own
 constexpr double least_extent = 1e-3;     // m: bodies that hardly move say nothing of a scale
 
 std::string number(double value) {
@@ -107,9 +107,9 @@ public:
     }
 
     // The same with starts that hardly differ.
-    Result<Trajectory> run_twin(const StepSettings& setting, double nudge) {
+    Result<Trajectory> run_perturbed(const StepSettings& setting, double perturbation) {
         announce_(name_of(setting) + ", nudged");
-        return simulate_trajectory(nudged(scene_, nudge), setting, samples_);
+        return simulate_trajectory(perturbed(scene_, perturbation), setting, samples_);
     }
 
     bool affords(double cpu_us_per_second) const {
@@ -124,7 +124,7 @@ private:
 };
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
-double agree_until(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
+double agreement_seconds(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
                    const SampleTimes& samples) {
     const std::size_t count = std::min(a.samples(), b.samples());
     for (std::size_t k = 0; k < count; k++)
@@ -138,7 +138,7 @@ double end_error(const Trajectory& a, const Trajectory& b, double scale) {
 }
 
 // With the most sub-steps, from the lowest rate up, until two neighbours agree.
-Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& options,
+Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& options,
                                      const std::vector<double>& rates, int substeps,
                                      Convergence& found) {
     std::vector<Runs::Run> ladder;
@@ -147,14 +147,14 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& optio
         const bool more = ladder.size() >= 2;
         if (more &&
             !runs.affords(ladder.back().cpu_us_per_second * hz / ladder.back().setting.hz)) {
-            found.cut_short = "all rates from " + number(hz) + " Hz on";
+            found.skipped_runs = "all rates from " + number(hz) + " Hz on";
             break;
         }
         auto run = runs.run({hz, substeps});
         if (!run) return run.error();
-        if (!run->trajectory.blown.empty())
+        if (!run->trajectory.failure.empty())
             return Error{{},
-                         "the run at " + name_of(run->setting) + " ended: " + run->trajectory.blown};
+                         "the run at " + name_of(run->setting) + " ended: " + run->trajectory.failure};
         ladder.push_back(std::move(*run));
         const double extent = extent_of(ladder.back().trajectory);
         found.scale = options.scale > 0 ? options.scale : extent > least_extent ? extent : 1;
@@ -167,9 +167,9 @@ Result<std::vector<Runs::Run>> climb(Runs& runs, const ConvergenceOptions& optio
     if (doubts.empty())
         return Error{{}, "there is one rate alone, so nothing to compare: raise --finest-hz"};
     found.finest = ladder.back().setting;
-    found.doubt = doubts.back();
+    found.reference_error = doubts.back();
     if (doubts.size() > 1)
-        found.doubt_order = convergence::observed_order(
+        found.reference_order = convergence::observed_order(
             doubts[doubts.size() - 2], doubts.back(),
             ladder.back().setting.hz / ladder[ladder.size() - 2].setting.hz);
     return ladder;
@@ -179,56 +179,56 @@ ConvergenceRow row_of(const Runs::Run& run, const Trajectory& truth, const Conve
                       const SampleTimes& samples) {
     ConvergenceRow row{.setting = run.setting,
                        .cpu_us_per_second = run.cpu_us_per_second,
-                       .blown = run.trajectory.blown};
-    if (!row.blown.empty()) return row;
+                       .failure = run.trajectory.failure};
+    if (!row.failure.empty()) return row;
     const Distance distance = distance_between(run.trajectory, truth);
     row.distance = distance.position;
     row.angle = distance.angle;
     row.error = error_of(distance, found.scale);
     row.end_error = end_error(run.trajectory, truth, found.scale);
-    row.agrees_until =
-        agree_until(run.trajectory, truth, found.scale, found.tolerances.front(), samples);
+    row.agreement_seconds =
+        agreement_seconds(run.trajectory, truth, found.scale, found.tolerances.front(), samples);
     return row;
 }
 
 // Only where the error is clear of the doubt: below, it is as much the truth's as the run's.
-void add_orders(std::vector<ConvergenceRow>& rows, double doubt) {
+void add_orders(std::vector<ConvergenceRow>& rows, double reference_error) {
     for (std::size_t k = 1; k < rows.size(); k++) {
         const ConvergenceRow& before = rows[k - 1];
         if (before.setting.substeps != rows[k].setting.substeps) continue;
-        if (!(rows[k].error > clear_of_doubt * doubt)) continue;
+        if (!(rows[k].error > reference_error_margin * reference_error)) continue;
         rows[k].order = convergence::observed_order(before.error, rows[k].error,
                                                     rows[k].setting.hz / before.setting.hz);
     }
 }
 
 // Whether starts that hardly differ part as the runs do.
-Status nudge(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& options,
+Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& options,
              Convergence& found) {
     const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
-    found.nudge = nudge_share * found.scale;
-    auto twin = runs.run_twin(same.setting, found.nudge);
-    if (!twin) return twin.error();
-    if (twin->samples() == 0) return Error{{}, "the nudged run ended: " + twin->blown};
-    found.twin_error = end_error(same.trajectory, *twin, found.scale);
-    found.growth = found.twin_error / (nudge_share * options.seconds);
+    found.perturbation = perturbation_ratio * found.scale;
+    auto perturbed_run = runs.run_perturbed(same.setting, found.perturbation);
+    if (!perturbed_run) return perturbed_run.error();
+    if (perturbed_run->samples() == 0) return Error{{}, "the nudged run ended: " + perturbed_run->failure};
+    found.perturbation_error = end_error(same.trajectory, *perturbed_run, found.scale);
+    found.growth = found.perturbation_error / (perturbation_ratio * options.seconds);
     return {};
 }
 
 Verdict verdict_of(const Convergence& found) {
-    if (found.doubt <= found.tolerances.back()) return Verdict::agreed;
-    const bool closer = found.doubt_order && *found.doubt_order > hopeless_order;
-    return !closer && found.growth > chaotic_growth ? Verdict::chaotic : Verdict::not_yet;
+    if (found.reference_error <= found.tolerances.back()) return Verdict::converged;
+    const bool closer = found.reference_order && *found.reference_order > hopeless_order;
+    return !closer && found.growth > chaotic_growth ? Verdict::chaotic : Verdict::not_converged;
 }
 
 }  // namespace
 
 std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
-    if (doubt > tolerance) return {};
+    if (reference_error > tolerance) return {};
     std::vector<convergence::WorkError> runs;
     for (const ConvergenceRow& row : rows)
         runs.push_back({row.cpu_us_per_second,
-                        row.blown.empty() ? row.error : std::numeric_limits<double>::infinity()});
+                        row.failure.empty() ? row.error : std::numeric_limits<double>::infinity()});
     const auto best = convergence::least_work(runs, tolerance);
     if (!best) return {};
     return rows[*best];
@@ -252,13 +252,13 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
                       .seconds = static_cast<double>(samples.count) / samples.hz,
                       .tolerances = options.tolerances};
     Runs runs(scene, options, samples, announce);
-    auto ladder = climb(runs, options, rates, substeps.back(), found);
+    auto ladder = refine(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
     const Trajectory& truth = ladder->back().trajectory;
     found.bodies = static_cast<int>(truth.bodies);
-    found.agree_until = agree_until((*ladder)[ladder->size() - 2].trajectory, truth, found.scale,
+    found.agreement_seconds = agreement_seconds((*ladder)[ladder->size() - 2].trajectory, truth, found.scale,
                                     found.tolerances.front(), samples);
-    if (auto status = nudge(runs, *ladder, options, found); !status) return status.error();
+    if (auto status = perturbation(runs, *ladder, options, found); !status) return status.error();
     found.verdict = verdict_of(found);
 
     for (const int count : substeps)
@@ -268,7 +268,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
                 continue;
             }
             if (!runs.affords(step.cpu_us_per_second)) {
-                found.cut_short = "some settings";
+                found.skipped_runs = "some settings";
                 break;
             }
             const auto run = runs.run({step.setting.hz, count});
@@ -276,9 +276,9 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
             found.rows.push_back(row_of(*run, truth, found, samples));
         }
     // Nothing is known better than the finest run's neighbour says.
-    for (ConvergenceRow& row : found.rows) row.error = std::max(row.error, found.doubt);
-    found.rows.back().end_error = found.doubt;
-    add_orders(found.rows, found.doubt);
+    for (ConvergenceRow& row : found.rows) row.error = std::max(row.error, found.reference_error);
+    found.rows.back().end_error = found.reference_error;
+    add_orders(found.rows, found.reference_error);
     return found;
 }
 

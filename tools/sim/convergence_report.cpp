@@ -11,9 +11,9 @@ namespace {
 
 const char* name_of(Verdict verdict) {
     switch (verdict) {
-        case Verdict::agreed:
+        case Verdict::converged:
             return "agreed";
-        case Verdict::not_yet:
+        case Verdict::not_converged:
             return "not yet";
         case Verdict::chaotic:
             return "chaotic";
@@ -26,23 +26,23 @@ std::string table(const Convergence& found) {
                                    "error", "at end", "order", "same to", "us/step", "cpu us/s");
     for (const ConvergenceRow& row : found.rows) {
         const StepSettings& s = row.setting;
-        if (!row.blown.empty()) {
-            text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.blown.c_str());
+        if (!row.failure.empty()) {
+            text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.failure.c_str());
             continue;
         }
         text += format_text("%8g %10d %10.3g %10.3g %8s %7.3gs %9.3g %11.4g%s\n", s.hz, s.substeps,
                             row.error, row.end_error,
                             row.order ? format_text("%.2f", *row.order).c_str() : "",
-                            row.agrees_until, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
+                            row.agreement_seconds, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
                             s == found.finest ? "  finest" : "");
     }
     return text;
 }
 
 std::string answer(const Convergence& found, double tolerance) {
-    if (found.doubt > tolerance)
+    if (found.reference_error > tolerance)
         return format_text("  %-8g nobody knows: the two finest runs differ by %.3g\n", tolerance,
-                           found.doubt);
+                           found.reference_error);
     const auto row = found.cheapest(tolerance);
     if (!row) return format_text("  %-8g no setting is good enough\n", tolerance);
     return format_text("  %-8g --hz %g --substeps %d  (%.4g us/s, error %.3g)\n", tolerance,
@@ -51,22 +51,22 @@ std::string answer(const Convergence& found, double tolerance) {
 
 // Refinement by which the doubt would fall to the tolerance if it goes on falling as it did.
 std::string rate_needed(const Convergence& found) {
-    if (!found.doubt_order || *found.doubt_order <= 0.1) return "";
-    const double times = std::pow(found.doubt / found.tolerances.back(), 1 / *found.doubt_order);
-    return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.doubt_order,
+    if (!found.reference_order || *found.reference_order <= 0.1) return "";
+    const double times = std::pow(found.reference_error / found.tolerances.back(), 1 / *found.reference_order);
+    return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.reference_order,
                        found.finest.hz * times);
 }
 
 std::string verdict(const Convergence& found) {
     switch (found.verdict) {
-        case Verdict::agreed:
-            return format_text("The two finest runs agree: they differ by %.3g.\n", found.doubt);
-        case Verdict::not_yet:
+        case Verdict::converged:
+            return format_text("The two finest runs agree: they differ by %.3g.\n", found.reference_error);
+        case Verdict::not_converged:
             return format_text("The runs do not agree yet: the two finest differ by %.3g",
-                               found.doubt) +
+                               found.reference_error) +
                    rate_needed(found) +
                    format_text(" (--finest-hz, --budget).\nThey agree to %g for %.3g s.\n",
-                               found.tolerances.front(), found.agree_until);
+                               found.tolerances.front(), found.agreement_seconds);
         case Verdict::chaotic:
             break;
     }
@@ -76,8 +76,8 @@ std::string verdict(const Convergence& found) {
         "the\n"
         "start took them. No rate and no engine tells where a body ends up. The two finest agree\n"
         "to %g for %.3g s: ask about that time (--seconds), or about sums over many bodies.\n",
-        found.doubt, found.nudge, found.twin_error, found.growth, found.tolerances.front(),
-        found.agree_until);
+        found.reference_error, found.perturbation, found.perturbation_error, found.growth, found.tolerances.front(),
+        found.agreement_seconds);
 }
 
 }  // namespace
@@ -89,10 +89,10 @@ std::string to_text(const Convergence& found) {
         "error: RMS distance of the centres over %.4g m, or RMS angle in rad: the larger.\n"
         "Against the finest run, over all bodies and times. No error is told below %.3g, by which\n"
         "the two finest runs differ. Same to: closer than %g until then.\n\n",
-        found.scale, found.doubt, found.tolerances.front());
+        found.scale, found.reference_error, found.tolerances.front());
     text += table(found) + "\n" + verdict(found);
-    if (!found.cut_short.empty())
-        text += "Left out, for they would cost more than --budget: " + found.cut_short + ".\n";
+    if (!found.skipped_runs.empty())
+        text += "Left out, for they would cost more than --budget: " + found.skipped_runs + ".\n";
     text += "Cheapest setting for an error of at most\n";
     for (const double tolerance : found.tolerances) text += answer(found, tolerance);
     return text;
@@ -103,8 +103,8 @@ std::string to_json(const Convergence& found) {
     json rows = json::array(), answers = json::array();
     for (const ConvergenceRow& row : found.rows) {
         json line = {{"hz", row.setting.hz}, {"substeps", row.setting.substeps}};
-        if (!row.blown.empty()) {
-            line["blown"] = row.blown;
+        if (!row.failure.empty()) {
+            line["blown"] = row.failure;
             rows.push_back(line);
             continue;
         }
@@ -112,7 +112,7 @@ std::string to_json(const Convergence& found) {
         line["end_error"] = row.end_error;
         line["distance_m"] = row.distance;
         line["angle_rad"] = row.angle;
-        line["agrees_until_s"] = row.agrees_until;
+        line["agrees_until_s"] = row.agreement_seconds;
         line["order"] = row.order ? json(*row.order) : json(nullptr);
         line["cpu_us_per_second"] = row.cpu_us_per_second;
         rows.push_back(line);
@@ -135,13 +135,13 @@ std::string to_json(const Convergence& found) {
                       {"verdict", name_of(found.verdict)},
                       {"finest_hz", found.finest.hz},
                       {"finest_substeps", found.finest.substeps},
-                      {"doubt", found.doubt},
-                      {"doubt_order", found.doubt_order ? json(*found.doubt_order) : json(nullptr)},
-                      {"agree_until_s", found.agree_until},
-                      {"nudge_m_per_s", found.nudge},
-                      {"nudged_error", found.twin_error},
-                      {"nudge_growth", found.growth},
-                      {"cut_short", found.cut_short},
+                      {"doubt", found.reference_error},
+                      {"reference_order", found.reference_order ? json(*found.reference_order) : json(nullptr)},
+                      {"agreement_s", found.agreement_seconds},
+                      {"perturbation_m_per_s", found.perturbation},
+                      {"perturbation_error", found.perturbation_error},
+                      {"perturbation_growth", found.growth},
+                      {"skipped_runs", found.skipped_runs},
                       {"cheapest", answers},
                       {"rows", rows}};
     return all.dump(2) + "\n";

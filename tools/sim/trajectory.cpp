@@ -61,14 +61,14 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, 
         const double before = thread_seconds();
         for (long step = 0; step < steps; step++)
             if (const auto status = built->world.step(1 / setting.hz); !status) {
-                trajectory.blown = status.error().message;
+                trajectory.failure = status.error().message;
                 return trajectory;
             }
         trajectory.cpu_seconds += thread_seconds() - before;
         for (const physics::BodyId id : bodies) {
             const auto body = built->world.body(id);
             if (!body) {
-                trajectory.blown = "a body is gone";
+                trajectory.failure = "a body is gone";
                 return trajectory;
             }
             trajectory.at.push_back(body->center);
@@ -79,7 +79,7 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, 
 }
 
 // Directions spread over the sphere by the golden angle: no two bodies get the same.
-scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed) {
+scenes::SceneDescription perturbed(scenes::SceneDescription scene, double speed) {
     constexpr double golden_angle = 2.399963229728653;
     for (std::size_t k = 0; k < scene.bodies.size(); k++) {
         physics::BodyDef& body = scene.bodies[k].body;

@@ -30,7 +30,7 @@ struct Trajectory {
     std::vector<physics::Vec3> at;    // centres of mass: all bodies of the first sample, and so on
     std::vector<physics::Quat> rotations;  // likewise
     double cpu_seconds = 0;           // of the steps alone
-    std::string blown;                // why the run ended early; empty: it did not
+    std::string failure;                // why the run ended early; empty: it did not
 
     std::size_t samples() const { return bodies == 0 ? 0 : at.size() / bodies; }
 };
@@ -40,7 +40,7 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, 
                                    const SampleTimes& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
-scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed);
+scenes::SceneDescription perturbed(scenes::SceneDescription scene, double speed);
 
 // Diagonal of the box around all places of all bodies, m.
 double extent_of(const Trajectory& trajectory);

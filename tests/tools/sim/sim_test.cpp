@@ -170,11 +170,11 @@ TEST_F(Sim, says_that_a_break_of_billiards_is_chaotic_and_for_how_long_runs_agre
         << output();
     const auto json = report();
     EXPECT_EQ(json["verdict"], "chaotic");
-    EXPECT_GT(json["nudge_growth"].get<double>(), 100);
+    EXPECT_GT(json["perturbation_growth"].get<double>(), 100);
     EXPECT_GT(json["doubt"].get<double>(), 0.1);
     // The cue ball needs that long to reach the others; after that nobody knows.
-    EXPECT_GT(json["agree_until_s"].get<double>(), 0.1);
-    EXPECT_LT(json["agree_until_s"].get<double>(), 2);
+    EXPECT_GT(json["agreement_s"].get<double>(), 0.1);
+    EXPECT_LT(json["agreement_s"].get<double>(), 2);
     EXPECT_TRUE(json["cheapest"][0]["hz"].is_null());
     EXPECT_NE(output().find("The scene is chaotic"), std::string::npos);
 }

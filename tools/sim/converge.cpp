@@ -79,7 +79,7 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
 class Runs {
 public:
     Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& options,
-         SampleTimes samples, const Announce& announce)
+         SampleTimes samples, const ProgressCallback& announce)
         : scene_(scene),
           samples_(samples),
           seconds_(static_cast<double>(samples.count) / samples.hz),
@@ -120,7 +120,7 @@ private:
     const scenes::SceneDescription& scene_;
     SampleTimes samples_;
     double seconds_, budget_, spent_ = 0;
-    const Announce& announce_;
+    const ProgressCallback& announce_;
 };
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
@@ -235,7 +235,7 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& options, const Announce& announce) {
+                             const ConvergenceOptions& options, const ProgressCallback& announce) {
     if (auto status = check(scene, options); !status) return status.error();
     const std::vector<double> rates = rates_of(scene, options);
     const std::vector<int> substeps = substeps_of(scene, options);

@@ -68,11 +68,11 @@ struct Convergence {
 };
 
 // Says which run is next, for a progress line.
-using Announce = std::function<void(const std::string&)>;
+using ProgressCallback = std::function<void(const std::string&)>;
 
 // What is wrong with the question, or with the scene, is said before anything runs.
 physics::Result<Convergence> converge(const scenes::SceneDescription& scene,
                                       const ConvergenceOptions& options,
-                                      const Announce& announce);
+                                      const ProgressCallback& announce);
 
 }  // namespace jostle::sim

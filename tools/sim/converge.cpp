@@ -18,12 +18,12 @@ using physics::Status;
 constexpr double slowest_hz = 4;          // of any step
 constexpr std::size_t samples_max = 240;  // looked at in a run
 constexpr double short_run = 0.05;        // s of processor time: repeated, the least counts
-constexpr double safe_share = 0.25;       // of the tolerance: agreement that leaves no doubt
+constexpr double safe_ratio = 0.25;       // of the tolerance: agreement that leaves no doubt
 constexpr double perturbation_ratio = 1e-6;      // of the scale, a second
 constexpr double chaotic_growth = 100;    // of a nudge
-constexpr double hopeless_order = 0.5;    // of the doubt: below, refining does not help
+constexpr double order_min = 0.5;    // of the doubt: below, refining does not help
 constexpr double reference_error_margin = 4;      // times it: an error that is the run's own
-constexpr double least_extent = 1e-3;     // m: bodies that hardly move say nothing of a scale
+constexpr double extent_min = 1e-3;     // m: bodies that hardly move say nothing of a scale
 
 std::string number(double value) {
     char text[32];
@@ -79,12 +79,12 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
 class Runs {
 public:
     Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& options,
-         SampleTimes samples, const ProgressCallback& announce)
+         SampleTimes samples, const ProgressCallback& on_progress)
         : scene_(scene),
           samples_(samples),
           seconds_(static_cast<double>(samples.count) / samples.hz),
           budget_(options.budget_seconds),
-          announce_(announce) {}
+          on_progress_(on_progress) {}
 
     struct Run {
         StepSettings setting;
@@ -93,7 +93,7 @@ public:
     };
 
     Result<Run> run(const StepSettings& setting) {
-        announce_(name_of(setting));
+        on_progress_(name_of(setting));
         auto trajectory = simulate_trajectory(scene_, setting, samples_);
         if (!trajectory) return trajectory.error();
         double least = trajectory->cpu_seconds;
@@ -108,11 +108,11 @@ public:
 
     // The same with starts that hardly differ.
     Result<Trajectory> run_perturbed(const StepSettings& setting, double perturbation) {
-        announce_(name_of(setting) + ", nudged");
+        on_progress_(name_of(setting) + ", nudged");
         return simulate_trajectory(perturbed(scene_, perturbation), setting, samples_);
     }
 
-    bool affords(double cpu_us_per_second) const {
+    bool is_within_budget(double cpu_us_per_second) const {
         return spent_ + 1e-6 * cpu_us_per_second * seconds_ <= budget_;
     }
 
@@ -120,7 +120,7 @@ private:
     const scenes::SceneDescription& scene_;
     SampleTimes samples_;
     double seconds_, budget_, spent_ = 0;
-    const ProgressCallback& announce_;
+    const ProgressCallback& on_progress_;
 };
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
@@ -146,7 +146,7 @@ Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& opti
     for (const double hz : rates) {
         const bool more = ladder.size() >= 2;
         if (more &&
-            !runs.affords(ladder.back().cpu_us_per_second * hz / ladder.back().setting.hz)) {
+            !runs.is_within_budget(ladder.back().cpu_us_per_second * hz / ladder.back().setting.hz)) {
             found.skipped_runs = "all rates from " + number(hz) + " Hz on";
             break;
         }
@@ -157,11 +157,11 @@ Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& opti
                          "the run at " + name_of(run->setting) + " ended: " + run->trajectory.failure};
         ladder.push_back(std::move(*run));
         const double extent = extent_of(ladder.back().trajectory);
-        found.scale = options.scale > 0 ? options.scale : extent > least_extent ? extent : 1;
+        found.scale = options.scale > 0 ? options.scale : extent > extent_min ? extent : 1;
         if (ladder.size() < 2) continue;
         doubts.push_back(error_of(
             distance_between(ladder[ladder.size() - 2].trajectory, ladder.back().trajectory), found.scale));
-        if (options.rates.empty() && doubts.back() <= safe_share * options.tolerances.back())
+        if (options.rates.empty() && doubts.back() <= safe_ratio * options.tolerances.back())
             break;
     }
     if (doubts.empty())
@@ -217,7 +217,7 @@ Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder, const Conv
 
 Verdict verdict_of(const Convergence& found) {
     if (found.reference_error <= found.tolerances.back()) return Verdict::converged;
-    const bool closer = found.reference_order && *found.reference_order > hopeless_order;
+    const bool closer = found.reference_order && *found.reference_order > order_min;
     return !closer && found.growth > chaotic_growth ? Verdict::chaotic : Verdict::not_converged;
 }
 
@@ -235,7 +235,7 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& options, const ProgressCallback& announce) {
+                             const ConvergenceOptions& options, const ProgressCallback& on_progress) {
     if (auto status = check(scene, options); !status) return status.error();
     const std::vector<double> rates = rates_of(scene, options);
     const std::vector<int> substeps = substeps_of(scene, options);
@@ -251,7 +251,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     Convergence found{.scene = scene.name,
                       .seconds = static_cast<double>(samples.count) / samples.hz,
                       .tolerances = options.tolerances};
-    Runs runs(scene, options, samples, announce);
+    Runs runs(scene, options, samples, on_progress);
     auto ladder = refine(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
     const Trajectory& truth = ladder->back().trajectory;
@@ -267,7 +267,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
                 found.rows.push_back(row_of(step, truth, found, samples));
                 continue;
             }
-            if (!runs.affords(step.cpu_us_per_second)) {
+            if (!runs.is_within_budget(step.cpu_us_per_second)) {
                 found.skipped_runs = "some settings";
                 break;
             }

@@ -73,6 +73,6 @@ using ProgressCallback = std::function<void(const std::string&)>;
 // What is wrong with the question, or with the scene, is said before anything runs.
 physics::Result<Convergence> converge(const scenes::SceneDescription& scene,
                                       const ConvergenceOptions& options,
-                                      const ProgressCallback& announce);
+                                      const ProgressCallback& on_progress);
 
 }  // namespace jostle::sim

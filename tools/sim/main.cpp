@@ -356,7 +356,7 @@ int run(const Flags& flags) {
     }
 
     const auto steps = static_cast<std::uint64_t>(std::llround(flags.seconds * scene->hz));
-    jostle::sim::Meter meter;
+    jostle::sim::StepStatistics meter;
     double cpu_ms = 0;
     {
         jostle::sim::Progress progress(steps);

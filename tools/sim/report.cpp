@@ -11,7 +11,7 @@ namespace jostle::sim {
 using physics::Stage;
 using physics::stage_count;
 
-void Meter::add(const physics::StepProfile& profile) {
+void StepStatistics::add(const physics::StepProfile& profile) {
     step_ms_.push_back(profile.step_ms);
     if (step_ms_.size() > 1 && profile.step_ms > worst_.step_ms) {
         worst_ = profile;
@@ -28,7 +28,7 @@ void Meter::add(const physics::StepProfile& profile) {
     }
 }
 
-void Meter::fill(Report& report, const physics::World& world) const {
+void StepStatistics::fill(Report& report, const physics::World& world) const {
     const physics::WorldSummary summary = world.summary();
     report.steps = step_ms_.size();
     report.bodies = summary.bodies;

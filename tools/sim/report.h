@@ -35,7 +35,7 @@ struct Report {
 };
 
 // Collects one step after the other.
-class Meter {
+class StepStatistics {
 public:
     void add(const physics::StepProfile& profile);
     void fill(Report& report, const physics::World& world) const;

@@ -26,15 +26,15 @@ struct Names {
         for (const scenes::SceneBody& body : scene.bodies) uses[body.name]++;
         for (const scenes::SceneJoint& joint : scene.joints) uses[joint.name]++;
         // With its place in the scene where the name alone does not tell which.
-        const auto told = [&](const std::string& name, const std::string& other, std::size_t k) {
+        const auto name_or_index = [&](const std::string& name, const std::string& other, std::size_t k) {
             if (name.empty()) return other + " " + std::to_string(k);
             return uses[name] > 1 ? name + " (" + std::to_string(k) + ")" : name;
         };
         for (std::size_t k = 0; k < scene.bodies.size(); k++)
-            bodies[built.bodies[k]] = told(scene.bodies[k].name, "body", k);
+            bodies[built.bodies[k]] = name_or_index(scene.bodies[k].name, "body", k);
         for (std::size_t k = 0; k < scene.joints.size(); k++)
             joints[built.joints[k]] =
-                told(scene.joints[k].name, kind_name(scene.joints[k].joint.kind), k);
+                name_or_index(scene.joints[k].name, kind_name(scene.joints[k].joint.kind), k);
     }
     std::string of(BodyId id) const {
         const auto found = bodies.find(id);
@@ -56,7 +56,7 @@ struct Names {
     }
 };
 
-Result<BodyId> body_named(const std::string& text, const scenes::SceneDescription& scene,
+Result<BodyId> find_body(const std::string& text, const scenes::SceneDescription& scene,
                           const scenes::BuiltScene& built) {
     for (std::size_t k = 0; k < scene.bodies.size(); k++)
         if (!text.empty() && scene.bodies[k].name == text) return built.bodies[k];
@@ -71,7 +71,7 @@ Result<BodyId> body_named(const std::string& text, const scenes::SceneDescriptio
 }
 
 InspectedGroup group_of(ConstraintSystem system, const Names& names,
-                        const InspectOptions& options, bool in_full) {
+                        const InspectOptions& options, bool full_report) {
     InspectedGroup group{.system = std::move(system)};
     for (const physics::SystemBody& body : group.system.bodies)
         if (body.moves) group.bodies.push_back(names.of(body.id));
@@ -79,7 +79,7 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names,
     for (std::size_t k = 0; k < group.problem.count; k++)
         group.problem.names[k] = names.of(group.system.rows[k], group.system);
     group.analysis = linear_systems::analyse(group.problem);
-    if (in_full) {
+    if (full_report) {
         group.solutions = linear_systems::solve_all(group.problem, options.effort);
         group.treatments =
             linear_systems::treatments(group.problem, group.analysis, options.effort);
@@ -98,9 +98,9 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
         std::string why;
     };
     std::vector<ConstraintSystem> systems;
-    std::vector<Refused> refused;
+    std::vector<Refused> unavailable_reason;
     std::map<BodyId, bool> seen;
-    const auto see_island_of = [&](BodyId body) {
+    const auto visit_island = [&](BodyId body) {
         for (const std::vector<BodyId>& island : built.world.islands())
             if (std::find(island.begin(), island.end(), body) != island.end())
                 for (const BodyId other : island) seen[other] = true;
@@ -112,16 +112,16 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
             for (const physics::SystemBody& member : system->bodies) seen[member.id] = true;
             systems.push_back(std::move(*system));
         } else if (system.error().code != ErrorCode::failed_precondition) {
-            refused.push_back({body, system.error().message});
-            see_island_of(body);
+            unavailable_reason.push_back({body, system.error().message});
+            visit_island(body);
         }
     }
     std::vector<InspectedGroup> groups;
-    const bool in_full = systems.size() == 1 && refused.empty();
+    const bool full_report = systems.size() == 1 && unavailable_reason.empty();
     for (ConstraintSystem& system : systems)
-        groups.push_back(group_of(std::move(system), names, options, in_full));
-    for (const Refused& group : refused)
-        groups.push_back({.bodies = {names.of(group.body)}, .refused = group.why});
+        groups.push_back(group_of(std::move(system), names, options, full_report));
+    for (const Refused& group : unavailable_reason)
+        groups.push_back({.bodies = {names.of(group.body)}, .unavailable_reason = group.why});
     return groups;
 }
 
@@ -161,7 +161,7 @@ Result<Inspection> inspect(const scenes::SceneDescription& scene, const scenes::
         found.groups = all_groups(built, names, options);
         return found;
     }
-    const auto body = body_named(options.body, scene, built);
+    const auto body = find_body(options.body, scene, built);
     if (!body.ok()) return body.error();
     auto system = built.world.constraint_system(*body, options.rows);
     if (!system.ok())

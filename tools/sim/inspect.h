@@ -24,7 +24,7 @@ struct InspectOptions {
 // What hangs together.
 struct InspectedGroup {
     std::vector<std::string> bodies;  // that move
-    std::string refused;              // why there is no more; empty: there is
+    std::string unavailable_reason;              // why there is no more; empty: there is
     physics::ConstraintSystem system;
     linear_systems::Problem problem;  // rows by the names of joints and bodies
     linear_systems::Analysis analysis;

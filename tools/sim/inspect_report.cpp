@@ -56,7 +56,7 @@ std::string rows_table(const InspectedGroup& group) {
     return text;
 }
 
-std::string rank_words(const InspectedGroup& group) {
+std::string rank_text(const InspectedGroup& group) {
     const Analysis& analysis = group.analysis;
     const std::size_t rows = group.problem.count;
     std::string text;
@@ -156,22 +156,22 @@ std::string list_of(const std::vector<std::string>& names) {
     return text;
 }
 
-std::string in_full(const InspectedGroup& group) {
+std::string full_report(const InspectedGroup& group) {
     return format_text("%zu %s: ", group.bodies.size(),
                        group.bodies.size() == 1 ? "body" : "bodies") +
            list_of(group.bodies) +
            format_text("\n%zu rows, over %.4g ms\n\n", group.problem.count, 1e3 * group.system.h) +
-           rows_table(group) + "\n" + rank_words(group) + "\n" + methods_table(group) + "\n" +
+           rows_table(group) + "\n" + rank_text(group) + "\n" + methods_table(group) + "\n" +
            progress_table(group) + "\n" + treatments_table(group);
 }
 
-std::string as_a_list(const std::vector<InspectedGroup>& groups) {
+std::string group_list(const std::vector<InspectedGroup>& groups) {
     std::string text = format_text("%7s %6s %6s %12s %8s  %s\n", "bodies", "rows", "rank",
                                    "condition", "sweeps", "which");
     for (std::size_t k = 0; k < groups.size() && k < groups_shown; k++) {
         const InspectedGroup& group = groups[k];
-        if (!group.refused.empty()) {
-            text += "  " + group.bodies[0] + ": " + group.refused + "\n";
+        if (!group.unavailable_reason.empty()) {
+            text += "  " + group.bodies[0] + ": " + group.unavailable_reason + "\n";
             continue;
         }
         const Solution& swept = group.solutions[0];
@@ -222,7 +222,7 @@ json rows_json(const InspectedGroup& group) {
 }
 
 json group_json(const InspectedGroup& group) {
-    if (!group.refused.empty()) return {{"bodies", group.bodies}, {"refused", group.refused}};
+    if (!group.unavailable_reason.empty()) return {{"bodies", group.bodies}, {"refused", group.unavailable_reason}};
     const Analysis& analysis = group.analysis;
     json redundancies = json::array(), methods = json::array(), treatments = json::array();
     for (const auto& redundancy : analysis.redundancies) {
@@ -279,9 +279,9 @@ std::string to_text(const Inspection& found) {
                                          static_cast<unsigned long long>(found.step), found.time);
     if (found.groups.empty())
         return head + "No joint and no contact of it can act now: there is nothing to solve.\n";
-    if (found.groups.size() > 1) return head + as_a_list(found.groups);
+    if (found.groups.size() > 1) return head + group_list(found.groups);
     const InspectedGroup& group = found.groups[0];
-    return head + (group.refused.empty() ? in_full(group) : group.refused + "\n");
+    return head + (group.unavailable_reason.empty() ? full_report(group) : group.unavailable_reason + "\n");
 }
 
 std::string to_json(const Inspection& found) {

@@ -97,7 +97,7 @@ std::string instruction_set_names() {
     return names;
 }
 
-std::optional<jostle::physics::InstructionSet> instruction_set_called(const std::string& name) {
+std::optional<jostle::physics::InstructionSet> find_instruction_set(const std::string& name) {
     for (const auto set : jostle::physics::available_instruction_sets())
         if (name == instruction_set_name(set)) return set;
     return std::nullopt;
@@ -107,31 +107,31 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
     CLI::Option* converge =
         app.add_flag("--converge", flags.converge,
                      "Runs the scene at more and more steps until two runs agree; see below");
-    const auto only_there = [&](CLI::Option* option) {
+    const auto requires_mode = [&](CLI::Option* option) {
         return option->needs(converge)->group("With --converge");
     };
-    only_there(app.add_option("--tolerance", flags.tolerances,
+    requires_mode(app.add_option("--tolerance", flags.tolerances,
                               "Errors that would be good enough, relative to the scale")
                    ->delimiter(',')
                    ->capture_default_str()
                    ->check(between(1e-9, 10)));
-    only_there(app.add_option("--rates", flags.rates,
+    requires_mode(app.add_option("--rates", flags.rates,
                               "Steps per second, each a multiple of the lowest; default: from half "
                               "the scene's, doubled until two runs agree")
                    ->delimiter(',')
                    ->check(between(4, 10000)));
-    only_there(app.add_option("--substep-counts", flags.substep_counts,
+    requires_mode(app.add_option("--substep-counts", flags.substep_counts,
                               "Default: a quarter, half, all and twice the scene's")
                    ->delimiter(',')
                    ->check(CLI::Range(1, 64)));
-    only_there(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
+    requires_mode(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
                    ->capture_default_str()
                    ->check(between(8, 10000)));
-    only_there(app.add_option("--scale", flags.scale,
+    requires_mode(app.add_option("--scale", flags.scale,
                               "Metres that distances are divided by; default: the diagonal of the "
                               "box in which the bodies move")
                    ->check(between(1e-6, 1e6)));
-    only_there(app.add_option("--budget", flags.budget,
+    requires_mode(app.add_option("--budget", flags.budget,
                               "Seconds of processor time; runs that would cost more are left out")
                    ->capture_default_str()
                    ->check(between(0.1, 1e6)));
@@ -149,22 +149,22 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
         },
         "Shows what a step has to solve for this body, or for all; see below");
     inspect->expected(0, 1)->type_name("[BODY|all]");
-    const auto only_there = [&](CLI::Option* option) {
+    const auto requires_mode = [&](CLI::Option* option) {
         return option->needs(inspect)->group("With --inspect");
     };
-    only_there(app.add_option("--at", flags.at, "After this step of the world")
+    requires_mode(app.add_option("--at", flags.at, "After this step of the world")
                    ->capture_default_str()
                    ->check(CLI::Range(0, 100000000)));
-    only_there(app.add_option("--position-correction", flags.position_correction,
+    requires_mode(app.add_option("--position-correction", flags.position_correction,
                               "Share of each error of position that is to be gone after a sub-step")
                    ->capture_default_str()
                    ->check(between(0, 1)));
-    only_there(app.add_option("--iterations", flags.iterations, "At most, of a method")
+    requires_mode(app.add_option("--iterations", flags.iterations, "At most, of a method")
                    ->capture_default_str()
                    ->check(CLI::Range(1, 1000000)));
-    only_there(app.add_option("--plot", flags.plot,
+    requires_mode(app.add_option("--plot", flags.plot,
                               "Draws the residual after each iteration here, as SVG"));
-    only_there(app.add_flag("--solver-softness", flags.solver_softness,
+    requires_mode(app.add_flag("--solver-softness", flags.solver_softness,
                             "Rows as soft as the solver's sweeps make them, not rigid"));
     for (const char* other :
          {"--converge", "--seconds", "--trace", "--trace-every", "--save", "--write-scene"})
@@ -201,7 +201,7 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Instruction set of the inner loops: " + instruction_set_names() +
                        "; the bits are the same for any; default: the last")
         ->check([](const std::string& name) {
-            return instruction_set_called(name)
+            return find_instruction_set(name)
                        ? std::string()
                        : name + " is not one of " + instruction_set_names();
         });
@@ -314,7 +314,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
     if (!flags.json.empty())
         if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
     if (flags.plot.empty()) return 0;
-    if (found->groups.size() != 1 || !found->groups[0].refused.empty())
+    if (found->groups.size() != 1 || !found->groups[0].unavailable_reason.empty())
         return fail(1, "--plot draws one group; name one of its bodies");
     const std::string title = found->scene + " after step " + std::to_string(found->step);
     if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
@@ -323,7 +323,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
 }
 
 int run(const Flags& flags) {
-    if (const auto set = instruction_set_called(flags.instructions))
+    if (const auto set = find_instruction_set(flags.instructions))
         if (const Status s = jostle::physics::use_instruction_set(*set); !s.ok())
             return fail(2, s.error().message);
     auto scene = jostle::scenes::load_scene(flags.scene);

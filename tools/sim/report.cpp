@@ -45,7 +45,7 @@ void StepStatistics::fill(Report& report, const physics::World& world) const {
     report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
     report.work_mean = work_ / n;
     report.work_worst = worst_work_;
-    report.steps_at_strain = steps_at_overload_level_;
+    report.steps_at_overload_level = steps_at_overload_level_;
     report.worst_step = worst_step_;
     report.worst_step_ms = worst_.step_ms;
     report.worst_stage = worst_.worst_stage;
@@ -64,7 +64,7 @@ std::string hex(std::uint64_t value) {
     return text;
 }
 
-void text_line(std::string& out, const char* name, const std::string& value) {
+void add_text_line(std::string& out, const char* name, const std::string& value) {
     char padded[64];
     std::snprintf(padded, sizeof padded, "%-22s ", name);
     out += padded + value + "\n";
@@ -73,7 +73,7 @@ void text_line(std::string& out, const char* name, const std::string& value) {
 void line(std::string& out, const char* name, const char* format, double value) {
     char number[64];
     std::snprintf(number, sizeof number, format, value);
-    text_line(out, name, number);
+    add_text_line(out, name, number);
 }
 
 std::string worst_step(const Report& r) {
@@ -85,9 +85,9 @@ std::string worst_step(const Report& r) {
 }
 
 // At each level, from 0.
-std::string strain_steps(const Report& r) {
+std::string overload_steps(const Report& r) {
     std::string words;
-    for (const std::uint64_t steps : r.steps_at_strain) words += std::to_string(steps) + " ";
+    for (const std::uint64_t steps : r.steps_at_overload_level) words += std::to_string(steps) + " ";
     words.pop_back();
     return words;
 }
@@ -101,13 +101,13 @@ std::string to_text(const Report& r) {
     line(out, "contacts", "%.0f", r.contacts);
     line(out, "ms_per_step_mean", "%.4f", r.ms_per_step_mean);
     line(out, "ms_per_step_p99", "%.4f", r.ms_per_step_p99);
-    if (r.worst_step > 0) text_line(out, "worst_step", worst_step(r));
+    if (r.worst_step > 0) add_text_line(out, "worst_step", worst_step(r));
     line(out, "work_per_step_mean", "%.0f", r.work_mean);
     line(out, "work_per_step_worst", "%.0f", r.work_worst);
-    if (r.steps_at_strain[0] < r.steps) text_line(out, "steps_at_strain", strain_steps(r));
+    if (r.steps_at_overload_level[0] < r.steps) add_text_line(out, "steps_at_overload_level", overload_steps(r));
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
-    text_line(out, "arithmetic", physics::arithmetic_name(physics::arithmetic()));
-    text_line(out, "instructions", physics::instruction_set_name(physics::instruction_set()));
+    add_text_line(out, "arithmetic", physics::arithmetic_name(physics::arithmetic()));
+    add_text_line(out, "instructions", physics::instruction_set_name(physics::instruction_set()));
     out += "state_hash             " + hex(r.state_hash) + "\n";
     line(out, "energy_joules", "%.6g", r.energy_joules);
     line(out, "max_penetration_m", "%.6g", r.max_penetration_m);
@@ -119,7 +119,7 @@ std::string to_text(const Report& r) {
         if (why == nullptr)
             line(out, name.c_str(), "%.4f", r.stage_ms_mean[static_cast<std::size_t>(k)]);
         else
-            text_line(out, name.c_str(), std::string("skipped: ") + why);
+            add_text_line(out, name.c_str(), std::string("skipped: ") + why);
     }
     return out;
 }
@@ -150,7 +150,7 @@ std::string to_json(const Report& r) {
         {"worst_step", worst},
         {"work_per_step_mean", r.work_mean},
         {"work_per_step_worst", r.work_worst},
-        {"steps_at_strain", r.steps_at_strain},
+        {"steps_at_overload_level", r.steps_at_overload_level},
         {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
         {"arithmetic", physics::arithmetic_name(physics::arithmetic())},
         {"instructions", physics::instruction_set_name(physics::instruction_set())},

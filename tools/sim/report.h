@@ -24,7 +24,7 @@ struct Report {
     double worst_step_ms = 0, worst_stage_ms = 0;
     physics::Stage worst_stage = physics::Stage::update_pairs;
     double work_mean = 0, work_worst = 0;  // StepProfile::work, the worst of all but the first
-    std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_strain{};
+    std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_overload_level{};
     double cpu_ms_per_step_mean = 0;  // of all threads of the process
     std::uint64_t state_hash = 0;
     double energy_joules = 0;      // kinetic + potential, zero at the origin

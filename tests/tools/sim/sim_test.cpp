@@ -21,14 +21,14 @@ TEST_F(Sim, reports_every_figure_that_it_promises) {
     for (const char* key :
          {"steps", "bodies", "contacts", "ms_per_step_mean", "ms_per_step_p99", "state_hash",
           "energy_joules", "max_penetration_m", "awake_bodies", "stages", "worst_step",
-          "work_per_step_mean", "work_per_step_worst", "steps_at_strain"})
+          "work_per_step_mean", "work_per_step_worst", "steps_at_overload_level"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["steps"], 180);
     EXPECT_GE(json["worst_step"]["step"], 2);
     EXPECT_GT(json["worst_step"]["stage_ms"], 0);
     EXPECT_GE(json["worst_step"]["ms"], json["worst_step"]["stage_ms"]);
     EXPECT_EQ(json["stages"].count(json["worst_step"]["stage"].get<std::string>()), 1u);
-    EXPECT_EQ(json["steps_at_strain"], nlohmann::json({180, 0, 0, 0}));
+    EXPECT_EQ(json["steps_at_overload_level"], nlohmann::json({180, 0, 0, 0}));
     EXPECT_EQ(json["bodies"], 11);
     EXPECT_EQ(json["contacts"], 10);
     EXPECT_EQ(json["awake_bodies"], 0);

@@ -73,7 +73,7 @@ double complementarity_left(const Problem& problem, const SparseRows& rows,
 }
 
 // A sweep solves row after row, with what the rows before it have found.
-Found sweep(const Problem& problem, bool within_bounds, const Effort& effort) {
+Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& effort) {
     const SparseRows rows(problem);
     Found found;
     found.x.assign(problem.count, 0);
@@ -97,7 +97,7 @@ Found sweep(const Problem& problem, bool within_bounds, const Effort& effort) {
 }
 
 // Hestenes and Stiefel, 1952.
-Found by_conjugate_gradients(const Problem& problem, const Effort& effort) {
+Found by_conjugate_gradients(const Problem& problem, const SolverLimits& effort) {
     const SparseRows rows(problem);
     const std::size_t n = problem.count;
     Found found;
@@ -142,7 +142,7 @@ double natural_residual(const Problem& problem, const std::vector<double>& x) {
     return complementarity_left(problem, SparseRows(problem), x);
 }
 
-Found solve_by_iteration(const Problem& problem, Method method, const Effort& effort) {
+Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& effort) {
     if (method == Method::conjugate_gradients) return by_conjugate_gradients(problem, effort);
     return sweep(problem, method == Method::projected_gauss_seidel, effort);
 }

@@ -50,7 +50,7 @@ bool iterates(Method method) {
     return method >= Method::gauss_seidel;
 }
 
-Solution solve(const Problem& problem, Method method, const Effort& effort) {
+Solution solve(const Problem& problem, Method method, const SolverLimits& effort) {
     const double start = convergence::thread_seconds();
     Found found = iterates(method) ? solve_by_iteration(problem, method, effort)
                                    : solve_directly(problem, method);
@@ -70,7 +70,7 @@ Solution solve(const Problem& problem, Method method, const Effort& effort) {
     return solution;
 }
 
-std::vector<Solution> solve_all(const Problem& problem, const Effort& effort) {
+std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& effort) {
     std::vector<Solution> all;
     for (const Method method : all_methods) all.push_back(solve(problem, method, effort));
     return all;

@@ -10,7 +10,7 @@ namespace jostle::linear_systems {
 namespace {
 
 Treatment treated(const Problem& problem, const Problem& basis, const Analysis& analysis,
-                  bool scaled, double epsilon, const Effort& effort) {
+                  bool scaled, double epsilon, const SolverLimits& effort) {
     Treatment result{.scaled = scaled, .epsilon = epsilon};
     Problem soft = basis;
     double most = 0;
@@ -42,7 +42,7 @@ Treatment treated(const Problem& problem, const Problem& basis, const Analysis& 
 }  // namespace
 
 std::vector<Treatment> treatments(const Problem& problem, const Analysis& analysis,
-                                  const Effort& effort, std::span<const double> epsilons) {
+                                  const SolverLimits& effort, std::span<const double> epsilons) {
     std::vector<Treatment> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);

@@ -32,7 +32,7 @@ inline constexpr Method all_methods[] = {Method::gauss,
 const char* name_of(Method method);
 bool iterates(Method method);
 
-struct Effort {
+struct SolverLimits {
     int iterations_max = 1000;  // a sweep over all rows is one
     double tolerance = 1e-10;   // of the residual
 };
@@ -53,8 +53,8 @@ struct Solution {
     int iterations() const { return static_cast<int>(residuals.size()); }
 };
 
-Solution solve(const Problem& problem, Method method, const Effort& effort = {});
+Solution solve(const Problem& problem, Method method, const SolverLimits& effort = {});
 // By all of them, in their order.
-std::vector<Solution> solve_all(const Problem& problem, const Effort& effort = {});
+std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& effort = {});
 
 }  // namespace jostle::linear_systems

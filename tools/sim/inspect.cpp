@@ -80,12 +80,12 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names,
         group.problem.names[k] = names.of(group.system.rows[k], group.system);
     group.analysis = linear_systems::analyse(group.problem);
     if (full_report) {
-        group.solutions = linear_systems::solve_all(group.problem, options.effort);
+        group.solutions = linear_systems::solve_all(group.problem, options.limits);
         group.treatments =
-            linear_systems::treatments(group.problem, group.analysis, options.effort);
+            linear_systems::treatments(group.problem, group.analysis, options.limits);
     } else {
         group.solutions = {
-            linear_systems::solve(group.problem, Method::projected_gauss_seidel, options.effort)};
+            linear_systems::solve(group.problem, Method::projected_gauss_seidel, options.limits)};
     }
     return group;
 }

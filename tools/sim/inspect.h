@@ -18,7 +18,7 @@ namespace jostle::sim {
 struct InspectOptions {
     std::string body = "all";  // a name, a place in the scene, or "all"
     physics::ConstraintSystemOptions rows;
-    linear_systems::SolverLimits effort;
+    linear_systems::SolverLimits limits;
 };
 
 // What hangs together.

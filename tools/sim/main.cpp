@@ -306,7 +306,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
         scene, built,
         {.body = flags.inspect,
          .rows = {.position_correction = flags.position_correction, .solver_softness = flags.solver_softness},
-         .effort = {.iterations_max = flags.iterations}});
+         .limits = {.iterations_max = flags.iterations}});
     if (!found.ok())
         return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,
                     found.error().message);

@@ -73,12 +73,12 @@ double complementarity_left(const Problem& problem, const SparseRows& rows,
 }
 
 // A sweep solves row after row, with what the rows before it have found.
-Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& effort) {
+Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& limits) {
     const SparseRows rows(problem);
     Found found;
     found.x.assign(problem.count, 0);
     found.converged = false;
-    while (static_cast<int>(found.residuals.size()) < effort.iterations_max) {
+    while (static_cast<int>(found.residuals.size()) < limits.iterations_max) {
         for (std::size_t i = 0; i < problem.count; i++) {
             const double own = problem.at(i, i);
             if (!(own > 0)) continue;
@@ -87,7 +87,7 @@ Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& effo
         }
         found.residuals.push_back(within_bounds ? complementarity_left(problem, rows, found.x)
                                                 : equations_left(problem, rows, found.x));
-        if (found.residuals.back() <= effort.tolerance) {
+        if (found.residuals.back() <= limits.tolerance) {
             found.converged = true;
             break;
         }
@@ -97,7 +97,7 @@ Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& effo
 }
 
 // Hestenes and Stiefel, 1952.
-Found by_conjugate_gradients(const Problem& problem, const SolverLimits& effort) {
+Found by_conjugate_gradients(const Problem& problem, const SolverLimits& limits) {
     const SparseRows rows(problem);
     const std::size_t n = problem.count;
     Found found;
@@ -106,7 +106,7 @@ Found by_conjugate_gradients(const Problem& problem, const SolverLimits& effort)
     std::vector<double> left = problem.right, direction = left, image(n);
     double size = 0;
     for (const double r : left) size += r * r;
-    while (static_cast<int>(found.residuals.size()) < effort.iterations_max) {
+    while (static_cast<int>(found.residuals.size()) < limits.iterations_max) {
         double bent = 0;
         for (std::size_t i = 0; i < n; i++) {
             image[i] = rows.times(i, direction);
@@ -121,7 +121,7 @@ Found by_conjugate_gradients(const Problem& problem, const SolverLimits& effort)
             next += left[i] * left[i];
         }
         found.residuals.push_back(equations_left(problem, rows, found.x));
-        if (found.residuals.back() <= effort.tolerance) {
+        if (found.residuals.back() <= limits.tolerance) {
             found.converged = true;
             break;
         }
@@ -142,9 +142,9 @@ double natural_residual(const Problem& problem, const std::vector<double>& x) {
     return complementarity_left(problem, SparseRows(problem), x);
 }
 
-Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& effort) {
-    if (method == Method::conjugate_gradients) return by_conjugate_gradients(problem, effort);
-    return sweep(problem, method == Method::projected_gauss_seidel, effort);
+Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits) {
+    if (method == Method::conjugate_gradients) return by_conjugate_gradients(problem, limits);
+    return sweep(problem, method == Method::projected_gauss_seidel, limits);
 }
 
 }  // namespace jostle::linear_systems

@@ -50,9 +50,9 @@ bool iterates(Method method) {
     return method >= Method::gauss_seidel;
 }
 
-Solution solve(const Problem& problem, Method method, const SolverLimits& effort) {
+Solution solve(const Problem& problem, Method method, const SolverLimits& limits) {
     const double start = convergence::thread_seconds();
-    Found found = iterates(method) ? solve_by_iteration(problem, method, effort)
+    Found found = iterates(method) ? solve_by_iteration(problem, method, limits)
                                    : solve_directly(problem, method);
     Solution solution{.method = method,
                       .failed = std::move(found.failed),
@@ -70,9 +70,9 @@ Solution solve(const Problem& problem, Method method, const SolverLimits& effort
     return solution;
 }
 
-std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& effort) {
+std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& limits) {
     std::vector<Solution> all;
-    for (const Method method : all_methods) all.push_back(solve(problem, method, effort));
+    for (const Method method : all_methods) all.push_back(solve(problem, method, limits));
     return all;
 }
 

@@ -15,7 +15,7 @@ struct Found {
 };
 
 Found solve_directly(const Problem& problem, Method method);
-Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& effort);
+Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits);
 
 // |b - A x| / |b|.
 double equation_residual(const Problem& problem, const std::vector<double>& x);

@@ -10,7 +10,7 @@ namespace jostle::linear_systems {
 namespace {
 
 Treatment treated(const Problem& problem, const Problem& basis, const Analysis& analysis,
-                  bool scaled, double epsilon, const SolverLimits& effort) {
+                  bool scaled, double epsilon, const SolverLimits& limits) {
     Treatment result{.scaled = scaled, .epsilon = epsilon};
     Problem soft = basis;
     double most = 0;
@@ -24,8 +24,8 @@ Treatment treated(const Problem& problem, const Problem& basis, const Analysis& 
     result.condition =
         least > 0 ? (values.back() + added) / least : std::numeric_limits<double>::infinity();
 
-    const Solution gradients = solve(soft, Method::conjugate_gradients, effort);
-    const Solution sweeps = solve(soft, Method::gauss_seidel, effort);
+    const Solution gradients = solve(soft, Method::conjugate_gradients, limits);
+    const Solution sweeps = solve(soft, Method::gauss_seidel, limits);
     result.gradient_iterations = gradients.iterations();
     result.gradients_converged = gradients.converged;
     result.sweeps = sweeps.iterations();
@@ -42,7 +42,7 @@ Treatment treated(const Problem& problem, const Problem& basis, const Analysis& 
 }  // namespace
 
 std::vector<Treatment> treatments(const Problem& problem, const Analysis& analysis,
-                                  const SolverLimits& effort, std::span<const double> epsilons) {
+                                  const SolverLimits& limits, std::span<const double> epsilons) {
     std::vector<Treatment> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);
@@ -52,7 +52,7 @@ std::vector<Treatment> treatments(const Problem& problem, const Analysis& analys
     for (const bool with : {false, true})
         for (const double epsilon : epsilons)
             all.push_back(
-                treated(problem, with ? scaled : problem, analysis, with, epsilon, effort));
+                treated(problem, with ? scaled : problem, analysis, with, epsilon, limits));
     return all;
 }
 

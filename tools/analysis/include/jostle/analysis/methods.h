@@ -53,8 +53,8 @@ struct Solution {
     int iterations() const { return static_cast<int>(residuals.size()); }
 };
 
-Solution solve(const Problem& problem, Method method, const SolverLimits& effort = {});
+Solution solve(const Problem& problem, Method method, const SolverLimits& limits = {});
 // By all of them, in their order.
-std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& effort = {});
+std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& limits = {});
 
 }  // namespace jostle::linear_systems

@@ -28,7 +28,7 @@ inline constexpr double usual_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
 // Unscaled, then scaled, with each epsilon.
 std::vector<Treatment> treatments(const Problem& problem, const Analysis& analysis,
-                                  const SolverLimits& effort = {},
+                                  const SolverLimits& limits = {},
                                   std::span<const double> epsilons = usual_epsilons);
 
 }  // namespace jostle::linear_systems

@@ -13,7 +13,7 @@ std::string no_pivot(const Problem& problem, std::size_t row) {
     return "no pivot is left at row " + std::to_string(row) + ", " + problem.names[row];
 }
 
-Found eliminate(const Problem& problem) {
+SolverResult eliminate(const Problem& problem) {
     const std::size_t n = problem.count;
     std::vector<double> a = problem.matrix, x = problem.right;
     std::vector<std::size_t> order(n);
@@ -44,7 +44,7 @@ Found eliminate(const Problem& problem) {
     return {.x = std::move(solved)};
 }
 
-Found by_lu(const Problem& problem) {
+SolverResult by_lu(const Problem& problem) {
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix_of(problem));
     const Eigen::VectorXd pivots = lu.matrixLU().diagonal().cwiseAbs();
     Index least = 0;
@@ -53,7 +53,7 @@ Found by_lu(const Problem& problem) {
     return {.x = numbers_of(lu.solve(vector_of(problem.right)))};
 }
 
-Found by_cholesky(const Problem& problem) {
+SolverResult by_cholesky(const Problem& problem) {
     const Eigen::LLT<Eigen::MatrixXd> llt(matrix_of(problem));
     if (llt.info() != Eigen::Success) return {.failed = "not positive definite"};
     const Eigen::VectorXd pivots = llt.matrixLLT().diagonal();
@@ -64,7 +64,7 @@ Found by_cholesky(const Problem& problem) {
 }
 
 // Pivots that are zero are left out: a solution, if there is one.
-Found by_ldlt(const Problem& problem) {
+SolverResult by_ldlt(const Problem& problem) {
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(matrix_of(problem));
     const Eigen::VectorXd d = ldlt.vectorD();
     const double zero = zero_share(problem.count) * d.cwiseAbs().maxCoeff();
@@ -75,7 +75,7 @@ Found by_ldlt(const Problem& problem) {
     return {.x = numbers_of(ldlt.transpositionsP().transpose() * x)};
 }
 
-Found by_qr(const Problem& problem) {
+SolverResult by_qr(const Problem& problem) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix_of(problem).rows(),
                                                    matrix_of(problem).cols());
     qr.setThreshold(zero_share(problem.count));
@@ -84,7 +84,7 @@ Found by_qr(const Problem& problem) {
 }
 
 // Of a symmetric matrix without negative eigenvalues they are the singular values.
-Found by_singular_values(const Problem& problem) {
+SolverResult by_singular_values(const Problem& problem) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> svd(matrix_of(problem));
     if (svd.info() != Eigen::Success) return {.failed = "no singular values were found"};
     const double zero = zero_share(problem.count) * svd.eigenvalues().cwiseAbs().maxCoeff();
@@ -96,7 +96,7 @@ Found by_singular_values(const Problem& problem) {
 
 }  // namespace
 
-Found solve_directly(const Problem& problem, Method method) {
+SolverResult solve_directly(const Problem& problem, Method method) {
     switch (method) {
         case Method::gauss:
             return eliminate(problem);

@@ -73,9 +73,9 @@ double complementarity_left(const Problem& problem, const SparseRows& rows,
 }
 
 // A sweep solves row after row, with what the rows before it have found.
-Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& limits) {
+SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimits& limits) {
     const SparseRows rows(problem);
-    Found found;
+    SolverResult found;
     found.x.assign(problem.count, 0);
     found.converged = false;
     while (static_cast<int>(found.residuals.size()) < limits.iterations_max) {
@@ -97,10 +97,10 @@ Found sweep(const Problem& problem, bool within_bounds, const SolverLimits& limi
 }
 
 // Hestenes and Stiefel, 1952.
-Found by_conjugate_gradients(const Problem& problem, const SolverLimits& limits) {
+SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& limits) {
     const SparseRows rows(problem);
     const std::size_t n = problem.count;
-    Found found;
+    SolverResult found;
     found.x.assign(n, 0);
     found.converged = false;
     std::vector<double> left = problem.right, direction = left, image(n);
@@ -142,7 +142,7 @@ double natural_residual(const Problem& problem, const std::vector<double>& x) {
     return complementarity_left(problem, SparseRows(problem), x);
 }
 
-Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits) {
+SolverResult solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits) {
     if (method == Method::conjugate_gradients) return by_conjugate_gradients(problem, limits);
     return sweep(problem, method == Method::projected_gauss_seidel, limits);
 }

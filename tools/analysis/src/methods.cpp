@@ -52,7 +52,7 @@ bool iterates(Method method) {
 
 Solution solve(const Problem& problem, Method method, const SolverLimits& limits) {
     const double start = convergence::thread_seconds();
-    Found found = iterates(method) ? solve_by_iteration(problem, method, limits)
+    SolverResult found = iterates(method) ? solve_by_iteration(problem, method, limits)
                                    : solve_directly(problem, method);
     Solution solution{.method = method,
                       .failed = std::move(found.failed),

@@ -7,15 +7,15 @@
 
 namespace jostle::linear_systems {
 
-struct Found {
+struct SolverResult {
     std::vector<double> x;
     std::string failed;
     bool converged = true;
     std::vector<double> residuals;
 };
 
-Found solve_directly(const Problem& problem, Method method);
-Found solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits);
+SolverResult solve_directly(const Problem& problem, Method method);
+SolverResult solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits);
 
 // |b - A x| / |b|.
 double equation_residual(const Problem& problem, const std::vector<double>& x);

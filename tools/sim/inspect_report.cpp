@@ -42,7 +42,7 @@ std::string rows_table(const InspectedGroup& group) {
         text +=
             format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
                         group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
-                        row.error, group.problem.right[k] + 0.0, known ? force(best->x[k]) : 0.0,
+                        row.error, group.problem.rhs[k] + 0.0, known ? force(best->x[k]) : 0.0,
                         bound(least / h).c_str(), bound(most / h).c_str());
     }
     if (group.problem.count > rows_shown)
@@ -216,7 +216,7 @@ json rows_json(const InspectedGroup& group) {
                         {"error", row.error},
                         {"rate", row.rate},
                         {"bias", row.bias},
-                        {"b", group.problem.right[k]}});
+                        {"b", group.problem.rhs[k]}});
     }
     return rows;
 }

@@ -99,7 +99,7 @@ TEST(Methods, gradients_end_after_as_many_steps_as_eigenvalues) {
 TEST(Methods, projected_sweeps_keep_to_the_bounds) {
     Problem problem = problem_of(2, {1, 0, 0, 1}, {3, 4});
     problem.lower = {0, 0};
-    problem.leans_on = {-1, 0};
+    problem.normal_row = {-1, 0};
     problem.friction = {0, 0.5};
     Solution solution = solve(problem, Method::projected_gauss_seidel);
     EXPECT_NEAR(solution.x[0], 3, 1e-12);

@@ -43,13 +43,13 @@ std::vector<Redundancy> redundancies_of(const Eigen::MatrixXd& space) {
     const Eigen::MatrixXd basis = reduced(space, own);
     std::vector<Redundancy> all;
     for (Index k = 0; k < basis.cols(); k++) {
-        Redundancy found{.row = own[static_cast<std::size_t>(k)]};
+        Redundancy result{.row = own[static_cast<std::size_t>(k)]};
         const double most = basis.col(k).cwiseAbs().maxCoeff();
         for (Index row = 0; row < basis.rows(); row++)
-            if (static_cast<std::size_t>(row) != found.row &&
+            if (static_cast<std::size_t>(row) != result.row &&
                 std::abs(basis(row, k)) > nothing * most)
-                found.of.push_back({static_cast<std::size_t>(row), -basis(row, k)});
-        all.push_back(std::move(found));
+                result.of.push_back({static_cast<std::size_t>(row), -basis(row, k)});
+        all.push_back(std::move(result));
     }
     std::sort(all.begin(), all.end(),
               [](const Redundancy& a, const Redundancy& b) { return a.row < b.row; });
@@ -59,32 +59,32 @@ std::vector<Redundancy> redundancies_of(const Eigen::MatrixXd& space) {
 }  // namespace
 
 Analysis analyse(const Problem& problem) {
-    Analysis found;
-    if (problem.count == 0) return found;
+    Analysis result;
+    if (problem.count == 0) return result;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> plain(matrix_of(problem),
                                                                Eigen::EigenvaluesOnly);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> scaled(scaled_matrix(problem));
-    found.eigenvalues = numbers_of(plain.eigenvalues());
-    found.scaled_eigenvalues = numbers_of(scaled.eigenvalues());
-    const double zero = zero_share(problem.count) * found.scaled_eigenvalues.back();
-    found.rank = static_cast<std::size_t>(
-        std::count_if(found.scaled_eigenvalues.begin(), found.scaled_eigenvalues.end(),
+    result.eigenvalues = numbers_of(plain.eigenvalues());
+    result.scaled_eigenvalues = numbers_of(scaled.eigenvalues());
+    const double zero = zero_share(problem.count) * result.scaled_eigenvalues.back();
+    result.rank = static_cast<std::size_t>(
+        std::count_if(result.scaled_eigenvalues.begin(), result.scaled_eigenvalues.end(),
                       [&](double value) { return value > zero; }));
-    found.condition = condition_of(found.eigenvalues, found.rank);
-    found.scaled_condition = condition_of(found.scaled_eigenvalues, found.rank);
-    if (!found.singular()) return found;
+    result.condition = condition_of(result.eigenvalues, result.rank);
+    result.scaled_condition = condition_of(result.scaled_eigenvalues, result.rank);
+    if (!result.singular()) return result;
     // A (D y) = 0 where D A D y = 0.
-    const auto missing = static_cast<Index>(problem.count - found.rank);
+    const auto missing = static_cast<Index>(problem.count - result.rank);
     const Eigen::MatrixXd space =
         scaling_of(problem).asDiagonal() * scaled.eigenvectors().leftCols(missing);
-    found.redundancies = redundancies_of(space);
-    const auto right = vector_of(problem.right);
-    const Eigen::VectorXd scaled_right = scaling_of(problem).asDiagonal() * right;
-    if (right.norm() > 0)
-        found.contradiction =
+    result.redundancies = redundancies_of(space);
+    const auto rhs = vector_of(problem.rhs);
+    const Eigen::VectorXd scaled_right = scaling_of(problem).asDiagonal() * rhs;
+    if (rhs.norm() > 0)
+        result.contradiction =
             (scaled.eigenvectors().leftCols(missing).transpose() * scaled_right).norm() /
             scaled_right.norm();
-    return found;
+    return result;
 }
 
 std::string in_words(const Redundancy& redundancy, const Problem& problem, int terms_max) {

@@ -15,7 +15,7 @@ std::string no_pivot(const Problem& problem, std::size_t row) {
 
 SolverResult eliminate(const Problem& problem) {
     const std::size_t n = problem.count;
-    std::vector<double> a = problem.matrix, x = problem.right;
+    std::vector<double> a = problem.matrix, x = problem.rhs;
     std::vector<std::size_t> order(n);
     for (std::size_t k = 0; k < n; k++) order[k] = k;
     double most = 0;
@@ -50,7 +50,7 @@ SolverResult by_lu(const Problem& problem) {
     Index least = 0;
     if (!(pivots.minCoeff(&least) > zero_share(problem.count) * pivots.maxCoeff()))
         return {.failed = no_pivot(problem, static_cast<std::size_t>(least))};
-    return {.x = numbers_of(lu.solve(vector_of(problem.right)))};
+    return {.x = numbers_of(lu.solve(vector_of(problem.rhs)))};
 }
 
 SolverResult by_cholesky(const Problem& problem) {
@@ -60,7 +60,7 @@ SolverResult by_cholesky(const Problem& problem) {
     const double least = pivots.minCoeff(), most = pivots.maxCoeff();
     if (!(least * least > zero_share(problem.count) * most * most))
         return {.failed = "not positive definite, but for rounding"};
-    return {.x = numbers_of(llt.solve(vector_of(problem.right)))};
+    return {.x = numbers_of(llt.solve(vector_of(problem.rhs)))};
 }
 
 // Pivots that are zero are left out: a solution, if there is one.
@@ -68,7 +68,7 @@ SolverResult by_ldlt(const Problem& problem) {
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(matrix_of(problem));
     const Eigen::VectorXd d = ldlt.vectorD();
     const double zero = zero_share(problem.count) * d.cwiseAbs().maxCoeff();
-    Eigen::VectorXd x = ldlt.transpositionsP() * vector_of(problem.right);
+    Eigen::VectorXd x = ldlt.transpositionsP() * vector_of(problem.rhs);
     ldlt.matrixL().solveInPlace(x);
     for (Index k = 0; k < x.size(); k++) x(k) = std::abs(d(k)) > zero ? x(k) / d(k) : 0;
     ldlt.matrixU().solveInPlace(x);
@@ -80,7 +80,7 @@ SolverResult by_qr(const Problem& problem) {
                                                    matrix_of(problem).cols());
     qr.setThreshold(zero_share(problem.count));
     qr.compute(matrix_of(problem));
-    return {.x = numbers_of(qr.solve(vector_of(problem.right)))};
+    return {.x = numbers_of(qr.solve(vector_of(problem.rhs)))};
 }
 
 // Of a symmetric matrix without negative eigenvalues they are the singular values.
@@ -88,7 +88,7 @@ SolverResult by_singular_values(const Problem& problem) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> svd(matrix_of(problem));
     if (svd.info() != Eigen::Success) return {.failed = "no singular values were found"};
     const double zero = zero_share(problem.count) * svd.eigenvalues().cwiseAbs().maxCoeff();
-    Eigen::VectorXd y = svd.eigenvectors().transpose() * vector_of(problem.right);
+    Eigen::VectorXd y = svd.eigenvectors().transpose() * vector_of(problem.rhs);
     for (Index k = 0; k < y.size(); k++)
         y(k) = svd.eigenvalues()(k) > zero ? y(k) / svd.eigenvalues()(k) : 0;
     return {.x = numbers_of(svd.eigenvectors() * y)};

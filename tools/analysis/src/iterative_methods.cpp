@@ -40,15 +40,15 @@ double norm(const std::vector<double>& v) {
 }
 
 double relative(double residual, const Problem& problem) {
-    const double right = norm(problem.right);
-    return right > 0 ? residual / right : residual;
+    const double rhs = norm(problem.rhs);
+    return rhs > 0 ? residual / rhs : residual;
 }
 
 double equations_left(const Problem& problem, const SparseRows& rows,
                       const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
-        const double left = problem.right[i] - rows.times(i, x);
+        const double left = problem.rhs[i] - rows.times(i, x);
         sum += left * left;
     }
     return relative(std::sqrt(sum), problem);
@@ -65,7 +65,7 @@ double complementarity_left(const Problem& problem, const SparseRows& rows,
     for (std::size_t i = 0; i < problem.count; i++) {
         const double own = problem.at(i, i);
         if (!(own > 0)) continue;
-        const double wanted = x[i] + (problem.right[i] - rows.times(i, x)) / own;
+        const double wanted = x[i] + (problem.rhs[i] - rows.times(i, x)) / own;
         const double left = own * (x[i] - bounded(problem, i, wanted, x));
         sum += left * left;
     }
@@ -75,38 +75,38 @@ double complementarity_left(const Problem& problem, const SparseRows& rows,
 // A sweep solves row after row, with what the rows before it have found.
 SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimits& limits) {
     const SparseRows rows(problem);
-    SolverResult found;
-    found.x.assign(problem.count, 0);
-    found.converged = false;
-    while (static_cast<int>(found.residuals.size()) < limits.iterations_max) {
+    SolverResult result;
+    result.x.assign(problem.count, 0);
+    result.converged = false;
+    while (static_cast<int>(result.residuals.size()) < limits.iterations_max) {
         for (std::size_t i = 0; i < problem.count; i++) {
             const double own = problem.at(i, i);
             if (!(own > 0)) continue;
-            const double now = found.x[i] + (problem.right[i] - rows.times(i, found.x)) / own;
-            found.x[i] = within_bounds ? bounded(problem, i, now, found.x) : now;
+            const double now = result.x[i] + (problem.rhs[i] - rows.times(i, result.x)) / own;
+            result.x[i] = within_bounds ? bounded(problem, i, now, result.x) : now;
         }
-        found.residuals.push_back(within_bounds ? complementarity_left(problem, rows, found.x)
-                                                : equations_left(problem, rows, found.x));
-        if (found.residuals.back() <= limits.tolerance) {
-            found.converged = true;
+        result.residuals.push_back(within_bounds ? complementarity_left(problem, rows, result.x)
+                                                : equations_left(problem, rows, result.x));
+        if (result.residuals.back() <= limits.tolerance) {
+            result.converged = true;
             break;
         }
-        if (!(found.residuals.back() < 1e100)) break;
+        if (!(result.residuals.back() < 1e100)) break;
     }
-    return found;
+    return result;
 }
 
 // Hestenes and Stiefel, 1952.
 SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& limits) {
     const SparseRows rows(problem);
     const std::size_t n = problem.count;
-    SolverResult found;
-    found.x.assign(n, 0);
-    found.converged = false;
-    std::vector<double> left = problem.right, direction = left, image(n);
+    SolverResult result;
+    result.x.assign(n, 0);
+    result.converged = false;
+    std::vector<double> left = problem.rhs, direction = left, image(n);
     double size = 0;
     for (const double r : left) size += r * r;
-    while (static_cast<int>(found.residuals.size()) < limits.iterations_max) {
+    while (static_cast<int>(result.residuals.size()) < limits.iterations_max) {
         double bent = 0;
         for (std::size_t i = 0; i < n; i++) {
             image[i] = rows.times(i, direction);
@@ -116,20 +116,20 @@ SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& 
         const double step = size / bent;
         double next = 0;
         for (std::size_t i = 0; i < n; i++) {
-            found.x[i] += step * direction[i];
+            result.x[i] += step * direction[i];
             left[i] -= step * image[i];
             next += left[i] * left[i];
         }
-        found.residuals.push_back(equations_left(problem, rows, found.x));
-        if (found.residuals.back() <= limits.tolerance) {
-            found.converged = true;
+        result.residuals.push_back(equations_left(problem, rows, result.x));
+        if (result.residuals.back() <= limits.tolerance) {
+            result.converged = true;
             break;
         }
         for (std::size_t i = 0; i < n; i++) direction[i] = left[i] + next / size * direction[i];
         size = next;
     }
-    if (size == 0) found.converged = true;
-    return found;
+    if (size == 0) result.converged = true;
+    return result;
 }
 
 }  // namespace

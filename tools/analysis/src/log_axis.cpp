@@ -41,10 +41,10 @@ void draw_x_axis(Svg& svg, const LogAxis& x, double top, double bottom, const st
     svg.text({0.5 * (x.from + x.to), bottom + 34}, title, {.anchor = TextAnchor::middle});
 }
 
-void draw_y_axis(Svg& svg, const LogAxis& y, double left, double right, const std::string& title) {
+void draw_y_axis(Svg& svg, const LogAxis& y, double left, double rhs, const std::string& title) {
     for (int power = y.low; power <= y.high; power++) {
         const double value = std::pow(10, power), at = y.at(value);
-        svg.line({left, at}, {right, at}, grid_color);
+        svg.line({left, at}, {rhs, at}, grid_color);
         svg.text({left - 6, at + 4}, short_number(value),
                  {.size = label_size, .anchor = TextAnchor::end});
     }

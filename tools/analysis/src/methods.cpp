@@ -52,14 +52,14 @@ bool iterates(Method method) {
 
 Solution solve(const Problem& problem, Method method, const SolverLimits& limits) {
     const double start = convergence::thread_seconds();
-    SolverResult found = iterates(method) ? solve_by_iteration(problem, method, limits)
+    SolverResult result = iterates(method) ? solve_by_iteration(problem, method, limits)
                                    : solve_directly(problem, method);
     Solution solution{.method = method,
-                      .failed = std::move(found.failed),
-                      .x = std::move(found.x),
+                      .failed = std::move(result.failed),
+                      .x = std::move(result.x),
                       .milliseconds = 1e3 * (convergence::thread_seconds() - start),
-                      .converged = found.converged,
-                      .residuals = std::move(found.residuals)};
+                      .converged = result.converged,
+                      .residuals = std::move(result.residuals)};
     if (!solution.failed.empty()) return solution;
     solution.residual = method == Method::projected_gauss_seidel
                             ? natural_residual(problem, solution.x)

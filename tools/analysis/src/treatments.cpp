@@ -46,9 +46,9 @@ std::vector<Treatment> treatments(const Problem& problem, const Analysis& analys
     std::vector<Treatment> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);
-    const Eigen::VectorXd right = scaling_of(problem).asDiagonal() * vector_of(problem.right);
+    const Eigen::VectorXd rhs = scaling_of(problem).asDiagonal() * vector_of(problem.rhs);
     const Problem scaled = problem_of(problem.count, {matrix.data(), matrix.data() + matrix.size()},
-                                      numbers_of(right));
+                                      numbers_of(rhs));
     for (const bool with : {false, true})
         for (const double epsilon : epsilons)
             all.push_back(

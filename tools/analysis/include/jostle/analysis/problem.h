@@ -19,7 +19,7 @@ struct Problem {
     std::vector<double> lower, upper;
     // Friction: the bounds of a row are -friction x .. friction x of the row that it leans on. -1:
     // it leans on none.
-    std::vector<int> leans_on;
+    std::vector<int> normal_row;
     std::vector<double> friction;
     std::vector<std::string> names;  // of rows, for words
 

@@ -20,7 +20,7 @@ void expect_true(const Problem& problem, const Analysis& analysis) {
     for (const Redundancy& redundancy : analysis.redundancies)
         for (std::size_t k = 0; k < problem.count; k++) {
             double sum = 0;
-            for (const Share& share : redundancy.of) sum += share.factor * problem.at(share.row, k);
+            for (const Term& share : redundancy.of) sum += share.factor * problem.at(share.row, k);
             EXPECT_NEAR(problem.at(redundancy.row, k), sum, 1e-9 * problem.at(k, k))
                 << in_words(redundancy, problem);
         }
@@ -111,7 +111,7 @@ TEST(Analysis, the_fourth_corner_of_a_box_is_redundant) {
     ASSERT_EQ(analysis.redundancies.size(), 1u);
     EXPECT_EQ(analysis.redundancies[0].row, 3u);
     double sum = 0;
-    for (const Share& share : analysis.redundancies[0].of) sum += share.factor;
+    for (const Term& share : analysis.redundancies[0].of) sum += share.factor;
     EXPECT_NEAR(sum, 1, 1e-6);
 }
 

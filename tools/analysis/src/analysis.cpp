@@ -90,10 +90,10 @@ Analysis analyse(const Problem& problem) {
 std::string in_words(const Redundancy& redundancy, const Problem& problem, int terms_max) {
     std::string words = problem.names[redundancy.row] + " =";
     if (redundancy.of.empty()) return words + " nothing";
-    std::vector<Share> shares = redundancy.of;
+    std::vector<Term> shares = redundancy.of;
     const auto most = static_cast<std::size_t>(terms_max);
     if (shares.size() > most)
-        std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+        std::stable_sort(shares.begin(), shares.end(), [](const Term& a, const Term& b) {
             return std::abs(a.factor) > std::abs(b.factor);
         });
     for (std::size_t k = 0; k < shares.size() && k < most; k++) {

@@ -8,7 +8,7 @@
 
 namespace jostle::linear_systems {
 
-struct Share {
+struct Term {
     std::size_t row = 0;
     double factor = 0;
 };
@@ -16,7 +16,7 @@ struct Share {
 // carries is not determined. Factors below 1e-9 of the largest are left out.
 struct Redundancy {
     std::size_t row = 0;
-    std::vector<Share> of;
+    std::vector<Term> of;
 };
 
 struct Analysis {

@@ -70,13 +70,13 @@ std::string rank_text(const InspectedGroup& group) {
         text += format_text("Rank %zu of %zu: every row says something of its own.\n",
                             analysis.rank, rows);
     for (std::size_t k = 0; k < analysis.redundancies.size() && k < redundancies_shown; k++)
-        text += "  " + in_words(analysis.redundancies[k], group.problem) + "\n";
+        text += "  " + to_text(analysis.redundancies[k], group.problem) + "\n";
     if (analysis.redundancies.size() > redundancies_shown)
         text +=
             format_text("  ... and %zu more\n", analysis.redundancies.size() - redundancies_shown);
-    if (analysis.contradiction > 1e-12)
+    if (analysis.inconsistency > 1e-12)
         text += format_text("They want different things: no impulses make a part of %.3g of b.\n",
-                            analysis.contradiction);
+                            analysis.inconsistency);
     if (const auto free = group.free_motions())
         text += format_text("The bodies are left %d of their %d free motions.\n", *free,
                             group.motions());
@@ -230,7 +230,7 @@ json group_json(const InspectedGroup& group) {
         for (const auto& share : redundancy.of)
             of.push_back({{"row", share.row}, {"factor", share.factor}});
         redundancies.push_back(
-            {{"row", redundancy.row}, {"of", of}, {"words", in_words(redundancy, group.problem)}});
+            {{"row", redundancy.row}, {"of", of}, {"words", to_text(redundancy, group.problem)}});
     }
     for (const Solution& solution : group.solutions) {
         json line = {{"method", name_of(solution.method)}};
@@ -264,7 +264,7 @@ json group_json(const InspectedGroup& group) {
             {"condition", analysis.condition},
             {"scaled_condition", analysis.scaled_condition},
             {"eigenvalues", analysis.eigenvalues},
-            {"contradiction", analysis.contradiction},
+            {"contradiction", analysis.inconsistency},
             {"motions", group.motions()},
             {"free_motions", free ? json(*free) : json(nullptr)},
             {"redundancies", redundancies},

@@ -22,7 +22,7 @@ void expect_true(const Problem& problem, const Analysis& analysis) {
             double sum = 0;
             for (const Term& share : redundancy.of) sum += share.factor * problem.at(share.row, k);
             EXPECT_NEAR(problem.at(redundancy.row, k), sum, 1e-9 * problem.at(k, k))
-                << in_words(redundancy, problem);
+                << to_text(redundancy, problem);
         }
 }
 
@@ -60,7 +60,7 @@ TEST(Analysis, a_four_bar_linkage_has_three_redundant_rows) {
     EXPECT_EQ(analysis.rank, 17u);
     EXPECT_EQ(6 * system.moving_bodies() - static_cast<int>(analysis.rank), 1);
     EXPECT_TRUE(analysis.singular());
-    EXPECT_LT(analysis.contradiction, 1e-12);
+    EXPECT_LT(analysis.inconsistency, 1e-12);
     expect_true(problem, analysis);
     // In the loop's last joint, out of its plane.
     for (const Redundancy& redundancy : analysis.redundancies)
@@ -120,10 +120,10 @@ TEST(Analysis, words_name_rows_and_factors) {
     problem.names = {"a", "b", "c"};
     const Analysis analysis = analyse(problem);
     ASSERT_EQ(analysis.redundancies.size(), 1u);
-    EXPECT_EQ(in_words(analysis.redundancies[0], problem), "c = 0.5 a - b");
-    EXPECT_EQ(in_words(analysis.redundancies[0], problem, 1), "c = -b and 1 more");
+    EXPECT_EQ(to_text(analysis.redundancies[0], problem), "c = 0.5 a - b");
+    EXPECT_EQ(to_text(analysis.redundancies[0], problem, 1), "c = -b and 1 more");
     // c should be 0.5; it wants 1.
-    EXPECT_GT(analysis.contradiction, 0.1);
+    EXPECT_GT(analysis.inconsistency, 0.1);
     EXPECT_EQ(analyse(problem_of(0, {}, {})).rank, 0u);
 }
 

@@ -81,13 +81,13 @@ Analysis analyse(const Problem& problem) {
     const auto rhs = vector_of(problem.rhs);
     const Eigen::VectorXd scaled_right = scaling_of(problem).asDiagonal() * rhs;
     if (rhs.norm() > 0)
-        result.contradiction =
+        result.inconsistency =
             (scaled.eigenvectors().leftCols(missing).transpose() * scaled_right).norm() /
             scaled_right.norm();
     return result;
 }
 
-std::string in_words(const Redundancy& redundancy, const Problem& problem, int terms_max) {
+std::string to_text(const Redundancy& redundancy, const Problem& problem, int terms_max) {
     std::string words = problem.names[redundancy.row] + " =";
     if (redundancy.of.empty()) return words + " nothing";
     std::vector<Term> shares = redundancy.of;

@@ -28,7 +28,7 @@ struct Analysis {
     std::vector<Redundancy> redundancies;  // as many as rows less the rank, rising by row
     // The part of b that no x can make, relative to b: rows that say the same want different
     // things.
-    double contradiction = 0;
+    double inconsistency = 0;
 
     bool singular() const { return rank < eigenvalues.size(); }
 };
@@ -36,6 +36,6 @@ struct Analysis {
 Analysis analyse(const Problem& problem);
 
 // "joint 3 turn x = 0.5 joint 0 turn x - joint 1 point z"; no more than so many terms.
-std::string in_words(const Redundancy& redundancy, const Problem& problem, int terms_max = 6);
+std::string to_text(const Redundancy& redundancy, const Problem& problem, int terms_max = 6);
 
 }  // namespace jostle::linear_systems

@@ -11,7 +11,7 @@ namespace {
 
 using linear_systems::Analysis;
 using linear_systems::Solution;
-using linear_systems::Treatment;
+using linear_systems::PreconditioningResult;
 
 constexpr std::size_t rows_shown = 60, redundancies_shown = 12, groups_shown = 40;
 
@@ -138,7 +138,7 @@ std::string progress_table(const InspectedGroup& group) {
 std::string treatments_table(const InspectedGroup& group) {
     std::string text = format_text("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon",
                                    "condition", "gradients", "sweeps", "error");
-    for (const Treatment& t : group.treatments)
+    for (const PreconditioningResult& t : group.treatments)
         text += format_text("%-8s %9.0e %11.3e %10d%s %10d%s %11.2e\n",
                             t.scaled ? "diagonal" : "none", t.epsilon, t.condition,
                             t.gradient_iterations, t.gradients_converged ? " " : "+", t.sweeps,
@@ -246,7 +246,7 @@ json group_json(const InspectedGroup& group) {
         }
         methods.push_back(line);
     }
-    for (const Treatment& t : group.treatments)
+    for (const PreconditioningResult& t : group.treatments)
         treatments.push_back({{"scaled", t.scaled},
                               {"epsilon", t.epsilon},
                               {"condition", finite_or_null(t.condition)},

@@ -8,17 +8,17 @@
 namespace jostle::linear_systems {
 namespace {
 
-std::vector<Treatment> treat(const Problem& problem) {
+std::vector<PreconditioningResult> treat(const Problem& problem) {
     return treatments(problem, analyse(problem));
 }
 
 // [1 1; 1 1] + epsilon has the eigenvalues epsilon and 2 + epsilon.
 TEST(Treatments, softness_bounds_the_condition) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
-    const std::vector<Treatment> all = treat(problem);
+    const std::vector<PreconditioningResult> all = treat(problem);
     ASSERT_EQ(all.size(), 2 * std::size(usual_epsilons));
     EXPECT_TRUE(std::isinf(all[0].condition));
-    for (const Treatment& treatment : all) {
+    for (const PreconditioningResult& treatment : all) {
         if (treatment.epsilon == 0) continue;
         const double condition = (2 + treatment.epsilon) / treatment.epsilon;
         EXPECT_NEAR(treatment.condition, condition, 1e-3 * condition);
@@ -29,7 +29,7 @@ TEST(Treatments, softness_bounds_the_condition) {
 }
 
 TEST(Treatments, scaling_takes_away_what_units_and_masses_put_in) {
-    const std::vector<Treatment> all =
+    const std::vector<PreconditioningResult> all =
         treat(problem_of(3, {1, 0, 0, 0, 10, 0, 0, 0, 100}, {1, 10, 100}));
     const std::size_t scaled = std::size(usual_epsilons);
     EXPECT_NEAR(all[0].condition, 100, 1e-9);

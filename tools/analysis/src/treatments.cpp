@@ -9,9 +9,9 @@
 namespace jostle::linear_systems {
 namespace {
 
-Treatment treated(const Problem& problem, const Problem& basis, const Analysis& analysis,
+PreconditioningResult treated(const Problem& problem, const Problem& basis, const Analysis& analysis,
                   bool scaled, double epsilon, const SolverLimits& limits) {
-    Treatment result{.scaled = scaled, .epsilon = epsilon};
+    PreconditioningResult result{.scaled = scaled, .epsilon = epsilon};
     Problem soft = basis;
     double most = 0;
     for (std::size_t k = 0; k < basis.count; k++) most = std::max(most, basis.at(k, k));
@@ -41,9 +41,9 @@ Treatment treated(const Problem& problem, const Problem& basis, const Analysis& 
 
 }  // namespace
 
-std::vector<Treatment> treatments(const Problem& problem, const Analysis& analysis,
+std::vector<PreconditioningResult> treatments(const Problem& problem, const Analysis& analysis,
                                   const SolverLimits& limits, std::span<const double> epsilons) {
-    std::vector<Treatment> all;
+    std::vector<PreconditioningResult> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);
     const Eigen::VectorXd rhs = scaling_of(problem).asDiagonal() * vector_of(problem.rhs);

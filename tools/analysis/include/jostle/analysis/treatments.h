@@ -12,7 +12,7 @@
 
 namespace jostle::linear_systems {
 
-struct Treatment {
+struct PreconditioningResult {
     bool scaled = false;
     double epsilon = 0;  // what is added to the diagonal, by the largest of it (scaled: one)
     // Largest over smallest eigenvalue, all of them; infinite where the smallest is zero.
@@ -27,7 +27,7 @@ struct Treatment {
 inline constexpr double usual_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
 // Unscaled, then scaled, with each epsilon.
-std::vector<Treatment> treatments(const Problem& problem, const Analysis& analysis,
+std::vector<PreconditioningResult> treatments(const Problem& problem, const Analysis& analysis,
                                   const SolverLimits& limits = {},
                                   std::span<const double> epsilons = usual_epsilons);
 

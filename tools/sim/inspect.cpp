@@ -81,8 +81,8 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names,
     group.analysis = linear_systems::analyse(group.problem);
     if (full_report) {
         group.solutions = linear_systems::solve_all(group.problem, options.limits);
-        group.treatments =
-            linear_systems::treatments(group.problem, group.analysis, options.limits);
+        group.evaluate_preconditioning =
+            linear_systems::evaluate_preconditioning(group.problem, group.analysis, options.limits);
     } else {
         group.solutions = {
             linear_systems::solve(group.problem, Method::projected_gauss_seidel, options.limits)};

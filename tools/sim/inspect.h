@@ -30,7 +30,7 @@ struct InspectedGroup {
     linear_systems::Analysis analysis;
     // By all methods, and treated, where one group was asked for; else by projected sweeps alone.
     std::vector<linear_systems::Solution> solutions;
-    std::vector<linear_systems::PreconditioningResult> treatments;
+    std::vector<linear_systems::PreconditioningResult> evaluate_preconditioning;
 
     // Directions in which the bodies can go on as they like, of how many they would have alone.
     // None where rows give way or push one way.

@@ -138,7 +138,7 @@ std::string progress_table(const InspectedGroup& group) {
 std::string treatments_table(const InspectedGroup& group) {
     std::string text = format_text("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon",
                                    "condition", "gradients", "sweeps", "error");
-    for (const PreconditioningResult& t : group.treatments)
+    for (const PreconditioningResult& t : group.evaluate_preconditioning)
         text += format_text("%-8s %9.0e %11.3e %10d%s %10d%s %11.2e\n",
                             t.scaled ? "diagonal" : "none", t.epsilon, t.condition,
                             t.gradient_iterations, t.gradients_converged ? " " : "+", t.sweeps,
@@ -224,7 +224,7 @@ json rows_json(const InspectedGroup& group) {
 json group_json(const InspectedGroup& group) {
     if (!group.unavailable_reason.empty()) return {{"bodies", group.bodies}, {"refused", group.unavailable_reason}};
     const Analysis& analysis = group.analysis;
-    json redundancies = json::array(), methods = json::array(), treatments = json::array();
+    json redundancies = json::array(), methods = json::array(), evaluate_preconditioning = json::array();
     for (const auto& redundancy : analysis.redundancies) {
         json of = json::array();
         for (const auto& share : redundancy.of)
@@ -246,8 +246,8 @@ json group_json(const InspectedGroup& group) {
         }
         methods.push_back(line);
     }
-    for (const PreconditioningResult& t : group.treatments)
-        treatments.push_back({{"scaled", t.scaled},
+    for (const PreconditioningResult& t : group.evaluate_preconditioning)
+        evaluate_preconditioning.push_back({{"scaled", t.scaled},
                               {"epsilon", t.epsilon},
                               {"condition", finite_or_null(t.condition)},
                               {"gradient_iterations", t.gradient_iterations},
@@ -269,7 +269,7 @@ json group_json(const InspectedGroup& group) {
             {"free_motions", free ? json(*free) : json(nullptr)},
             {"redundancies", redundancies},
             {"methods", methods},
-            {"treatments", treatments}};
+            {"treatments", evaluate_preconditioning}};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace jostle::linear_systems {
 namespace {
 
 std::vector<PreconditioningResult> treat(const Problem& problem) {
-    return treatments(problem, analyse(problem));
+    return evaluate_preconditioning(problem, analyse(problem));
 }
 
 // [1 1; 1 1] + epsilon has the eigenvalues epsilon and 2 + epsilon.

@@ -41,7 +41,7 @@ PreconditioningResult treated(const Problem& problem, const Problem& basis, cons
 
 }  // namespace
 
-std::vector<PreconditioningResult> treatments(const Problem& problem, const Analysis& analysis,
+std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem, const Analysis& analysis,
                                   const SolverLimits& limits, std::span<const double> epsilons) {
     std::vector<PreconditioningResult> all;
     if (problem.count == 0) return all;

@@ -27,7 +27,7 @@ struct PreconditioningResult {
 inline constexpr double usual_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
 // Unscaled, then scaled, with each epsilon.
-std::vector<PreconditioningResult> treatments(const Problem& problem, const Analysis& analysis,
+std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem, const Analysis& analysis,
                                   const SolverLimits& limits = {},
                                   std::span<const double> epsilons = usual_epsilons);
 

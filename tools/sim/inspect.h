@@ -10,7 +10,7 @@
 
 #include "jostle/analysis/analysis.h"
 #include "jostle/analysis/methods.h"
-#include "jostle/analysis/treatments.h"
+#include "jostle/analysis/preconditioning.h"
 #include "jostle/scenes/scene.h"
 
 namespace jostle::sim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/analysis/treatments.h"
+#include "jostle/analysis/preconditioning.h"
 
 #include <limits>
 

@@ -52,7 +52,7 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
             curves.push_back({row.engine, row.mode, {}});
         curves.back().points.push_back(at);
         const SeriesStyle style = series_style(engines, series_index(engines, row.engine));
-        svg.mark(at, style.mark, style.color);
+        svg.marker(at, style.marker, style.color);
     }
     for (const Row& row : pareto_set(rows, experiment.name))
         svg.ring({x.at(row.cpu_us_per_second), y.at(std::max(row.error, least_error))}, "#222");

@@ -99,7 +99,7 @@ void draw_panel(plots::Svg& svg, const Experiment& experiment, const std::vector
             points.push_back(at(x, y, row));
         if (points.empty()) continue;
         svg.polyline(points, style.color);
-        for (const plots::SvgPoint point : points) svg.mark(point, style.mark, style.color);
+        for (const plots::SvgPoint point : points) svg.marker(point, style.marker, style.color);
     }
 }
 

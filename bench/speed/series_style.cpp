@@ -49,7 +49,7 @@ void draw_legend(plots::Svg& svg, const std::vector<std::string>& series,
     double x = right_end.x - legend_step * static_cast<double>(series.size());
     for (std::size_t k = 0; k < series.size(); k++, x += legend_step) {
         const SeriesStyle style = series_style(series, k);
-        svg.mark({x + 6, right_end.y - 4}, style.mark, style.color);
+        svg.marker({x + 6, right_end.y - 4}, style.marker, style.color);
         svg.text({x + 18, right_end.y}, series[k]);
     }
 }

@@ -19,7 +19,7 @@ std::size_t series_index(std::vector<std::string>& series, const std::string& na
 // A series looks the same in every plot, whichever others there are.
 struct SeriesStyle {
     const char* color;
-    int mark;  // of Svg::mark
+    int marker;  // of Svg::mark
 };
 SeriesStyle series_style(const std::vector<std::string>& series, std::size_t index);
 

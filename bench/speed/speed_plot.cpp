@@ -93,7 +93,7 @@ void draw_marks(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& grou
         const std::size_t k = series_index(groups.series, series_name(row.engine, row.threads));
         const plots::SvgPoint at{x.at(row.ms_mean), y.at(error_mm(row))};
         const SeriesStyle style = series_style(groups.series, k);
-        svg.mark(at, style.mark, style.color);
+        svg.marker(at, style.marker, style.color);
         svg.text({at.x + 7, at.y - 4}, row.scene, {.size = 11, .color = style.color});
     }
 }
@@ -118,7 +118,7 @@ void draw_curves(plots::Svg& svg, const std::vector<GrowthRow>& rows, double fro
         curves.resize(series.size());
         curves[k].push_back({x.at(row.bodies), y.at(figure(row))});
         const SeriesStyle style = series_style(series, k);
-        svg.mark(curves[k].back(), style.mark, style.color);
+        svg.marker(curves[k].back(), style.marker, style.color);
     }
     for (std::size_t k = 0; k < curves.size(); k++)
         svg.polyline(curves[k], series_style(series, k).color);

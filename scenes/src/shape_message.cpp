@@ -63,16 +63,16 @@ std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, cons
 // how long it may take is ours.
 std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, const v1::Solid& m) {
     constexpr int triangles_max = 20000;
-    constexpr double parts_max = 128;
+    constexpr double hulls_max = 128;
     const std::vector<Vec3> vertices = points_of(in, path + ".mesh.vertices", m.mesh().vertices());
     if (m.mesh().indices_size() > 3 * triangles_max)
         in.note(path + ".mesh.indices", "has " + std::to_string(m.mesh().indices_size() / 3) +
                                             " triangles; a solid may have " +
                                             std::to_string(triangles_max));
     decomposition::Options options;
-    if (m.parts_max() != 0)
-        options.parts_max =
-            static_cast<int>(in.number(path + ".parts_max", m.parts_max(), 1, parts_max));
+    if (m.hulls_max() != 0)
+        options.hulls_max =
+            static_cast<int>(in.number(path + ".hulls_max", m.hulls_max(), 1, hulls_max));
     if (m.has_excess()) options.max_volume_error = in.number(path + ".excess", m.max_volume_error(), 0, 10);
     if (in.failed()) return std::nullopt;
     const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());

@@ -202,7 +202,7 @@ void add_solid(CLI::App& app, Flags& flags) {
     app.add_option("--scale", flags.solid.scale, "Metres to a unit of the file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
-    app.add_option("--max-hulls", flags.solid.decomposition.parts_max,
+    app.add_option("--max-hulls", flags.solid.decomposition.hulls_max,
                    "Convex parts of a mesh, at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

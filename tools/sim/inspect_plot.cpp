@@ -45,7 +45,7 @@ std::string plot_residuals(const InspectedGroup& group, const std::string& title
                  y.at(std::clamp(solution.residuals[k], least_residual, most_residual))});
         const char* color = colors[drawn++ % std::size(colors)];
         svg.polyline(points, color);
-        svg.mark({right + 20, label + 6}, 0, color);
+        svg.marker({right + 20, label + 6}, 0, color);
         svg.text({right + 32, label + 10}, std::string(name_of(solution.method)) +
                                                (solution.converged ? "" : ", not there yet"));
         label += 22;

@@ -135,7 +135,7 @@ std::string progress_table(const InspectedGroup& group) {
     return text;
 }
 
-std::string treatments_table(const InspectedGroup& group) {
+std::string preconditioning_table(const InspectedGroup& group) {
     std::string text = format_text("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon",
                                    "condition", "gradients", "sweeps", "error");
     for (const PreconditioningResult& t : group.evaluate_preconditioning)
@@ -162,7 +162,7 @@ std::string full_report(const InspectedGroup& group) {
            list_of(group.bodies) +
            format_text("\n%zu rows, over %.4g ms\n\n", group.problem.count, 1e3 * group.system.h) +
            rows_table(group) + "\n" + rank_text(group) + "\n" + methods_table(group) + "\n" +
-           progress_table(group) + "\n" + treatments_table(group);
+           progress_table(group) + "\n" + preconditioning_table(group);
 }
 
 std::string group_list(const std::vector<InspectedGroup>& groups) {

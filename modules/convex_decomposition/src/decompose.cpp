@@ -77,21 +77,21 @@ Halves best_cut(const Part& part, int planes) {
     return best;
 }
 
-double excess_of(const std::vector<Part>& parts) {
+double total_volume_error(const std::vector<Part>& parts) {
     double sum = 0;
     for (const Part& part : parts) sum += part.hull ? part.max_volume_error() : 0;
     return sum;
 }
 
 void cut(std::vector<Part>& parts, const Options& options, double allowed) {
-    while (parts.size() < static_cast<std::size_t>(options.parts_max)) {
+    while (parts.size() < static_cast<std::size_t>(options.hulls_max)) {
         const auto worst = std::max_element(parts.begin(), parts.end(), [](auto& a, auto& b) {
             return (a.done ? -1 : a.max_volume_error()) < (b.done ? -1 : b.max_volume_error());
         });
         const bool in_one = std::all_of(parts.begin(), parts.end(),
                                         [](const Part& part) { return part.hull != nullptr; });
-        if (worst->done || (in_one && excess_of(parts) <= allowed)) return;
-        Halves halves = best_cut(*worst, options.planes_an_axis);
+        if (worst->done || (in_one && total_volume_error(parts) <= allowed)) return;
+        Halves halves = best_cut(*worst, options.planes_per_axis);
         if (halves.empty()) {
             worst->done = true;
             continue;
@@ -145,7 +145,7 @@ void join(std::vector<Part>& parts, double allowed) {
     while (!pairs.empty()) {
         const auto least = std::min_element(pairs.begin(), pairs.end(),
                                             [](auto& x, auto& y) { return x.more < y.more; });
-        if (excess_of(parts) + least->more > allowed) break;
+        if (total_volume_error(parts) + least->more > allowed) break;
         const auto [a, b, more] = *least;
         parts[a] = *joined(parts[a], parts[b]);
         parts[b] = {};
@@ -166,10 +166,10 @@ double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) 
     const double most = 4e7 / static_cast<double>(mesh.triangles.size());
     const int side =
         static_cast<int>(clamp(square_root(most / static_cast<double>(3 * faces + 1)), 1, 8));
-    double furthest = 0;
+    double max_distance = 0;
     const auto ask = [&](Vec3 p) {
         if (is_inside(mesh.triangles, p)) return;
-        furthest = maximum(furthest, distance_to_surface(mesh.triangles, p));
+        max_distance = maximum(max_distance, distance_to_surface(mesh.triangles, p));
     };
     for (const Part& part : parts)
         for (const HullFace& face : part.hull->faces) {
@@ -182,17 +182,17 @@ double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) 
                         ask(at(0) + (at(k) - at(0)) * u + (at(k + 1) - at(0)) * v);
                     }
         }
-    return furthest;
+    return max_distance;
 }
 
 Status check(const Options& options) {
     const auto refuse = [](const char* what) { return Error{ErrorCode::invalid_argument, what}; };
-    if (options.parts_max < 1 || options.parts_max > 1024)
-        return refuse("parts_max must be from 1 to 1024");
+    if (options.hulls_max < 1 || options.hulls_max > 1024)
+        return refuse("hulls_max must be from 1 to 1024");
     if (!(options.max_volume_error >= 0 && options.max_volume_error <= 10))
         return refuse("excess must be from 0 to 10");
-    if (options.planes_an_axis < 1 || options.planes_an_axis > 127)
-        return refuse("planes_an_axis must be from 1 to 127");
+    if (options.planes_per_axis < 1 || options.planes_per_axis > 127)
+        return refuse("planes_per_axis must be from 1 to 127");
     return {};
 }
 
@@ -215,8 +215,8 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
                                                         " corners; allow more parts"};
     join(parts, allowed);
     Decomposition found{.mesh_volume = mesh->volume,
-                        .max_volume_error = excess_of(parts) / mesh->volume,
-                        .furthest = furthest_outside(*mesh, parts)};
+                        .max_volume_error = total_volume_error(parts) / mesh->volume,
+                        .max_distance = furthest_outside(*mesh, parts)};
     for (const Part& part : parts) found.parts.push_back(part.hull);
     return found;
 }

@@ -24,7 +24,7 @@ TEST(Decompose, what_is_convex_stays_whole) {
     const Decomposition one = of(cube());
     ASSERT_EQ(one.parts.size(), 1u);
     EXPECT_NEAR(one.max_volume_error, 0, 1e-12);
-    EXPECT_NEAR(one.furthest, 0, 1e-9);
+    EXPECT_NEAR(one.max_distance, 0, 1e-9);
 }
 
 TEST(Decompose, an_l_is_two_boxes) {
@@ -41,12 +41,12 @@ TEST(Decompose, a_ring_is_as_near_as_parts_allow) {
     const Solid ring = torus(1, 0.3, 48, 12);
     double before = 1e9;
     for (const int parts : {12, 24, 48}) {
-        const Decomposition found = of(ring, {.parts_max = parts, .max_volume_error = 0.03});
+        const Decomposition found = of(ring, {.hulls_max = parts, .max_volume_error = 0.03});
         EXPECT_LE(found.parts.size(), static_cast<std::size_t>(parts));
         EXPECT_LT(found.max_volume_error, before);
         before = found.max_volume_error;
         RecordProperty("excess_" + std::to_string(parts), std::to_string(found.max_volume_error));
-        RecordProperty("furthest_" + std::to_string(parts), std::to_string(found.furthest));
+        RecordProperty("furthest_" + std::to_string(parts), std::to_string(found.max_distance));
         for (const Vec3 p : ring.vertices) {
             const bool held = std::any_of(found.parts.begin(), found.parts.end(), [&](auto& hull) {
                 return std::all_of(hull->faces.begin(), hull->faces.end(), [&](const HullFace& f) {
@@ -61,7 +61,7 @@ TEST(Decompose, a_ring_is_as_near_as_parts_allow) {
 
 // A peg falls through the ring's hole, which a hull of the ring would not let it.
 TEST(Decompose, a_ring_that_moves_has_its_hole) {
-    const Decomposition found = of(torus(1, 0.3, 32, 12), {.parts_max = 24});
+    const Decomposition found = of(torus(1, 0.3, 32, 12), {.hulls_max = 24});
     std::vector<ShapeDef> shapes;
     for (const auto& part : found.parts) shapes.push_back({.geometry = Hull{part}});
     World world = std::move(*World::create());
@@ -76,7 +76,7 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
 
 TEST(Decompose, options_are_within_their_range) {
     const Solid solid = cube();
-    for (const Options& wrong : {Options{.parts_max = 0}, {.max_volume_error = -1}, {.planes_an_axis = 0}})
+    for (const Options& wrong : {Options{.hulls_max = 0}, {.max_volume_error = -1}, {.planes_per_axis = 0}})
         EXPECT_FALSE(decompose(solid.vertices, solid.indices, wrong).ok());
 }
 

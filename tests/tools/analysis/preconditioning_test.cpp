@@ -16,7 +16,7 @@ std::vector<PreconditioningResult> treat(const Problem& problem) {
 TEST(Preconditioning, softness_bounds_the_condition) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
     const std::vector<PreconditioningResult> all = treat(problem);
-    ASSERT_EQ(all.size(), 2 * std::size(usual_epsilons));
+    ASSERT_EQ(all.size(), 2 * std::size(default_epsilons));
     EXPECT_TRUE(std::isinf(all[0].condition));
     for (const PreconditioningResult& treatment : all) {
         if (treatment.epsilon == 0) continue;
@@ -31,7 +31,7 @@ TEST(Preconditioning, softness_bounds_the_condition) {
 TEST(Preconditioning, scaling_takes_away_what_units_and_masses_put_in) {
     const std::vector<PreconditioningResult> all =
         treat(problem_of(3, {1, 0, 0, 0, 10, 0, 0, 0, 100}, {1, 10, 100}));
-    const std::size_t scaled = std::size(usual_epsilons);
+    const std::size_t scaled = std::size(default_epsilons);
     EXPECT_NEAR(all[0].condition, 100, 1e-9);
     EXPECT_FALSE(all[0].scaled);
     EXPECT_EQ(all[0].gradient_iterations, 3);

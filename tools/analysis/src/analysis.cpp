@@ -61,12 +61,12 @@ std::vector<Redundancy> redundancies_of(const Eigen::MatrixXd& space) {
 Analysis analyse(const Problem& problem) {
     Analysis result;
     if (problem.count == 0) return result;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> plain(matrix_of(problem),
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> plain(to_eigen_matrix(problem),
                                                                Eigen::EigenvaluesOnly);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> scaled(scaled_matrix(problem));
-    result.eigenvalues = numbers_of(plain.eigenvalues());
-    result.scaled_eigenvalues = numbers_of(scaled.eigenvalues());
-    const double zero = zero_share(problem.count) * result.scaled_eigenvalues.back();
+    result.eigenvalues = to_std_vector(plain.eigenvalues());
+    result.scaled_eigenvalues = to_std_vector(scaled.eigenvalues());
+    const double zero = zero_tolerance(problem.count) * result.scaled_eigenvalues.back();
     result.rank = static_cast<std::size_t>(
         std::count_if(result.scaled_eigenvalues.begin(), result.scaled_eigenvalues.end(),
                       [&](double value) { return value > zero; }));
@@ -78,7 +78,7 @@ Analysis analyse(const Problem& problem) {
     const Eigen::MatrixXd space =
         scaling_of(problem).asDiagonal() * scaled.eigenvectors().leftCols(missing);
     result.redundancies = redundancies_of(space);
-    const auto rhs = vector_of(problem.rhs);
+    const auto rhs = to_eigen_vector(problem.rhs);
     const Eigen::VectorXd scaled_right = scaling_of(problem).asDiagonal() * rhs;
     if (rhs.norm() > 0)
         result.inconsistency =

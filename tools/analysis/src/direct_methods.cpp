@@ -9,11 +9,11 @@ namespace {
 
 using Eigen::Index;
 
-std::string no_pivot(const Problem& problem, std::size_t row) {
+std::string pivot_error(const Problem& problem, std::size_t row) {
     return "no pivot is left at row " + std::to_string(row) + ", " + problem.names[row];
 }
 
-SolverResult eliminate(const Problem& problem) {
+SolverResult by_elimination(const Problem& problem) {
     const std::size_t n = problem.count;
     std::vector<double> a = problem.matrix, x = problem.rhs;
     std::vector<std::size_t> order(n);
@@ -27,7 +27,7 @@ SolverResult eliminate(const Problem& problem) {
             if (std::abs(row(i)[k]) > std::abs(row(best)[k])) best = i;
         std::swap(order[k], order[best]);
         const double pivot = row(k)[k];
-        if (!(std::abs(pivot) > zero_share(n) * most)) return {.failed = no_pivot(problem, k)};
+        if (!(std::abs(pivot) > zero_tolerance(n) * most)) return {.failed = pivot_error(problem, k)};
         for (std::size_t i = k + 1; i < n; i++) {
             const double factor = row(i)[k] / pivot;
             if (factor == 0) continue;
@@ -45,53 +45,53 @@ SolverResult eliminate(const Problem& problem) {
 }
 
 SolverResult by_lu(const Problem& problem) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix_of(problem));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(to_eigen_matrix(problem));
     const Eigen::VectorXd pivots = lu.matrixLU().diagonal().cwiseAbs();
     Index least = 0;
-    if (!(pivots.minCoeff(&least) > zero_share(problem.count) * pivots.maxCoeff()))
-        return {.failed = no_pivot(problem, static_cast<std::size_t>(least))};
-    return {.x = numbers_of(lu.solve(vector_of(problem.rhs)))};
+    if (!(pivots.minCoeff(&least) > zero_tolerance(problem.count) * pivots.maxCoeff()))
+        return {.failed = pivot_error(problem, static_cast<std::size_t>(least))};
+    return {.x = to_std_vector(lu.solve(to_eigen_vector(problem.rhs)))};
 }
 
 SolverResult by_cholesky(const Problem& problem) {
-    const Eigen::LLT<Eigen::MatrixXd> llt(matrix_of(problem));
+    const Eigen::LLT<Eigen::MatrixXd> llt(to_eigen_matrix(problem));
     if (llt.info() != Eigen::Success) return {.failed = "not positive definite"};
     const Eigen::VectorXd pivots = llt.matrixLLT().diagonal();
     const double least = pivots.minCoeff(), most = pivots.maxCoeff();
-    if (!(least * least > zero_share(problem.count) * most * most))
+    if (!(least * least > zero_tolerance(problem.count) * most * most))
         return {.failed = "not positive definite, but for rounding"};
-    return {.x = numbers_of(llt.solve(vector_of(problem.rhs)))};
+    return {.x = to_std_vector(llt.solve(to_eigen_vector(problem.rhs)))};
 }
 
 // Pivots that are zero are left out: a solution, if there is one.
 SolverResult by_ldlt(const Problem& problem) {
-    const Eigen::LDLT<Eigen::MatrixXd> ldlt(matrix_of(problem));
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(to_eigen_matrix(problem));
     const Eigen::VectorXd d = ldlt.vectorD();
-    const double zero = zero_share(problem.count) * d.cwiseAbs().maxCoeff();
-    Eigen::VectorXd x = ldlt.transpositionsP() * vector_of(problem.rhs);
+    const double zero = zero_tolerance(problem.count) * d.cwiseAbs().maxCoeff();
+    Eigen::VectorXd x = ldlt.transpositionsP() * to_eigen_vector(problem.rhs);
     ldlt.matrixL().solveInPlace(x);
     for (Index k = 0; k < x.size(); k++) x(k) = std::abs(d(k)) > zero ? x(k) / d(k) : 0;
     ldlt.matrixU().solveInPlace(x);
-    return {.x = numbers_of(ldlt.transpositionsP().transpose() * x)};
+    return {.x = to_std_vector(ldlt.transpositionsP().transpose() * x)};
 }
 
 SolverResult by_qr(const Problem& problem) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix_of(problem).rows(),
-                                                   matrix_of(problem).cols());
-    qr.setThreshold(zero_share(problem.count));
-    qr.compute(matrix_of(problem));
-    return {.x = numbers_of(qr.solve(vector_of(problem.rhs)))};
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(to_eigen_matrix(problem).rows(),
+                                                   to_eigen_matrix(problem).cols());
+    qr.setThreshold(zero_tolerance(problem.count));
+    qr.compute(to_eigen_matrix(problem));
+    return {.x = to_std_vector(qr.solve(to_eigen_vector(problem.rhs)))};
 }
 
 // Of a symmetric matrix without negative eigenvalues they are the singular values.
 SolverResult by_singular_values(const Problem& problem) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> svd(matrix_of(problem));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> svd(to_eigen_matrix(problem));
     if (svd.info() != Eigen::Success) return {.failed = "no singular values were found"};
-    const double zero = zero_share(problem.count) * svd.eigenvalues().cwiseAbs().maxCoeff();
-    Eigen::VectorXd y = svd.eigenvectors().transpose() * vector_of(problem.rhs);
+    const double zero = zero_tolerance(problem.count) * svd.eigenvalues().cwiseAbs().maxCoeff();
+    Eigen::VectorXd y = svd.eigenvectors().transpose() * to_eigen_vector(problem.rhs);
     for (Index k = 0; k < y.size(); k++)
         y(k) = svd.eigenvalues()(k) > zero ? y(k) / svd.eigenvalues()(k) : 0;
-    return {.x = numbers_of(svd.eigenvectors() * y)};
+    return {.x = to_std_vector(svd.eigenvectors() * y)};
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ SolverResult by_singular_values(const Problem& problem) {
 SolverResult solve_directly(const Problem& problem, Method method) {
     switch (method) {
         case Method::gauss:
-            return eliminate(problem);
+            return by_elimination(problem);
         case Method::lu:
             return by_lu(problem);
         case Method::cholesky:

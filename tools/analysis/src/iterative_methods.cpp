@@ -44,7 +44,7 @@ double relative(double residual, const Problem& problem) {
     return rhs > 0 ? residual / rhs : residual;
 }
 
-double equations_left(const Problem& problem, const SparseRows& rows,
+double relative_residual(const Problem& problem, const SparseRows& rows,
                       const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
@@ -59,7 +59,7 @@ double bounded(const Problem& problem, std::size_t row, double value,
     return std::max(problem.lower_at(row, x), std::min(value, problem.upper_at(row, x)));
 }
 
-double complementarity_left(const Problem& problem, const SparseRows& rows,
+double relative_natural_residual(const Problem& problem, const SparseRows& rows,
                             const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
@@ -85,8 +85,8 @@ SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimit
             const double now = result.x[i] + (problem.rhs[i] - rows.times(i, result.x)) / own;
             result.x[i] = within_bounds ? bounded(problem, i, now, result.x) : now;
         }
-        result.residuals.push_back(within_bounds ? complementarity_left(problem, rows, result.x)
-                                                : equations_left(problem, rows, result.x));
+        result.residuals.push_back(within_bounds ? relative_natural_residual(problem, rows, result.x)
+                                                : relative_residual(problem, rows, result.x));
         if (result.residuals.back() <= limits.tolerance) {
             result.converged = true;
             break;
@@ -120,7 +120,7 @@ SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& 
             left[i] -= step * image[i];
             next += left[i] * left[i];
         }
-        result.residuals.push_back(equations_left(problem, rows, result.x));
+        result.residuals.push_back(relative_residual(problem, rows, result.x));
         if (result.residuals.back() <= limits.tolerance) {
             result.converged = true;
             break;
@@ -135,11 +135,11 @@ SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& 
 }  // namespace
 
 double equation_residual(const Problem& problem, const std::vector<double>& x) {
-    return equations_left(problem, SparseRows(problem), x);
+    return relative_residual(problem, SparseRows(problem), x);
 }
 
 double natural_residual(const Problem& problem, const std::vector<double>& x) {
-    return complementarity_left(problem, SparseRows(problem), x);
+    return relative_natural_residual(problem, SparseRows(problem), x);
 }
 
 SolverResult solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits) {

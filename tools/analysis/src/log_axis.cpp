@@ -49,7 +49,7 @@ void draw_y_axis(Svg& svg, const LogAxis& y, double left, double rhs, const std:
                  {.size = label_size, .anchor = TextAnchor::end});
     }
     svg.text({left - 52, 0.5 * (y.from + y.to)}, title,
-             {.anchor = TextAnchor::middle, .upright = true});
+             {.anchor = TextAnchor::middle, .vertical = true});
 }
 
 std::string short_number(double value) {

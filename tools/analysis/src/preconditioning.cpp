@@ -9,7 +9,7 @@
 namespace jostle::linear_systems {
 namespace {
 
-PreconditioningResult treated(const Problem& problem, const Problem& basis, const Analysis& analysis,
+PreconditioningResult evaluate(const Problem& problem, const Problem& basis, const Analysis& analysis,
                   bool scaled, double epsilon, const SolverLimits& limits) {
     PreconditioningResult result{.scaled = scaled, .epsilon = epsilon};
     Problem soft = basis;
@@ -46,13 +46,13 @@ std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& probl
     std::vector<PreconditioningResult> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);
-    const Eigen::VectorXd rhs = scaling_of(problem).asDiagonal() * vector_of(problem.rhs);
+    const Eigen::VectorXd rhs = scaling_of(problem).asDiagonal() * to_eigen_vector(problem.rhs);
     const Problem scaled = problem_of(problem.count, {matrix.data(), matrix.data() + matrix.size()},
-                                      numbers_of(rhs));
+                                      to_std_vector(rhs));
     for (const bool with : {false, true})
         for (const double epsilon : epsilons)
             all.push_back(
-                treated(problem, with ? scaled : problem, analysis, with, epsilon, limits));
+                evaluate(problem, with ? scaled : problem, analysis, with, epsilon, limits));
     return all;
 }
 

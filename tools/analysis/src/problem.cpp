@@ -6,7 +6,7 @@
 namespace jostle::linear_systems {
 namespace {
 
-constexpr double no_bound = 1e200;
+constexpr double unbounded = 1e200;
 
 std::string full_name(const physics::ConstraintRow& row) {
     if (!is_null(row.joint)) return "joint " + std::to_string(row.joint.index) + " " + name_of(row);
@@ -28,7 +28,7 @@ double Problem::upper_at(std::size_t row, const std::vector<double>& x) const {
 
 bool Problem::has_bounds() const {
     for (std::size_t k = 0; k < count; k++)
-        if (normal_row[k] >= 0 || lower[k] > -no_bound || upper[k] < no_bound) return true;
+        if (normal_row[k] >= 0 || lower[k] > -no_bound || upper[k] < unbounded) return true;
     return false;
 }
 

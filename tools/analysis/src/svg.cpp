@@ -70,7 +70,7 @@ void Svg::polyline(std::span<const SvgPoint> points, const char* color) {
              attribute("stroke", color) + attribute("stroke-width", "1.5") + "/>\n";
 }
 
-void Svg::mark(SvgPoint at, int shape, const char* color) {
+void Svg::marker(SvgPoint at, int shape, const char* color) {
     const double r = 4.5, x = at.x, y = at.y;
     if (shape % 4 == 0) {
         body_ += "<circle" + attribute("cx", number(x)) + attribute("cy", number(y)) +
@@ -96,7 +96,7 @@ void Svg::text(SvgPoint at, const std::string& words, const TextStyle& style) {
              attribute("font-size", number(style.size)) + attribute("fill", style.color) +
              attribute("text-anchor", name_of(style.anchor));
     if (style.bold) body_ += attribute("font-weight", "bold");
-    if (style.upright) body_ += attribute("transform", "rotate(-90 " + x + " " + y + ")");
+    if (style.vertical) body_ += attribute("transform", "rotate(-90 " + x + " " + y + ")");
     body_ += ">" + escaped(words) + "</text>\n";
 }
 

@@ -24,11 +24,11 @@ struct PreconditioningResult {
     double error = 0;  // |b - A x| / |b| of the problem as it was, of what gradients found
 };
 
-inline constexpr double usual_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
+inline constexpr double default_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
 // Unscaled, then scaled, with each epsilon.
 std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem, const Analysis& analysis,
                                   const SolverLimits& limits = {},
-                                  std::span<const double> epsilons = usual_epsilons);
+                                  std::span<const double> epsilons = default_epsilons);
 
 }  // namespace jostle::linear_systems

@@ -18,7 +18,7 @@ enum class TextAnchor { start, middle, end };
 struct TextStyle {
     double size = 12;
     TextAnchor anchor = TextAnchor::start;
-    bool upright = false;  // reads from bottom to top
+    bool vertical = false;  // reads from bottom to top
     bool bold = false;
     const char* color = "#222";
 };
@@ -31,7 +31,7 @@ public:
     void line(SvgPoint from, SvgPoint to, const char* color, double width = 1);
     void polyline(std::span<const SvgPoint> points, const char* color);
     // Shapes repeat after the fourth: disc, square, triangle, diamond.
-    void mark(SvgPoint at, int shape, const char* color);
+    void marker(SvgPoint at, int shape, const char* color);
     void ring(SvgPoint at, const char* color);  // around a mark
     void text(SvgPoint at, const std::string& words, const TextStyle& style = {});
 

@@ -83,7 +83,7 @@ struct Summary {
     double volume = 0, volume_error = 0, smallest = 1e300, largest = 0, bond_area = 0;
 };
 
-Summary summary_of(const convert::Fractured& made, std::size_t bytes) {
+Summary summary_of(const convert::FracturedSolid& made, std::size_t bytes) {
     Summary sum{
         .chunks = made.shape.chunks.size(), .bonds = made.shape.bonds.size(), .bytes = bytes};
     for (const modules::FractureChunk& chunk : made.shape.chunks) {
@@ -97,7 +97,7 @@ Summary summary_of(const convert::Fractured& made, std::size_t bytes) {
     return sum;
 }
 
-void print(FILE* out, const convert::Fractured& made, const Summary& sum) {
+void print(FILE* out, const convert::FracturedSolid& made, const Summary& sum) {
     std::fprintf(
         out,
         "parts      %zu, %.3g %% too much\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
@@ -107,7 +107,7 @@ void print(FILE* out, const convert::Fractured& made, const Summary& sum) {
         sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost, sum.bytes);
 }
 
-nlohmann::ordered_json to_json(const Flags& flags, const convert::Fractured& made,
+nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& made,
                                const Summary& sum) {
     return {{"pattern", flags.pattern},
             {"seed", flags.plan.seed},
@@ -149,7 +149,7 @@ std::string scene_item(std::span<const std::byte> bytes) {
     return nlohmann::ordered_json{{"shape", text}}.dump() + "\n";
 }
 
-int report(const Flags& flags, const convert::Fractured& made, std::size_t bytes) {
+int report(const Flags& flags, const convert::FracturedSolid& made, std::size_t bytes) {
     const Summary sum = summary_of(made, bytes);
     const std::string text = to_json(flags, made, sum).dump(2) + "\n";
     if (flags.json == "-")

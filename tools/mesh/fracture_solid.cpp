@@ -66,7 +66,7 @@ void anchor_end(modules::FracturedShape& shape, Vec3 direction, double size) {
 
 }  // namespace
 
-Result<Fractured> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
+Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
                                  std::optional<Vec3> anchor,
                                  const modules::FractureProgress& progress) {
     Result<Parts> parts = parts_of(solid);
@@ -81,7 +81,7 @@ Result<Fractured> fracture_solid(const Solid& solid, const modules::SeedPlan& pl
     if (!seeds.ok()) return seeds.error();
     Result<modules::FracturedParts> made = modules::fracture_parts(parts->hulls, *seeds, progress);
     if (!made.ok()) return made.error();
-    Fractured result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
+    FracturedSolid result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
                      made->lost};
     if (anchor) anchor_end(result.shape, *anchor, length(bounds.high - bounds.low));
     return result;

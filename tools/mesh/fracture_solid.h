@@ -22,7 +22,7 @@ struct Solid {
     decomposition::Options decomposition = {};  // of a mesh that is not convex
 };
 
-struct Fractured {
+struct FracturedSolid {
     modules::FracturedShape shape;
     std::size_t parts = 1;        // convex ones that it was cut into before
     double max_volume_error = 0;            // of the mesh's volume, that they hold too much
@@ -30,7 +30,7 @@ struct Fractured {
 };
 
 // Anchors what reaches as far as any chunk does along `anchor`, if there is one.
-physics::Result<Fractured> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
+physics::Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
                                           std::optional<physics::Vec3> anchor = {},
                                           const modules::FractureProgress& progress = {});
 

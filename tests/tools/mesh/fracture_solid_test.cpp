@@ -49,7 +49,7 @@ std::size_t largest_group(const modules::FracturedShape& shape) {
 }
 
 TEST(FractureSolid, a_box_and_a_hull_keep_their_volume) {
-    const Fractured box =
+    const FracturedSolid box =
         fracture_solid({.box = Vec3{4, 3, 0.3}}, {.count = 150}, Vec3{0, -1, 0}).value();
     EXPECT_EQ(box.shape.chunks.size(), 150u);
     EXPECT_LT(std::abs(volume_of(box.shape) / 3.6 - 1), 1e-12);
@@ -57,7 +57,7 @@ TEST(FractureSolid, a_box_and_a_hull_keep_their_volume) {
                                         [](const auto& chunk) { return chunk.anchored; });
     EXPECT_GT(anchored, 5);
     EXPECT_LT(anchored, 40);
-    const Fractured corner =
+    const FracturedSolid corner =
         fracture_solid({.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {.count = 40})
             .value();
     EXPECT_LT(std::abs(6 * volume_of(corner.shape) - 1), 1e-12);
@@ -66,7 +66,7 @@ TEST(FractureSolid, a_box_and_a_hull_keep_their_volume) {
 // An L of 3 m^3 is no convex solid; of its parts there is one body.
 TEST(FractureSolid, a_mesh_that_is_not_convex_is_cut_part_by_part_and_holds_together) {
     const std::string obj = obj_of(test::l_shape());
-    const Fractured made = fracture_solid({.obj = obj}, {.count = 80}).value();
+    const FracturedSolid made = fracture_solid({.obj = obj}, {.count = 80}).value();
     const double error = std::abs((volume_of(made.shape) + made.lost) / 3 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_GT(made.parts, 1u);
@@ -80,7 +80,7 @@ TEST(FractureSolid, a_ring_becomes_one_body_that_falls_apart) {
     const std::string obj = obj_of(test::torus(1, 0.3, 24, 12));
     for (const auto pattern : {modules::SeedPattern::uniform, modules::SeedPattern::radial,
                                modules::SeedPattern::clustered, modules::SeedPattern::grid}) {
-        const Fractured made =
+        const FracturedSolid made =
             fracture_solid({.obj = obj}, {.pattern = pattern, .count = 120}).value();
         EXPECT_LT(std::abs((volume_of(made.shape) + made.lost) / made.volume - 1), 1e-12);
         EXPECT_LT(made.lost, 1e-6 * made.volume) << static_cast<int>(pattern);

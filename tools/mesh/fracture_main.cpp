@@ -93,7 +93,7 @@ Summary summary_of(const convert::FracturedSolid& made, std::size_t bytes) {
         sum.anchored += chunk.anchored;
     }
     for (const modules::FractureBond& bond : made.shape.bonds) sum.bond_area += bond.area;
-    sum.volume_error = (sum.volume + made.lost) / made.volume - 1;
+    sum.volume_error = (sum.volume + made.lost_volume) / made.volume - 1;
     return sum;
 }
 
@@ -104,7 +104,7 @@ void print(FILE* out, const convert::FracturedSolid& made, const Summary& sum) {
         "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, off by %.2g of it\nsplinters  "
         "%.3g m^3 left out\nbytes      %zu\n",
         made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest, sum.anchored,
-        sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost, sum.bytes);
+        sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost_volume, sum.bytes);
 }
 
 nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& made,
@@ -120,7 +120,7 @@ nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid
             {"bond_area_m2", sum.bond_area},
             {"volume_m3", sum.volume},
             {"volume_error", sum.volume_error},
-            {"lost_m3", made.lost},
+            {"lost_m3", made.lost_volume},
             {"smallest_m3", sum.smallest},
             {"largest_m3", sum.largest},
             {"bytes", sum.bytes}};

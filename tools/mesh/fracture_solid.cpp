@@ -20,7 +20,7 @@ struct Parts {
     double max_volume_error = 0;
 };
 
-Result<Parts> one_part(std::span<const Vec3> points) {
+Result<Parts> single_hull(std::span<const Vec3> points) {
     auto hull = build_hull(points);
     if (!hull.ok()) return hull.error();
     return Parts{{std::move(*hull)}, 0};
@@ -36,13 +36,13 @@ Result<Parts> parts_of_mesh(const Solid& solid) {
 }
 
 Result<Parts> parts_of(const Solid& solid) {
-    if (!solid.box) return solid.points.empty() ? parts_of_mesh(solid) : one_part(solid.points);
+    if (!solid.box) return solid.points.empty() ? parts_of_mesh(solid) : single_hull(solid.points);
     const Vec3 half = *solid.box * 0.5;
     std::vector<Vec3> corners;
     for (int k = 0; k < 8; k++)
         corners.push_back({(k & 1) != 0 ? half.x : -half.x, (k & 2) != 0 ? half.y : -half.y,
                            (k & 4) != 0 ? half.z : -half.z});
-    return one_part(corners);
+    return single_hull(corners);
 }
 
 bool is_inside(const Part& part, Vec3 p) {
@@ -50,17 +50,17 @@ bool is_inside(const Part& part, Vec3 p) {
                        [&](const HullFace& face) { return dot(face.normal, p) <= face.offset; });
 }
 
-double reach_of(const modules::FractureChunk& chunk, Vec3 direction) {
+double extent_along(const modules::FractureChunk& chunk, Vec3 direction) {
     double most = -1e300;
     for (const Vec3 p : std::get<Hull>(chunk.geometry).data->vertices)
         most = std::max(most, dot(direction, p));
     return most;
 }
 
-void anchor_end(modules::FracturedShape& shape, Vec3 direction, double size) {
+void anchor_side(modules::FracturedShape& shape, Vec3 direction, double size) {
     double furthest = -1e300;
     for (const modules::FractureChunk& chunk : shape.chunks)
-        furthest = std::max(furthest, reach_of(chunk, direction));
+        furthest = std::max(furthest, extent_along(chunk, direction));
     modules::anchor(shape, direction, furthest - 1e-6 * size);
 }
 
@@ -82,8 +82,8 @@ Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPla
     Result<modules::FracturedParts> made = modules::fracture_parts(parts->hulls, *seeds, progress);
     if (!made.ok()) return made.error();
     FracturedSolid result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
-                     made->lost};
-    if (anchor) anchor_end(result.shape, *anchor, length(bounds.high - bounds.low));
+                     made->lost_volume};
+    if (anchor) anchor_side(result.shape, *anchor, length(bounds.high - bounds.low));
     return result;
 }
 

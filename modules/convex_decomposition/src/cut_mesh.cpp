@@ -35,7 +35,7 @@ void clip(Polygon& polygon, Polygon& scratch, int axis, double sign, double limi
 }
 
 // Whether it lies in a wall of the box, and what it is the surface of lies beyond.
-bool is_of_the_other_side(const Triangle& triangle, const Polygon& polygon, const Aabb& box) {
+bool is_back_facing(const Triangle& triangle, const Polygon& polygon, const Aabb& box) {
     const Vec3 out = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     for (int axis = 0; axis < 3; axis++)
         for (const bool high : {false, true}) {
@@ -53,7 +53,7 @@ Polygon within(const Triangle& triangle, const Aabb& box, Polygon& scratch) {
         clip(polygon, scratch, axis, 1, box.high[axis]);
         if (polygon.size() > 2) clip(polygon, scratch, axis, -1, box.low[axis]);
     }
-    if (polygon.size() < 3 || is_of_the_other_side(triangle, polygon, box)) polygon.clear();
+    if (polygon.size() < 3 || is_back_facing(triangle, polygon, box)) polygon.clear();
     return polygon;
 }
 
@@ -106,14 +106,14 @@ bool overlap_across(const Triangle& t, const Aabb& box) {
 
 }  // namespace
 
-std::vector<Triangle> seen_from(const std::vector<Triangle>& surface, const Aabb& box) {
+std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface, const Aabb& box) {
     std::vector<Triangle> seen;
     for (const Triangle& triangle : surface)
         if (overlap_across(triangle, box)) seen.push_back(triangle);
     return seen;
 }
 
-Piece piece_in(const std::vector<Triangle>& surface, const Aabb& box) {
+Piece cut_piece(const std::vector<Triangle>& surface, const Aabb& box) {
     Piece piece;
     Polygon scratch;
     for (const Triangle& triangle : surface) {

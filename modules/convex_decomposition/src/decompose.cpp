@@ -28,8 +28,8 @@ struct Part {
 
 // Nothing for what is flat, and so holds nothing.
 std::optional<Part> part_in(const std::vector<Triangle>& surface, const Aabb& box) {
-    Part part{.box = box, .surface = seen_from(surface, box)};
-    part.piece = piece_in(part.surface, box);
+    Part part{.box = box, .surface = triangles_for_box(surface, box)};
+    part.piece = cut_piece(part.surface, box);
     if (part.piece.points.size() < 4) return std::nullopt;
     const Vec3 size = box.high - box.low;
     if (part.piece.volume < 1e-9 * size.x * size.y * size.z) return std::nullopt;
@@ -49,7 +49,7 @@ double volume_of(const Halves& halves) {
     return volume;
 }
 
-Aabb with_wall(Aabb box, int axis, double at, bool high) {
+Aabb with_bound(Aabb box, int axis, double at, bool high) {
     Vec3& wall = high ? box.high : box.low;
     (axis == 0 ? wall.x : (axis == 1 ? wall.y : wall.z)) = at;
     return box;
@@ -66,7 +66,7 @@ Halves best_cut(const Part& part, int planes) {
             if (!(at > low && at < high)) continue;
             Halves halves;
             for (const bool below : {true, false})
-                if (auto half = part_in(part.surface, with_wall(part.box, axis, at, below)))
+                if (auto half = part_in(part.surface, with_bound(part.box, axis, at, below)))
                     halves.push_back(std::move(*half));
             const double volume = volume_of(halves);
             if (halves.size() == 2 && volume < least) {
@@ -113,7 +113,7 @@ bool are_neighbours(const Part& a, const Part& b) {
 }
 
 // One hull round two; nothing when it has too many corners.
-std::optional<Part> joined(const Part& a, const Part& b) {
+std::optional<Part> merged(const Part& a, const Part& b) {
     Part part;
     part.piece.points = a.hull->vertices;
     part.piece.points.insert(part.piece.points.end(), b.hull->vertices.begin(),
@@ -128,13 +128,13 @@ std::optional<Part> joined(const Part& a, const Part& b) {
 }
 
 // The pair that adds least first, while the sum allows it.
-void join(std::vector<Part>& parts, double allowed) {
+void merge_parts(std::vector<Part>& parts, double allowed) {
     struct Pair {
         std::size_t a, b;
         double more;
     };
     const auto more_of = [&](std::size_t a, std::size_t b) {
-        const auto both = joined(parts[a], parts[b]);
+        const auto both = merged(parts[a], parts[b]);
         return both ? both->max_volume_error() - parts[a].max_volume_error() - parts[b].max_volume_error() : 1e300;
     };
     std::vector<Pair> pairs;
@@ -147,7 +147,7 @@ void join(std::vector<Part>& parts, double allowed) {
                                             [](auto& x, auto& y) { return x.more < y.more; });
         if (total_volume_error(parts) + least->more > allowed) break;
         const auto [a, b, more] = *least;
-        parts[a] = *joined(parts[a], parts[b]);
+        parts[a] = *merged(parts[a], parts[b]);
         parts[b] = {};
         gone[b] = true;
         std::erase_if(pairs,
@@ -213,7 +213,7 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
         return Error{ErrorCode::resource_exhausted, "a part has more than " +
                                                         std::to_string(max_hull_vertices) +
                                                         " corners; allow more parts"};
-    join(parts, allowed);
+    merge_parts(parts, allowed);
     Decomposition found{.mesh_volume = mesh->volume,
                         .max_volume_error = total_volume_error(parts) / mesh->volume,
                         .max_distance = furthest_outside(*mesh, parts)};

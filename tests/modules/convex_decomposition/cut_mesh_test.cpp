@@ -17,7 +17,7 @@ using namespace decomposition;
 TEST(CutMesh, a_quarter_of_a_cube_is_a_quarter) {
     const Solid solid = cube();
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
-    const Piece piece = piece_in(mesh.triangles, {{0, 0.5, 0}, {0.5, 1, 1}});
+    const Piece piece = cut_piece(mesh.triangles, {{0, 0.5, 0}, {0.5, 1, 1}});
     EXPECT_NEAR(piece.volume, 0.25, 1e-12);
     EXPECT_NEAR((*build_hull(piece.points))->volume, 0.25, 1e-12) << "with corners inside";
 }
@@ -33,7 +33,7 @@ TEST(CutMesh, pieces_add_up) {
         for (int j = 0; j < 2; j++)
             for (int k = 0; k < 3; k++)
                 sum +=
-                    piece_in(mesh.triangles, {{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}})
+                    cut_piece(mesh.triangles, {{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}})
                         .volume;
     EXPECT_NEAR(sum, mesh.volume, 1e-12 * mesh.volume);
     EXPECT_NEAR(mesh.volume, 2 * pi * pi * 0.09, 0.03) << "as on paper, less what chords cut off";

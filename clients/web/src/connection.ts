@@ -14,7 +14,7 @@ import {
   type QuantizedFrame,
 } from './decode_frame';
 import { InterestCells } from './seen_cells';
-import type { Sight } from './sight';
+import type { AreaOfInterest } from './sight';
 import { FrameBuffer, type PoseFrame } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { InputQueue } from './input_queue';
@@ -135,7 +135,7 @@ export class Connection {
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
     private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
-    private readonly sight: Sight | undefined = undefined, // absent: it is told of all of the world
+    private readonly sight: AreaOfInterest | undefined = undefined, // absent: it is told of all of the world
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -432,7 +432,7 @@ export class Connection {
     if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest(this.sight) });
   }
 
-  private interest(sight: Sight) {
+  private interest(sight: AreaOfInterest) {
     return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: sight.radius });
   }
 

@@ -1,7 +1,7 @@
 // What of a world a viewer asks to be told, from its address line: ?sight=150&kbps=500.
 
 /** A circle on the ground, in m (0: all of the world), and how many kbit/s (0: what the world takes). */
-export interface Sight {
+export interface AreaOfInterest {
   readonly radius: number;
   readonly maxKbps: number;
 }
@@ -9,7 +9,7 @@ export interface Sight {
 const KBPS_MIN = 16; // a server refuses less
 
 /** What is out of range is left out; undefined: all, and without a bound. */
-export function sightOf(search: string): Sight | undefined {
+export function sightOf(search: string): AreaOfInterest | undefined {
   const asked = new URLSearchParams(search);
   const number = (name: string, least: number) => {
     const value = Number(asked.get(name) ?? '');

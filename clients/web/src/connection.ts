@@ -135,7 +135,7 @@ export class Connection {
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
     private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
-    private readonly sight: AreaOfInterest | undefined = undefined, // absent: it is told of all of the world
+    private readonly areaOfInterest: AreaOfInterest | undefined = undefined, // absent: it is told of all of the world
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -231,8 +231,8 @@ export class Connection {
       const { world, token, eventsWanted: events } = this;
       const channels = [...this.kinds];
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
-        maxKbps: this.sight?.maxKbps ?? 0,
-        ...(this.sight ? { interest: this.interest(this.sight) } : {}),
+        maxKbps: this.areaOfInterest?.maxKbps ?? 0,
+        ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         resumable: true,
         ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
       };
@@ -427,13 +427,13 @@ export class Connection {
 
   /** What it wants to be told of from now on; only while `sight` is given. */
   lookAt(x: number, z: number): void {
-    if (!this.sight || Math.hypot(x - this.focus.x, z - this.focus.z) < Math.max(2, this.sight.radius / 16)) return;
+    if (!this.areaOfInterest || Math.hypot(x - this.focus.x, z - this.focus.z) < Math.max(2, this.areaOfInterest.radius / 16)) return;
     this.focus = { x, z };
-    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest(this.sight) });
+    if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest(this.areaOfInterest) });
   }
 
-  private interest(sight: AreaOfInterest) {
-    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: sight.radius });
+  private interest(areaOfInterest: AreaOfInterest) {
+    return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: areaOfInterest.radius });
   }
 
   /** When a tick was due, on the server's clock. */

@@ -33,7 +33,7 @@ import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import { heightAt } from './water';
 import './style.css';
-import { sightOf } from './sight';
+import { areaOfInterestFromQuery } from './sight';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -91,7 +91,7 @@ let recorded: RecordedStream | undefined;
 const predicts = new URLSearchParams(location.search).get('predict') === '1';
 const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
-const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, sightOf(location.search));
+const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
 let foreseen: Foreseen | undefined;
 async function foresee(): Promise<void> {
   const without = (error: unknown) => {

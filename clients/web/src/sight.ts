@@ -9,7 +9,7 @@ export interface AreaOfInterest {
 const KBPS_MIN = 16; // a server refuses less
 
 /** What is out of range is left out; undefined: all, and without a bound. */
-export function sightOf(search: string): AreaOfInterest | undefined {
+export function areaOfInterestFromQuery(search: string): AreaOfInterest | undefined {
   const asked = new URLSearchParams(search);
   const number = (name: string, least: number) => {
     const value = Number(asked.get(name) ?? '');

@@ -426,7 +426,7 @@ export class Connection {
   }
 
   /** What it wants to be told of from now on; only while `sight` is given. */
-  lookAt(x: number, z: number): void {
+  setInterestFocus(x: number, z: number): void {
     if (!this.areaOfInterest || Math.hypot(x - this.focus.x, z - this.focus.z) < Math.max(2, this.areaOfInterest.radius / 16)) return;
     this.focus = { x, z };
     if (this.state === 'playing') this.sendMessage({ case: 'interest', value: this.interest(this.areaOfInterest) });

@@ -361,7 +361,7 @@ renderer.setAnimationLoop(() => {
   eventsPanel.update();
   hitMarks.update(performance.now());
   drive();
-  connection.lookAt(camera.controls.target.x, camera.controls.target.z);
+  connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
   statsPanel.pictureDrawn();

@@ -79,7 +79,7 @@ class Watcher {
       const at = i * POSE_FLOATS;
       const place = [drawn.poses[at]!, drawn.poses[at + 1]!, drawn.poses[at + 2]!] as const;
       places.set(drawn.ids[i]!, place);
-      error = Math.max(error, this.lookAt(drawn.ids[i]!, place, shown, seconds));
+      error = Math.max(error, this.setInterestFocus(drawn.ids[i]!, place, shown, seconds));
     }
     this.errors.push(error);
     if (this.last.size > 0) {
@@ -94,7 +94,7 @@ class Watcher {
     this.lastShown = shown;
   }
 
-  private lookAt(body: number, place: Point, shown: number, seconds: number): number {
+  private setInterestFocus(body: number, place: Point, shown: number, seconds: number): number {
     const { seen } = this;
     if (body === 4) {
       if ((place[0] + 0.1) % 5 > 0.2) seen.halfwayLeaps++;

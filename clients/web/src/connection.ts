@@ -22,7 +22,7 @@ import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
 import { shownMoment } from './rendered_time';
 import { decodeChannels } from './channels';
-import { DrivenWords, type DrivenThing } from './word_changes';
+import { DrivenWords, type ControlledEntity } from './word_changes';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -71,7 +71,7 @@ export interface Foresees {
   came(entity: Entity): void;
   went(entity: number): void;
   /** What this client drives, before the frame of its tick; undefined: that is not known any more. */
-  driven(thing: DrivenThing | undefined): void;
+  driven(thing: ControlledEntity | undefined): void;
   frame(frame: PoseFrame): void;
   result(result: InputResult): void;
   /** An input that will be sent with that number; one of the same number as the last comes in its place. Tick 0: the next one. */

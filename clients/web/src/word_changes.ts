@@ -27,7 +27,7 @@ export function applyChanges(before: Uint32Array, size: number, changed: Uint8Ar
   return words;
 }
 
-export interface DrivenThing {
+export interface ControlledEntity {
   readonly entity: number;
   readonly tick: number;
   readonly module: string;
@@ -37,7 +37,7 @@ export interface DrivenThing {
 /** What this client drives, as it was told last. */
 export class DrivenWords {
   /** undefined: nothing was told, or not all of it. */
-  newest: DrivenThing | undefined;
+  newest: ControlledEntity | undefined;
 
   apply({ entity, tick, module, words: size, whole, changed, values }: ControlledEntityState): void {
     const before = whole ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;

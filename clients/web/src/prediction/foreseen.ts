@@ -5,7 +5,7 @@
 import type { Foresees, Input } from '../connection';
 import type { FrameBuffer, PoseFrame } from '../frame_buffer';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
-import type { DrivenThing } from '../word_changes';
+import type { ControlledEntity } from '../word_changes';
 import { MOTION } from './motion';
 import type { Picture, Predictor, PredictorStats } from './predictor';
 
@@ -62,7 +62,7 @@ export class Foreseen implements Foresees {
     if (entity === this.followed) this.follow(0);
   }
 
-  driven(thing: DrivenThing | undefined): void {
+  driven(thing: ControlledEntity | undefined): void {
     this.try(() => this.predictor.drive(thing));
   }
 

@@ -7,7 +7,7 @@ import { POSE_FLOATS } from '../frame_buffer';
 import type { Input } from '../connection';
 import type { Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb';
-import type { DrivenThing } from '../word_changes';
+import type { ControlledEntity } from '../word_changes';
 import { encodeShapes } from './shape_numbers';
 
 /** The module cannot be loaded, or has failed and is of no use any more. */
@@ -48,7 +48,7 @@ const NOT_SUPPORTED = 58; // of WASI's errors
 const FRAME_NUMBERS = 9;
 const DRAWN_NUMBERS = 8;
 const MOTION_NUMBERS = 7;
-const NOTHING_DRIVEN: DrivenThing = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
+const NOTHING_DRIVEN: ControlledEntity = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
 
 /** AxisLocks of the solver. */
 function lockBits(locks: Locks | undefined): number {
@@ -193,7 +193,7 @@ export class Predictor {
   }
 
   /** What is driven, before the frame of its tick; undefined: nothing that is known. */
-  drive(thing: DrivenThing | undefined): void {
+  drive(thing: ControlledEntity | undefined): void {
     const { entity, tick, module, words } = thing ?? NOTHING_DRIVEN;
     const numbers = this.room(module.length + words.length);
     for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);

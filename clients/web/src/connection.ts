@@ -22,7 +22,7 @@ import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
 import { shownMoment } from './rendered_time';
 import { decodeChannels } from './channels';
-import { DrivenWords, type ControlledEntity } from './word_changes';
+import { ControlledStateDecoder, type ControlledEntity } from './word_changes';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -105,7 +105,7 @@ export class Connection {
   state: State = 'stopped';
 
   private readonly largeShapes = new LargeShapes();
-  private readonly driven = new DrivenWords();
+  private readonly driven = new ControlledStateDecoder();
   private eventsWanted = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };

@@ -3,7 +3,7 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { DrivenSchema } from './gen/jostle/v1/play_pb';
-import { DrivenWords, applyChanges } from './word_changes';
+import { ControlledStateDecoder, applyChanges } from './word_changes';
 
 const bytes = (...all: number[]) => Uint8Array.of(...all);
 
@@ -23,7 +23,7 @@ it('refuses what does not belong together', () => {
 });
 
 it('knows what is driven once it was told whole', () => {
-  const driven = new DrivenWords();
+  const driven = new ControlledStateDecoder();
   const part = create(DrivenSchema, { entity: 5, tick: 7, module: 'vehicle', words: 2, changed: bytes(2), values: bytes(9, 0, 0, 0) });
   driven.apply(part);
   expect(driven.newest).toBeUndefined();

@@ -35,7 +35,7 @@ export interface ControlledEntity {
 }
 
 /** What this client drives, as it was told last. */
-export class DrivenWords {
+export class ControlledStateDecoder {
   /** undefined: nothing was told, or not all of it. */
   newest: ControlledEntity | undefined;
 

@@ -43,8 +43,8 @@ describe('connection', () => {
         state: (s, why) => states.push([s, why]),
         entityList: () => {},
         stats: () => {},
-        happened: (events) => said.push(`tick ${events.tick}`),
-        refused: (result) => said.push(result.message),
+        worldEvents: (events) => said.push(`tick ${events.tick}`),
+        inputRejected: (result) => said.push(result.message),
         notice: (text) => said.push(text),
       },
       () => {
@@ -197,11 +197,11 @@ describe('connection', () => {
 
   it('hands on what the server refused and what it has to say', () => {
     welcome();
-    const refused = { sequence: 2, code: InputCode.LIMIT, message: 'you own 64 bodies already' };
+    const inputRejected = { sequence: 2, code: InputCode.LIMIT, message: 'you own 64 bodies already' };
     sockets[0]!.give({
       message: {
         case: 'snapshot',
-        value: { frame: 1, own: { results: [{ sequence: 1, code: InputCode.APPLIED }, refused] } },
+        value: { frame: 1, own: { results: [{ sequence: 1, code: InputCode.APPLIED }, inputRejected] } },
       },
     });
     sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.RATE_LIMIT, message: 'slow down' } } });
@@ -304,9 +304,9 @@ describe('connection', () => {
   it('asks for events by coming back to the same world, and hands them on', () => {
     welcome();
     expect(sockets[0]!.take()[0]).toMatchObject({ case: 'hello', value: { events: false } });
-    connection.wantEvents(false);
+    connection.setEventsEnabled(false);
     expect(sockets.length).toBe(1);
-    connection.wantEvents(true);
+    connection.setEventsEnabled(true);
     expect(sockets.length).toBe(2);
     sockets[1]!.onopen?.();
     expect(sockets[1]!.take()[0]).toMatchObject({ case: 'hello', value: { world: 'sandbox', events: true } });

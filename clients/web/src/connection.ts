@@ -20,7 +20,7 @@ import { InputClock } from './input_clock';
 import { InputQueue } from './input_queue';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
-import { shownMoment } from './rendered_time';
+import { renderedTime } from './rendered_time';
 import { decodeChannels } from './channels';
 import { ControlledStateDecoder, type ControlledEntity } from './word_changes';
 import {
@@ -46,10 +46,10 @@ const PROTOCOL = 1;
 const BATCH_MS = 1000 / 30;
 const PING_MS = 1000;
 const INPUTS_PER_BATCH = 32;
-const PAUSES_MS = [250, 500, 1000, 2000, 5000];
-const SILENCE_MS = 5000; // a server says something every second at least: after this it is gone
-const SETTLED_MS = 5000; // who was in a world for so long comes back without a pause
-const POLICY = 1008; // the close code of a refusal that asking again will not change
+const RECONNECT_DELAYS_MS = [250, 500, 1000, 2000, 5000];
+const SERVER_TIMEOUT_MS = 5000; // a server says something every second at least: after this it is gone
+const STABLE_CONNECTION_MS = 5000; // who was in a world for so long comes back without a pause
+const CLOSE_POLICY_VIOLATION = 1008; // the close code of a refusal that asking again will not change
 
 export type Input = MessageInitShape<typeof InputSchema>;
 export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
@@ -58,9 +58,9 @@ export interface Events {
   state(state: State, why: string): void;
   entityList(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
-  /** What happened in one tick; only while `wantEvents`. */
-  happened(events: WorldEvents): void;
-  refused(result: InputResult): void;
+  /** What happened in one tick; only while `setEventsEnabled`. */
+  worldEvents(events: WorldEvents): void;
+  inputRejected(result: InputResult): void;
   /** What the server has to say to the person. */
   notice(text: string): void;
 }
@@ -106,7 +106,7 @@ export class Connection {
 
   private readonly largeShapes = new LargeShapes();
   private readonly driven = new ControlledStateDecoder();
-  private eventsWanted = false;
+  private eventsEnabled = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
   private codec = 1; // of snapshots
@@ -147,9 +147,9 @@ export class Connection {
   }
 
   /** Whether the server is to tell what happens. It is asked when one joins, so a change leaves and comes back. */
-  wantEvents(wanted: boolean): void {
-    if (this.eventsWanted === wanted) return;
-    this.eventsWanted = wanted;
+  setEventsEnabled(wanted: boolean): void {
+    if (this.eventsEnabled === wanted) return;
+    this.eventsEnabled = wanted;
     if (this.state === 'playing' || this.state === 'connecting') this.join(this.world);
   }
 
@@ -181,7 +181,7 @@ export class Connection {
     if (this.state !== 'playing') return;
     const now = nowUs();
     const tick = this.foresees && this.inputClock.ready ? this.inputClock.tick(now) : 0;
-    const input = this.aimedAtWhatIsShown(tick > 0 ? { ...given, tick } : given);
+    const input = this.withViewTime(tick > 0 ? { ...given, tick } : given);
     // Dragging makes many targets; of a tick only the newest that has not been sent matters.
     const last = this.inputs.last;
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
@@ -192,17 +192,17 @@ export class Connection {
   }
 
   /** What the last picture shows; absent before the first frame. */
-  shownMoment() {
-    return shownMoment(this.frames.newest, this.renderClock.shownUs, this.welcome?.tickHz ?? 0);
+  renderedTime() {
+    return renderedTime(this.frames.newest, this.renderClock.renderTimeUs, this.welcome?.tickHz ?? 0);
   }
 
   /** An aim that names no moment gets that of the picture, so that the server judges it by what was seen. */
-  private aimedAtWhatIsShown(input: Input): Input {
+  private withViewTime(input: Input): Input {
     const { kind } = input;
     if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;
     const { aim } = kind.value;
     if (!aim || aim.viewTime) return input;
-    const value = { ...kind.value, aim: { ...aim, viewTime: this.shownMoment() } };
+    const value = { ...kind.value, aim: { ...aim, viewTime: this.renderedTime() } };
     return { ...input, kind: { case: kind.case, value } } as Input;
   }
 
@@ -228,7 +228,7 @@ export class Connection {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
-      const { world, token, eventsWanted: events } = this;
+      const { world, token, eventsEnabled: events } = this;
       const channels = [...this.kinds];
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
@@ -251,25 +251,25 @@ export class Connection {
     // A world that is gone, or that would not have us, will not change its mind.
     const forGood =
       notice?.code === NoticeCode.WORLD_CLOSED ||
-      (notice?.code === NoticeCode.REFUSED && code === POLICY && this.playingSince === 0);
+      (notice?.code === NoticeCode.REFUSED && code === CLOSE_POLICY_VIOLATION && this.playingSince === 0);
     if (forGood) {
       this.dropSocket();
       this.setState('stopped', why);
     } else {
-      this.comeBack(why);
+      this.reconnect(why);
     }
   }
 
   /** Something is wrong with what it knows. */
-  private beginAnew(why: string): void {
+  private startNewSession(why: string): void {
     this.resumeToken = new Uint8Array(0);
-    this.comeBack(why);
+    this.reconnect(why);
   }
 
-  private comeBack(why: string): void {
+  private reconnect(why: string): void {
     this.dropSocket();
-    if (this.playingSince > 0 && nowUs() - this.playingSince > SETTLED_MS * 1000) this.attempt = 0;
-    const pause = PAUSES_MS[Math.min(this.attempt++, PAUSES_MS.length - 1)]!;
+    if (this.playingSince > 0 && nowUs() - this.playingSince > STABLE_CONNECTION_MS * 1000) this.attempt = 0;
+    const pause = RECONNECT_DELAYS_MS[Math.min(this.attempt++, RECONNECT_DELAYS_MS.length - 1)]!;
     this.setState('waiting', why);
     this.retry = setTimeout(() => this.connect(), pause);
   }
@@ -285,13 +285,13 @@ export class Connection {
     try {
       message = fromBinary(ServerMessageSchema, bytes).message;
     } catch {
-      return this.beginAnew('the server sent what this viewer cannot read');
+      return this.startNewSession('the server sent what this viewer cannot read');
     }
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'geometry':
-        if (!this.largeShapes.add(message.value)) this.beginAnew('the server sent a shape that this viewer cannot read');
+        if (!this.largeShapes.add(message.value)) this.startNewSession('the server sent a shape that this viewer cannot read');
         return;
       case 'roster':
         return this.onEntityList(message.value);
@@ -321,11 +321,11 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.resumeToken = new Uint8Array(welcome.resumeToken);
-    if (welcome.resumed) this.inputs.goOnAfter(welcome.lastSequence);
-    else this.inputs.beginAnew();
+    if (welcome.resumed) this.inputs.resumeAfter(welcome.lastSequence);
+    else this.inputs.startNewSession();
     this.resumed += welcome.resumed ? 1 : 0;
     if (!welcome.statePreserved) {
-      this.forgetTheWorld(welcome);
+      this.clearWorld(welcome);
       this.foresees?.begin(welcome);
     }
     this.needKeyframe = this.ackDue = false;
@@ -336,7 +336,7 @@ export class Connection {
     this.pump();
   }
 
-  private forgetTheWorld(welcome: Welcome): void {
+  private clearWorld(welcome: Welcome): void {
     this.frames.clear();
     this.cells.clear();
     this.renderClock.reset();
@@ -371,9 +371,9 @@ export class Connection {
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
     for (const result of s.client_update?.results ?? [])
-      if (this.inputs.answered(result.sequence) && result.code !== InputCode.APPLIED) this.events.refused(result);
+      if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.events.inputRejected(result);
     if (s.stats) this.events.stats(s.stats);
-    for (const tick of s.events) this.events.happened(tick);
+    for (const tick of s.events) this.events.worldEvents(tick);
     // An ack that waited long for the next batch would make the way look long.
     if (this.inputs.length === 0) this.sendAckIfDue();
   }
@@ -386,7 +386,7 @@ export class Connection {
         if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
         return frame;
       });
-      const frame = this.welcome?.cells ? this.partOf(s) : this.wholeOf(s, { base, baseline2, baseline3 });
+      const frame = this.welcome?.cells ? this.decodeCells(s) : this.decodeWholeFrame(s, { base, baseline2, baseline3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(baselines[0]));
       if (s.unchangedTicks > 0) this.frames.hold(this.dueUs(baselines[0] + s.unchangedTicks, s.lateUs));
@@ -411,14 +411,14 @@ export class Connection {
     }
   }
 
-  private wholeOf(s: Snapshot, baselines: Baselines): QuantizedFrame {
+  private decodeWholeFrame(s: Snapshot, baselines: Baselines): QuantizedFrame {
     const frame = decodeFrame(s.frame, s.packed, baselines, this.spec, undefined, this.codec);
     if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
     return frame;
   }
 
   /** The cells that are in sight. */
-  private partOf(s: Snapshot): QuantizedFrame {
+  private decodeCells(s: Snapshot): QuantizedFrame {
     this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec, s.frame);
     const viewTime = this.cells.frame(s.frame);
     // Who was removed may still be in a cell that comes late.
@@ -460,7 +460,7 @@ export class Connection {
   /** Thirty times a second: what is to be said, and whether anybody is still there. */
   private pump(): void {
     const now = nowUs();
-    if (now - this.lastHeard > SILENCE_MS * 1000) return this.comeBack('the server does not answer');
+    if (now - this.lastHeard > SERVER_TIMEOUT_MS * 1000) return this.reconnect('the server does not answer');
     if (this.state !== 'playing') return;
     if (now - this.lastPing >= PING_MS * 1000) {
       this.lastPing = now;

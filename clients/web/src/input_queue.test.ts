@@ -11,19 +11,19 @@ describe('the input queue', () => {
   it('sends again what did not come, under its numbers, and nothing twice', () => {
     const queue = filled(10);
     expect(queue.take(8)).toMatchObject({ firstSequence: 1 });
-    for (const sequence of [1, 2, 3]) expect(queue.answered(sequence)).toBe(true);
-    queue.goOnAfter(5); // 4 and 5 came; their answers are still to come
+    for (const sequence of [1, 2, 3]) expect(queue.onResult(sequence)).toBe(true);
+    queue.resumeAfter(5); // 4 and 5 came; their answers are still to come
     expect(queue.take(32)).toEqual({ firstSequence: 6, inputs: ['input 6', 'input 7', 'input 8', 'input 9', 'input 10'] });
-    expect(queue.answered(3)).toBe(false); // told again, for the server does not know that it came
-    expect(queue.answered(4)).toBe(true);
-    expect(queue.answered(4)).toBe(false);
-    expect(queue.answered(10)).toBe(true);
+    expect(queue.onResult(3)).toBe(false); // told again, for the server does not know that it came
+    expect(queue.onResult(4)).toBe(true);
+    expect(queue.onResult(4)).toBe(false);
+    expect(queue.onResult(10)).toBe(true);
   });
 
   it('begins anew where the server does not know it any more', () => {
     const queue = filled(10);
     queue.take(8);
-    queue.beginAnew();
+    queue.startNewSession();
     expect(queue.length).toBe(0);
     queue.push('first');
     expect(queue.take(32)).toEqual({ firstSequence: 1, inputs: ['first'] });
@@ -32,7 +32,7 @@ describe('the input queue', () => {
   it('believes no server that has more than was sent', () => {
     const queue = filled(3);
     queue.take(2);
-    queue.goOnAfter(4_000_000_000);
+    queue.resumeAfter(4_000_000_000);
     expect(queue.take(32)).toEqual({ firstSequence: 3, inputs: ['input 3'] });
   });
 });

@@ -2,13 +2,13 @@
 // answered yet, which are sent again when the connection broke before they came. The C++ client library has the same
 // (clients/cpp/core/src/input_outbox.h), with datagrams beside the stream.
 
-const UNANSWERED_MAX = 8192; // a server that answers nothing: the oldest are not sent again
+const AWAITING_RESULT_MAX = 8192; // a server that answers nothing: the oldest are not sent again
 
 export class InputQueue<Input> {
   private waiting: Input[] = [];
-  private unanswered: { sequence: number; input: Input }[] = []; // rising
+  private awaitingResult: { sequence: number; input: Input }[] = []; // rising
   private nextUnsent = 1; // of waiting[0]
-  private wentOn = false; // answers may come twice
+  private resumed = false; // answers may come twice
 
   /** The newest one that was not sent. */
   get last(): Input | undefined {
@@ -37,34 +37,34 @@ export class InputQueue<Input> {
   take(most: number): { firstSequence: number; inputs: Input[] } {
     const firstSequence = this.nextUnsent;
     const inputs = this.waiting.splice(0, most);
-    for (const input of inputs) this.unanswered.push({ sequence: this.nextUnsent++, input });
-    if (this.unanswered.length > UNANSWERED_MAX) this.unanswered.splice(0, this.unanswered.length - UNANSWERED_MAX);
+    for (const input of inputs) this.awaitingResult.push({ sequence: this.nextUnsent++, input });
+    if (this.awaitingResult.length > AWAITING_RESULT_MAX) this.awaitingResult.splice(0, this.awaitingResult.length - AWAITING_RESULT_MAX);
     return { firstSequence, inputs };
   }
 
   /** One was answered. False: it was so before, on the connection that broke. */
-  answered(sequence: number): boolean {
-    const at = this.unanswered.findIndex((sent) => sent.sequence >= sequence);
-    if (at < 0 || this.unanswered[at]!.sequence !== sequence) return !this.wentOn;
-    this.unanswered.splice(at, 1);
+  onResult(sequence: number): boolean {
+    const at = this.awaitingResult.findIndex((sent) => sent.sequence >= sequence);
+    if (at < 0 || this.awaitingResult[at]!.sequence !== sequence) return !this.resumed;
+    this.awaitingResult.splice(at, 1);
     return true;
   }
 
   /** A new client: numbers begin anew, and nothing waits. */
-  beginAnew(): void {
+  startNewSession(): void {
     this.waiting = [];
-    this.unanswered = [];
+    this.awaitingResult = [];
     this.nextUnsent = 1;
-    this.wentOn = false;
+    this.resumed = false;
   }
 
   /** The same client, of which the server has the inputs up to that one: those after it are sent again. */
-  goOnAfter(lastSequence: number): void {
+  resumeAfter(lastSequence: number): void {
     const last = Math.min(lastSequence, this.lastSent);
-    const again = this.unanswered.filter((sent) => sent.sequence > last).map((sent) => sent.input);
-    this.unanswered = this.unanswered.filter((sent) => sent.sequence <= last);
+    const again = this.awaitingResult.filter((sent) => sent.sequence > last).map((sent) => sent.input);
+    this.awaitingResult = this.awaitingResult.filter((sent) => sent.sequence <= last);
     this.waiting = [...again, ...this.waiting];
     this.nextUnsent = last + 1;
-    this.wentOn = true;
+    this.resumed = true;
   }
 }

@@ -79,7 +79,7 @@ const told: Events = {
   },
   stats: (stats) => statsPanel.update(stats),
   addEvents: (events) => eventsPanel.addEvents(events, performance.now() + pictureBehindMs()),
-  refused: (result) => toasts.say(result.message || 'the server refused that'),
+  inputRejected: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
 // ?delay=80&jitter=20&stalls=250: as over a bad link.
@@ -137,7 +137,7 @@ const moduleView = new ModuleView(view.scene);
 const eventsPanel = new EventsPanel(
   byId('events'),
   hitMarks,
-  (wanted) => connection.wantEvents(wanted),
+  (wanted) => connection.setEventsEnabled(wanted),
   (id) => thingName(connection.entities.get(id), id),
 );
 const worlds = new WorldsPanel(
@@ -158,12 +158,12 @@ function websocketUrl(): string {
   return url.href;
 }
 
-let shownUs = 0; // by the picture, on the server's clock
+let renderTimeUs = 0; // by the picture, on the server's clock
 
 /** How far the picture is behind the newest that the server told. */
 function pictureBehindMs(): number {
   const newest = connection.frames.newest;
-  return newest ? Math.max(0, (newest.serverUs - shownUs) / 1000) : 0;
+  return newest ? Math.max(0, (newest.serverUs - renderTimeUs) / 1000) : 0;
 }
 
 const timeline = new TimelinePanel(byId('timeline'));
@@ -347,8 +347,8 @@ if (innerWidth < 700) byId('stats').hidden = true;
 renderer.setAnimationLoop(() => {
   camera.controls.update();
   const now = nowUs();
-  shownUs = recorded ? recorded.advance(now) : connection.renderClock.advance(now);
-  drawn.update(connection.frames, shownUs, now);
+  renderTimeUs = recorded ? recorded.advance(now) : connection.renderClock.advance(now);
+  drawn.update(connection.frames, renderTimeUs, now);
   if (!recorded) foreseen?.draw(drawn, connection.inputClock.position(now), now);
   timeline.update();
   const shown = shownNow();

@@ -55,11 +55,11 @@ export function topAt(view: SceneView, x: number, z: number): number | undefined
 export async function pickAsked(
   queries: Queries,
   { origin, direction }: THREE.Ray,
-  seen?: { tick: number; fraction: number },
+  viewTime?: { tick: number; fraction: number },
 ): Promise<{ hit: Pick | undefined } | undefined> {
   const motion = direction.clone().multiplyScalar(REACH);
   const xyz = ({ x, y, z }: THREE.Vector3) => ({ x, y, z });
-  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }], seen });
+  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }], viewTime });
   if (!answer) return undefined;
   const hit = answer.rays[0]?.hits[0];
   if (!hit) return { hit: undefined };

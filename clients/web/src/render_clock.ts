@@ -44,7 +44,7 @@ export class RenderClock {
    * ended a silence of half a second: no delay makes up for such. Growing takes about a second, shrinking about four.
    */
   delayUs = FIRST_DELAY_US;
-  shownUs = 0;
+  renderTimeUs = 0;
   speed = 1; // over the last picture
 
   /**
@@ -76,20 +76,20 @@ export class RenderClock {
     if (!this.started) {
       this.started = true;
       this.now = nowUs;
-      this.shownUs = target;
+      this.renderTimeUs = target;
     }
-    if (nowUs <= this.now) return this.shownUs;
+    if (nowUs <= this.now) return this.renderTimeUs;
     const passed = nowUs - this.now;
     this.now = nowUs;
-    const behind = target - (this.shownUs + passed);
+    const behind = target - (this.renderTimeUs + passed);
     if (behind > JUMP_US) {
       this.speed = 1;
-      return (this.shownUs = target);
+      return (this.renderTimeUs = target);
     }
     const most = SPEED_CHANGE_MAX * passed;
     const change = Math.min(most, Math.max(-most, behind * Math.min(1, passed / SETTLE_US)));
     this.speed = 1 + change / passed;
-    return (this.shownUs += passed + change);
+    return (this.renderTimeUs += passed + change);
   }
 
   reset(): void {

@@ -99,7 +99,7 @@ export class Tools {
       return;
     }
     const drawn = pickDrawn(this.view, raycaster);
-    const press: Press = { x, y, raycaster, drawn, asked: pickAsked(this.queries, raycaster.ray, this.connection.shownMoment()) };
+    const press: Press = { x, y, raycaster, drawn, asked: pickAsked(this.queries, raycaster.ray, this.connection.renderedTime()) };
     this.pressed = press;
     if (this.tool !== 'drag') return;
     if (this.isLoose(drawn)) this.take(drawn, event.pointerId);
@@ -147,7 +147,7 @@ export class Tools {
     if (!event) return;
     const raycaster = this.ray(event);
     const drawn = pickDrawn(this.view, raycaster);
-    const hit = settle(drawn, await inTime(pickAsked(this.queries, raycaster.ray, this.connection.shownMoment())), this.moves);
+    const hit = settle(drawn, await inTime(pickAsked(this.queries, raycaster.ray, this.connection.renderedTime())), this.moves);
     if (!this.hovering) return; // the pointer left in the meantime
     if (this.tool === 'drag') this.canvas.style.cursor = this.isLoose(hit) ? 'grab' : '';
     this.over(hit);

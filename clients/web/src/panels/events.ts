@@ -34,7 +34,7 @@ export class EventsPanel {
   }
 
   /** `seenMs`: when the picture will have come to that moment. */
-  happened(events: Events, seenMs: number): void {
+  addEvents(events: Events, seenMs: number): void {
     for (const words of eventWords(events, this.nameOf)) this.last.add(words);
     for (const { point, speed } of events.hits) if (point) this.marks.add(point.x, point.y, point.z, speed, seenMs);
     this.changed = true;

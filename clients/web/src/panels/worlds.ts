@@ -61,7 +61,7 @@ export class WorldsPanel {
     } catch {
       answer = { message: text };
     }
-    if (!response.ok) throw new Error(answer.message || `the server answered ${response.status}`);
+    if (!response.ok) throw new Error(answer.message || `the server onResult ${response.status}`);
     return answer;
   }
 

@@ -48,7 +48,7 @@ const NOT_SUPPORTED = 58; // of WASI's errors
 const FRAME_NUMBERS = 9;
 const DRAWN_NUMBERS = 8;
 const MOTION_NUMBERS = 7;
-const NOTHING_DRIVEN: ControlledEntity = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
+const NO_CONTROLLED_ENTITY: ControlledEntity = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
 
 /** AxisLocks of the solver. */
 function lockBits(locks: Locks | undefined): number {
@@ -194,7 +194,7 @@ export class Predictor {
 
   /** What is driven, before the frame of its tick; undefined: nothing that is known. */
   drive(thing: ControlledEntity | undefined): void {
-    const { entity, tick, module, words } = thing ?? NOTHING_DRIVEN;
+    const { entity, tick, module, words } = thing ?? NO_CONTROLLED_ENTITY;
     const numbers = this.room(module.length + words.length);
     for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);
     numbers.set(words, module.length);

@@ -20,7 +20,7 @@ export class RecordedStream implements Socket {
   playing = true;
   /** Times the real one. */
   speed = 1;
-  private shownUs: number; // on the server's clock
+  private renderTimeUs: number; // on the server's clock
   private readonly firstUs: number;
   private readonly lastUs: number;
   private drawnUs = 0;
@@ -29,7 +29,7 @@ export class RecordedStream implements Socket {
   private wantedUs: number | undefined;
 
   constructor(readonly recording: Recording) {
-    this.firstUs = this.shownUs = recording.dueUs(recording.firstTick);
+    this.firstUs = this.renderTimeUs = recording.dueUs(recording.firstTick);
     this.lastUs = recording.dueUs(recording.lastTick);
   }
 
@@ -44,10 +44,10 @@ export class RecordedStream implements Socket {
     const { message } = fromBinary(ClientMessageSchema, bytes);
     if (message.case === 'hello') {
       this.greeted = true;
-      this.wantedUs ??= this.shownUs;
+      this.wantedUs ??= this.renderTimeUs;
     } else if (message.case === 'ping') {
       const { clientTimeUs } = message.value;
-      const pong = create(ServerMessageSchema, { message: { case: 'pong', value: { clientTimeUs, serverTimeUs: BigInt(Math.round(this.shownUs)) } } });
+      const pong = create(ServerMessageSchema, { message: { case: 'pong', value: { clientTimeUs, serverTimeUs: BigInt(Math.round(this.renderTimeUs)) } } });
       this.give(toBinary(ServerMessageSchema, pong));
     }
   }
@@ -61,11 +61,11 @@ export class RecordedStream implements Socket {
   /** The tick that is shown. */
   get tick(): number {
     const { welcome, firstTick, lastTick } = this.recording;
-    const passed = Math.round(((this.shownUs - this.firstUs) * welcome.tickHz) / 1e6);
+    const passed = Math.round(((this.renderTimeUs - this.firstUs) * welcome.tickHz) / 1e6);
     return Math.min(lastTick, firstTick + passed);
   }
   get seconds(): number {
-    return (this.shownUs - this.firstUs) / 1e6;
+    return (this.renderTimeUs - this.firstUs) / 1e6;
   }
   get length(): number {
     return (this.lastUs - this.firstUs) / 1e6;
@@ -77,7 +77,7 @@ export class RecordedStream implements Socket {
   }
 
   play(): void {
-    if (this.shownUs >= this.lastUs) this.seek(0);
+    if (this.renderTimeUs >= this.lastUs) this.seek(0);
     this.playing = true;
   }
 
@@ -85,24 +85,24 @@ export class RecordedStream implements Socket {
   advance(nowUs: number): number {
     const passed = Math.min(LONGEST_PICTURE_US, Math.max(0, nowUs - this.drawnUs));
     this.drawnUs = nowUs;
-    if (!this.greeted) return this.shownUs;
+    if (!this.greeted) return this.renderTimeUs;
     if (this.wantedUs !== undefined) {
-      const ahead = this.wantedUs - this.shownUs;
-      this.shownUs = this.wantedUs;
+      const ahead = this.wantedUs - this.renderTimeUs;
+      this.renderTimeUs = this.wantedUs;
       this.wantedUs = undefined;
       if (this.next === 0 || ahead < 0 || ahead > WALK_US) this.begin();
     } else if (this.playing) {
-      this.shownUs = Math.min(this.lastUs, this.shownUs + passed * this.speed);
-      if (this.shownUs >= this.lastUs) this.playing = false;
+      this.renderTimeUs = Math.min(this.lastUs, this.renderTimeUs + passed * this.speed);
+      if (this.renderTimeUs >= this.lastUs) this.playing = false;
     }
     this.handOver();
-    return this.shownUs;
+    return this.renderTimeUs;
   }
 
   private begin(): void {
     const { messages } = this.recording;
     let first = this.recording.keyframeBefore(this.recording.firstTick);
-    for (let i = first; i < messages.length; i++) if (messages[i]!.keyframe && messages[i]!.dueUs <= this.shownUs) first = i;
+    for (let i = first; i < messages.length; i++) if (messages[i]!.keyframe && messages[i]!.dueUs <= this.renderTimeUs) first = i;
     this.give(messages[0]!.bytes);
     for (let i = 1; i < first; i++) if (messages[i]!.standing) this.give(messages[i]!.bytes);
     this.next = first;
@@ -110,7 +110,7 @@ export class RecordedStream implements Socket {
 
   private handOver(): void {
     const { messages } = this.recording;
-    for (; this.next < messages.length && messages[this.next]!.dueUs <= this.shownUs + LEAD_US; this.next++) this.give(messages[this.next]!.bytes);
+    for (; this.next < messages.length && messages[this.next]!.dueUs <= this.renderTimeUs + LEAD_US; this.next++) this.give(messages[this.next]!.bytes);
   }
 
   private give(bytes: Uint8Array): void {

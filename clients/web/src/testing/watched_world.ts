@@ -132,7 +132,7 @@ export function watch(settings: NetworkConditions, picturesHz: number, seconds =
       arrivalUs = link.arrivalUs(Math.round((next * 1e6) / 60));
     }
     drawn.update(frames, clock.advance(oursUs + us), oursUs + us);
-    if (drawn.count > 0) watcher.look(drawn, (clock.shownUs - epochUs) / 1e6, us / 1e6, 1 / picturesHz);
+    if (drawn.count > 0) watcher.look(drawn, (clock.renderTimeUs - epochUs) / 1e6, us / 1e6, 1 / picturesHz);
   }
   const { seen, errors } = watcher;
   errors.sort((a, b) => a - b);

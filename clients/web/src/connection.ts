@@ -66,7 +66,7 @@ export interface Events {
 }
 
 /** Who foresees what inputs do (prediction/foreseen.ts). */
-export interface Foresees {
+export interface PredictionListener {
   begin(welcome: Welcome): void;
   came(entity: Entity): void;
   went(entity: number): void;
@@ -126,7 +126,7 @@ export class Connection {
   private lastHeard = 0;
   private playingSince = 0;
   private lastNotice: Notice | undefined;
-  private foresees: Foresees | undefined;
+  private foresees: PredictionListener | undefined;
   private lastBatch = 0;
 
   constructor(
@@ -169,7 +169,7 @@ export class Connection {
   }
 
   /** From now on inputs name the tick that they are meant for (InputClock), and this is told of all that it needs to foresee them. */
-  foresee(foresees: Foresees): void {
+  foresee(foresees: PredictionListener): void {
     this.foresees = foresees;
     if (!this.welcome) return;
     foresees.begin(this.welcome);

@@ -2,7 +2,7 @@
 // What the predictor gets wrong again and again is left to the server, and what hangs on joints (parts of ragdolls): clients are not told
 // what these do.
 
-import type { Foresees, Input } from '../connection';
+import type { PredictionListener, Input } from '../connection';
 import type { FrameBuffer, PoseFrame } from '../frame_buffer';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
 import type { ControlledEntity } from '../word_changes';
@@ -19,7 +19,7 @@ function compared(stats: PredictorStats, driving: boolean): { times: number; err
   return driving ? { times: stats.drives, errorM: stats.lastDriveErrorM } : { times: stats.frames, errorM: stats.lastErrorM };
 }
 
-export class Foreseen implements Foresees {
+export class Foreseen implements PredictionListener {
   /** 0: nobody. */
   followed = 0;
   private held = false;

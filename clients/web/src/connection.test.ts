@@ -96,7 +96,7 @@ describe('connection', () => {
     welcome();
     const heard: unknown[] = [];
     const nothing = () => {};
-    connection.foresee({ begin: () => heard.push('begin'), came: nothing, went: nothing, frame: nothing, driven: nothing, result: nothing,
+    connection.enablePrediction({ begin: () => heard.push('begin'), came: nothing, went: nothing, frame: nothing, driven: nothing, result: nothing,
       input: (sequence, tick, input) => heard.push([sequence, tick, input.kind?.case]),
     });
     const target = (x: number) => ({ kind: { case: 'drag' as const, value: { target: { x, y: 0, z: 0 } } } });
@@ -121,7 +121,7 @@ describe('connection', () => {
     const driven = (thing: unknown) => heard.push(thing);
     const told = { entity: 5, module: 'character', tick: 9, words: 1, whole: true, changed: Uint8Array.of(1), values: Uint8Array.of(7, 0, 0, 0) };
     sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 9, packed: new Uint8Array(2), driven: told } } });
-    connection.foresee({ begin: nothing, came: nothing, went: nothing, frame: nothing, result: nothing, input: nothing, driven });
+    connection.enablePrediction({ begin: nothing, came: nothing, went: nothing, frame: nothing, result: nothing, input: nothing, driven });
     sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 13, packed: new Uint8Array(2), driven: { ...told, tick: 13, whole: false, values: Uint8Array.of(8, 0, 0, 0) } } } });
     const thing = (tick: number, word: number) => ({ entity: 5, module: 'character', tick, words: Uint32Array.of(word) });
     expect(heard).toEqual([thing(9, 7), thing(13, 8)]);

@@ -126,7 +126,7 @@ export class Connection {
   private lastHeard = 0;
   private playingSince = 0;
   private lastNotice: Notice | undefined;
-  private foresees: PredictionListener | undefined;
+  private predictionListener: PredictionListener | undefined;
   private lastBatch = 0;
 
   constructor(
@@ -169,24 +169,24 @@ export class Connection {
   }
 
   /** From now on inputs name the tick that they are meant for (InputClock), and this is told of all that it needs to foresee them. */
-  foresee(foresees: PredictionListener): void {
-    this.foresees = foresees;
+  enablePrediction(predictionListener: PredictionListener): void {
+    this.predictionListener = predictionListener;
     if (!this.welcome) return;
-    foresees.begin(this.welcome);
-    for (const entity of this.entities.values()) foresees.came(entity);
-    foresees.driven(this.driven.newest);
+    predictionListener.begin(this.welcome);
+    for (const entity of this.entities.values()) predictionListener.came(entity);
+    predictionListener.driven(this.driven.newest);
   }
 
   send(given: Input): void {
     if (this.state !== 'playing') return;
     const now = nowUs();
-    const tick = this.foresees && this.inputClock.ready ? this.inputClock.tick(now) : 0;
+    const tick = this.predictionListener && this.inputClock.ready ? this.inputClock.tick(now) : 0;
     const input = this.withViewTime(tick > 0 ? { ...given, tick } : given);
     // Dragging makes many targets; of a tick only the newest that has not been sent matters.
     const last = this.inputs.last;
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
-    this.foresees?.input(this.inputs.newest, tick, input);
+    this.predictionListener?.input(this.inputs.newest, tick, input);
     // What waits for its batch needs a longer lead.
     if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
   }
@@ -326,7 +326,7 @@ export class Connection {
     this.resumed += welcome.resumed ? 1 : 0;
     if (!welcome.statePreserved) {
       this.clearWorld(welcome);
-      this.foresees?.begin(welcome);
+      this.predictionListener?.begin(welcome);
     }
     this.needKeyframe = this.ackDue = false;
     this.lastAck = this.decodedAt = 0;
@@ -350,12 +350,12 @@ export class Connection {
   private onEntityList(change: Roster): void {
     for (const id of change.removed) {
       this.entities.delete(id);
-      this.foresees?.went(id);
+      this.predictionListener?.went(id);
     }
     for (const entity of change.added) {
       this.largeShapes.fillIn(entity);
       this.entities.set(entity.id, entity);
-      this.foresees?.came(entity);
+      this.predictionListener?.came(entity);
     }
     this.events.entityList(this.entities);
   }
@@ -363,10 +363,10 @@ export class Connection {
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
     // Before its frame, so that late inputs are where the server had them.
-    for (const result of s.client_update?.results ?? []) this.foresees?.result(result);
+    for (const result of s.client_update?.results ?? []) this.predictionListener?.result(result);
     if (s.driven) {
       this.driven.apply(s.driven);
-      this.foresees?.driven(this.driven.newest);
+      this.predictionListener?.driven(this.driven.newest);
     }
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
@@ -403,7 +403,7 @@ export class Connection {
         this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
         this.inputClock.onMargin(s.client_update?.inputSequence ?? 0, s.client_update?.inputMarginUs ?? 0);
       }
-      this.foresees?.frame(told);
+      this.predictionListener?.frame(told);
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;

@@ -93,7 +93,7 @@ const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
 let foreseen: Foreseen | undefined;
-async function foresee(): Promise<void> {
+async function enablePrediction(): Promise<void> {
   const without = (error: unknown) => {
     foreseen = undefined;
     toasts.say(`nothing is foreseen: ${error instanceof Error ? error.message : error}`);
@@ -101,12 +101,12 @@ async function foresee(): Promise<void> {
   try {
     const { loadForeseen } = await import('./prediction/load');
     foreseen = await loadForeseen(connection.frames, without);
-    connection.foresee(foreseen);
+    connection.enablePrediction(foreseen);
   } catch (error) {
     without(error);
   }
 }
-if (predicts) void foresee();
+if (predicts) void enablePrediction();
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');

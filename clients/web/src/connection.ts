@@ -65,7 +65,7 @@ export interface Events {
   notice(text: string): void;
 }
 
-/** Who foresees what inputs do (prediction/foreseen.ts). */
+/** Who foresees what inputs do (prediction/prediction_controller.ts). */
 export interface PredictionListener {
   begin(welcome: Welcome): void;
   came(entity: Entity): void;

@@ -14,7 +14,7 @@ import { linkOf } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
-import type { Foreseen } from './prediction/foreseen';
+import type { PredictionController } from './prediction/foreseen';
 import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerWords } from './panels/driver';
@@ -92,7 +92,7 @@ const predicts = new URLSearchParams(location.search).get('predict') === '1';
 const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
-let foreseen: Foreseen | undefined;
+let foreseen: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {
   const without = (error: unknown) => {
     foreseen = undefined;

@@ -19,7 +19,7 @@ function compared(stats: PredictorStats, driving: boolean): { times: number; err
   return driving ? { times: stats.drives, errorM: stats.lastDriveErrorM } : { times: stats.frames, errorM: stats.lastErrorM };
 }
 
-export class Foreseen implements PredictionListener {
+export class PredictionController implements PredictionListener {
   /** 0: nobody. */
   followed = 0;
   private held = false;

@@ -6,7 +6,7 @@ import { FrameBuffer } from '../frame_buffer';
 import { WelcomeSchema } from '../gen/jostle/v1/play_pb';
 import { BodyType } from '../gen/jostle/v1/scene_pb';
 import { box, predictorModule } from '../testing/yard';
-import { Foreseen } from './foreseen';
+import { PredictionController } from './foreseen';
 import { Predictor } from './predictor';
 
 const FLOOR = 1;
@@ -17,7 +17,7 @@ async function room() {
   const predictor = await Predictor.create(await predictorModule());
   const frames = new FrameBuffer();
   const errors: unknown[] = [];
-  const foreseen = new Foreseen(predictor, frames, (error) => errors.push(error));
+  const foreseen = new PredictionController(predictor, frames, (error) => errors.push(error));
   foreseen.begin(create(WelcomeSchema, { tickHz: 60, gravity: { y: -9.81 } }));
   foreseen.came(box(FLOOR, BodyType.STATIC, { x: 50, y: 0.5, z: 50 }, 0));
   foreseen.came(box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50));

@@ -99,8 +99,8 @@ async function enablePrediction(): Promise<void> {
     toasts.say(`nothing is foreseen: ${error instanceof Error ? error.message : error}`);
   };
   try {
-    const { loadForeseen } = await import('./prediction/load');
-    foreseen = await loadForeseen(connection.frames, without);
+    const { loadPrediction } = await import('./prediction/load');
+    foreseen = await loadPrediction(connection.frames, without);
     connection.enablePrediction(foreseen);
   } catch (error) {
     without(error);

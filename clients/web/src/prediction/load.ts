@@ -6,7 +6,7 @@ import { compile, Predictor } from './predictor';
 import wasmUrl from './predictor.wasm?url';
 
 /** A PredictorError says why there is none. `failed` hears of what goes wrong later. */
-export async function loadForeseen(frames: FrameBuffer, failed: (error: unknown) => void): Promise<PredictionController> {
+export async function loadPrediction(frames: FrameBuffer, failed: (error: unknown) => void): Promise<PredictionController> {
   const predictor = await Predictor.create(await compile(fetch(wasmUrl)));
   return new PredictionController(predictor, frames, failed);
 }

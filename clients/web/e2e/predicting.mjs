@@ -24,7 +24,7 @@ const picturesPerSecond = (page) =>
 
 async function enter(page, url, until) {
   await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}`);
-  await until('the viewer plays and has its predictor', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.foreseen));
+  await until('the viewer plays and has its predictor', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.prediction));
   await until('the tower is drawn', async () => {
     const ids = await towers(page);
     return ids.length > 0 && page.evaluate((all) => all.every((id) => window.jostle.pose(id)), ids);
@@ -36,14 +36,14 @@ async function enter(page, url, until) {
 const watch = (page, body, event, least) =>
   page.evaluate(
     ([id, kind, way]) => {
-      const seen = (window.seen = { movedMs: 0, foreseen: undefined });
+      const seen = (window.seen = { movedMs: 0, prediction: undefined });
       const begin = () => {
         const began = performance.now();
         const stood = window.jostle.pose(id);
         const look = () => {
           const now = window.jostle.pose(id);
           if (Math.hypot(now[0] - stood[0], now[1] - stood[1], now[2] - stood[2]) <= way) return requestAnimationFrame(look);
-          seen.foreseen = window.jostle.foreseen;
+          seen.prediction = window.jostle.prediction;
           seen.movedMs = performance.now() - began;
         };
         look();
@@ -64,27 +64,27 @@ async function drag(page, until) {
     await page.mouse.move(at.x - 6 * i, at.y - 3 * i);
     await new Promise((done) => setTimeout(done, 30));
   }
-  const { movedMs, foreseen } = await until('the dragged box moves', () => page.evaluate(() => window.seen.movedMs && window.seen));
+  const { movedMs, prediction } = await until('the dragged box moves', () => page.evaluate(() => window.seen.movedMs && window.seen));
   await page.mouse.up();
-  return { movedMs, foreseen, isOurs: foreseen?.followed === box };
+  return { movedMs, prediction, isOurs: prediction?.followed === box };
 }
 
 /** How long after the key the character was seen to walk, and what was foreseen then. */
 async function walk(page, url, until) {
   await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}&world=parkour`);
   await until('the viewer plays parkour and has its predictor', () =>
-    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.foreseen && window.jostle.controllable().length > 0),
+    page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.prediction && window.jostle.controllable().length > 0),
   );
   await until('the clock of inputs runs', () => page.evaluate(() => window.jostle.inputTick > 0));
   await page.keyboard.press('8');
   await page.locator('#driver button', { hasText: /^walker5$/ }).click();
-  await until('walker5 is driven and foreseen', () => page.evaluate(() => window.jostle.driven && window.jostle.foreseen.drives > 3));
+  await until('walker5 is driven and foreseen', () => page.evaluate(() => window.jostle.driven && window.jostle.prediction.drives > 3));
   await watch(page, await page.evaluate(() => window.jostle.driven), 'keydown', 0.05);
   await page.keyboard.down('w');
   const seen = await until('it walks', () => page.evaluate(() => window.seen.movedMs && window.seen));
   await new Promise((done) => setTimeout(done, 2 * ROUND_TRIP_MS)); // until the server has told of it
   await page.keyboard.up('w');
-  return { ...seen, after: await page.evaluate(() => window.jostle.foreseen) };
+  return { ...seen, after: await page.evaluate(() => window.jostle.prediction) };
 }
 
 export async function predicting({ page, url, until, expect }) {
@@ -96,10 +96,10 @@ export async function predicting({ page, url, until, expect }) {
     await enter(page, url, until);
     seen = await drag(page, until);
   }
-  expect(seen.isOurs && seen.foreseen.bodies > 1, `the box and ${seen.foreseen.bodies - 1} others are foreseen`);
+  expect(seen.isOurs && seen.prediction.bodies > 1, `the box and ${seen.prediction.bodies - 1} others are prediction`);
   expect(seen.movedMs < ROUND_TRIP_MS, `the box moved ${seen.movedMs.toFixed(0)} ms after it was taken, over a round trip of ${ROUND_TRIP_MS} ms`);
   let walked = await walk(page, url, until);
   for (let attempt = 1; attempt < ATTEMPTS && !(walked.movedMs < ROUND_TRIP_MS); attempt++) walked = await walk(page, url, until);
   const { drives, driveCorrections } = walked.after;
-  expect(walked.movedMs < ROUND_TRIP_MS, `the character walked ${walked.movedMs.toFixed(0)} ms after the key; ${drives - driveCorrections} of ${drives} times the server said what was foreseen`);
+  expect(walked.movedMs < ROUND_TRIP_MS, `the character walked ${walked.movedMs.toFixed(0)} ms after the key; ${drives - driveCorrections} of ${drives} times the server said what was prediction`);
 }

@@ -68,8 +68,8 @@ export interface Events {
 /** Who foresees what inputs do (prediction/prediction_controller.ts). */
 export interface PredictionListener {
   begin(welcome: Welcome): void;
-  came(entity: Entity): void;
-  went(entity: number): void;
+  entityAdded(entity: Entity): void;
+  entityRemoved(entity: number): void;
   /** What this client drives, before the frame of its tick; undefined: that is not known any more. */
   driven(thing: ControlledEntity | undefined): void;
   frame(frame: PoseFrame): void;
@@ -173,7 +173,7 @@ export class Connection {
     this.predictionListener = predictionListener;
     if (!this.welcome) return;
     predictionListener.begin(this.welcome);
-    for (const entity of this.entities.values()) predictionListener.came(entity);
+    for (const entity of this.entities.values()) predictionListener.entityAdded(entity);
     predictionListener.driven(this.driven.newest);
   }
 
@@ -350,12 +350,12 @@ export class Connection {
   private onEntityList(change: Roster): void {
     for (const id of change.removed) {
       this.entities.delete(id);
-      this.predictionListener?.went(id);
+      this.predictionListener?.entityRemoved(id);
     }
     for (const entity of change.added) {
       this.largeShapes.fillIn(entity);
       this.entities.set(entity.id, entity);
-      this.predictionListener?.came(entity);
+      this.predictionListener?.entityAdded(entity);
     }
     this.events.entityList(this.entities);
   }

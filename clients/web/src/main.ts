@@ -92,16 +92,16 @@ const predicts = new URLSearchParams(location.search).get('predict') === '1';
 const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
-let foreseen: PredictionController | undefined;
+let prediction: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {
   const without = (error: unknown) => {
-    foreseen = undefined;
-    toasts.say(`nothing is foreseen: ${error instanceof Error ? error.message : error}`);
+    prediction = undefined;
+    toasts.say(`nothing is prediction: ${error instanceof Error ? error.message : error}`);
   };
   try {
     const { loadPrediction } = await import('./prediction/load');
-    foreseen = await loadPrediction(connection.frames, without);
-    connection.enablePrediction(foreseen);
+    prediction = await loadPrediction(connection.frames, without);
+    connection.enablePrediction(prediction);
   } catch (error) {
     without(error);
   }
@@ -349,7 +349,7 @@ renderer.setAnimationLoop(() => {
   const now = nowUs();
   renderTimeUs = recorded ? recorded.advance(now) : connection.renderClock.advance(now);
   drawn.update(connection.frames, renderTimeUs, now);
-  if (!recorded) foreseen?.draw(drawn, connection.inputClock.position(now), now);
+  if (!recorded) prediction?.draw(drawn, connection.inputClock.position(now), now);
   timeline.update();
   const shown = shownNow();
   dressBodies(shown);
@@ -410,8 +410,8 @@ Object.defineProperty(window, 'jostle', {
       return recorded && { tick: recorded.tick, seconds: recorded.seconds, length: recorded.length, playing: recorded.playing };
     },
     /** What is foreseen: whom, and how well; undefined: nothing, or not yet. */
-    get foreseen() {
-      return foreseen && { followed: foreseen.followed, sent: foreseen.sent, late: foreseen.late, ...foreseen.stats };
+    get prediction() {
+      return prediction && { followed: prediction.followed, sent: prediction.sent, late: prediction.late, ...prediction.stats };
     },
     /** Ids of dynamic bodies that the scene made. */
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),

@@ -17,17 +17,17 @@ async function room() {
   const predictor = await Predictor.create(await predictorModule());
   const frames = new FrameBuffer();
   const errors: unknown[] = [];
-  const foreseen = new PredictionController(predictor, frames, (error) => errors.push(error));
-  foreseen.begin(create(WelcomeSchema, { tickHz: 60, gravity: { y: -9.81 } }));
-  foreseen.came(box(FLOOR, BodyType.STATIC, { x: 50, y: 0.5, z: 50 }, 0));
-  foreseen.came(box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50));
+  const prediction = new PredictionController(predictor, frames, (error) => errors.push(error));
+  prediction.begin(create(WelcomeSchema, { tickHz: 60, gravity: { y: -9.81 } }));
+  prediction.entityAdded(box(FLOOR, BodyType.STATIC, { x: 50, y: 0.5, z: 50 }, 0));
+  prediction.entityAdded(box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50));
   let number = 0;
   const frame = (x: number, atRest = false) => {
     const entity = (id: number, at: readonly number[]) =>
       ({ id, position: at.map((m) => Math.round(m * 512)) as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest });
-    foreseen.frame(frames.add({ frame: ++number, entities: [entity(FLOOR, [0, -0.5, 0]), entity(CRATE, [x, 0.25, 0])] }, number * 16_667, SPEC));
+    prediction.frame(frames.add({ frame: ++number, entities: [entity(FLOOR, [0, -0.5, 0]), entity(CRATE, [x, 0.25, 0])] }, number * 16_667, SPEC));
   };
-  return { foreseen, predictor, errors, frame, tick: () => number };
+  return { prediction, predictor, errors, frame, tick: () => number };
 }
 
 const grab = { kind: { case: 'grab', value: { entity: CRATE, point: { x: 0, y: 0.25, z: 0 } } } } as const;
@@ -35,54 +35,54 @@ const release = { kind: { case: 'release', value: {} } } as const;
 
 describe('foreseen', () => {
   it('follows who is taken hold of at once, and lets go of who rests', async () => {
-    const { foreseen, frame, tick } = await room();
+    const { prediction, frame, tick } = await room();
     for (let k = 0; k < 5; k++) frame(0, true);
-    expect(foreseen.stats.bodies).toBe(0);
-    foreseen.input(1, tick() + 3, grab);
-    expect([foreseen.followed, foreseen.stats.bodies]).toEqual([CRATE, 1]);
-    foreseen.input(2, tick() + 4, release);
+    expect(prediction.stats.bodies).toBe(0);
+    prediction.input(1, tick() + 3, grab);
+    expect([prediction.followed, prediction.stats.bodies]).toEqual([CRATE, 1]);
+    prediction.input(2, tick() + 4, release);
     for (let k = 0; k < 60; k++) frame(0, true);
-    expect(foreseen.followed).toBe(CRATE);
+    expect(prediction.followed).toBe(CRATE);
     frame(0, true);
-    expect([foreseen.followed, foreseen.stats.bodies]).toEqual([0, 0]);
+    expect([prediction.followed, prediction.stats.bodies]).toEqual([0, 0]);
   });
 
   it('leaves to the server who is foreseen wrongly in frame after frame', async () => {
-    const { foreseen, frame, tick } = await room();
+    const { prediction, frame, tick } = await room();
     frame(0);
-    foreseen.input(1, tick() + 3, { kind: { case: 'impulse', value: { entity: CRATE, impulse: { x: 1 } } } });
+    prediction.input(1, tick() + 3, { kind: { case: 'impulse', value: { entity: CRATE, impulse: { x: 1 } } } });
     let frames = 0;
-    for (; foreseen.followed === CRATE && frames < 200; frames++) frame(frames % 2); // something that nobody was told of throws it about
+    for (; prediction.followed === CRATE && frames < 200; frames++) frame(frames % 2); // something that nobody was told of throws it about
     expect(frames, 'half of a third of a second and more').toBeGreaterThan(15);
     expect(frames).toBeLessThan(60);
-    foreseen.input(2, tick() + 3, grab);
-    expect(foreseen.followed, 'not again').toBe(0);
+    prediction.input(2, tick() + 3, grab);
+    expect(prediction.followed, 'not again').toBe(0);
   });
 
   it('follows what is driven until it is let go, whatever else is pushed', async () => {
-    const { foreseen, frame, tick } = await room();
-    foreseen.came({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), controllable: true });
+    const { prediction, frame, tick } = await room();
+    prediction.entityAdded({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), controllable: true });
     frame(0, true);
-    foreseen.input(1, tick() + 3, { kind: { case: 'possess', value: { entity: CRATE } } });
-    expect(foreseen.followed).toBe(CRATE);
-    foreseen.input(2, tick() + 3, { kind: { case: 'impulse', value: { entity: FLOOR, impulse: { x: 1 } } } });
-    foreseen.input(3, tick() + 3, { kind: { case: 'control', value: { axes: [0, 1000], buttons: 1 } } });
+    prediction.input(1, tick() + 3, { kind: { case: 'possess', value: { entity: CRATE } } });
+    expect(prediction.followed).toBe(CRATE);
+    prediction.input(2, tick() + 3, { kind: { case: 'impulse', value: { entity: FLOOR, impulse: { x: 1 } } } });
+    prediction.input(3, tick() + 3, { kind: { case: 'control', value: { axes: [0, 1000], buttons: 1 } } });
     for (let k = 0; k < 100; k++) frame(0, true);
-    expect(foreseen.followed, 'it rests, and somebody drives it').toBe(CRATE);
-    expect(foreseen.stats.bodies, 'what moves it was not told').toBe(0);
-    foreseen.input(4, tick() + 3, { kind: { case: 'possess', value: { entity: 0 } } });
-    expect(foreseen.followed).toBe(0);
+    expect(prediction.followed, 'it rests, and somebody drives it').toBe(CRATE);
+    expect(prediction.stats.bodies, 'what moves it was not told').toBe(0);
+    prediction.input(4, tick() + 3, { kind: { case: 'possess', value: { entity: 0 } } });
+    expect(prediction.followed).toBe(0);
   });
 
   it('says once that the predictor failed, and foresees nothing from then on', async () => {
-    const { foreseen, predictor, errors, frame, tick } = await room();
+    const { prediction, predictor, errors, frame, tick } = await room();
     frame(0);
-    foreseen.input(1, tick() + 3, grab);
+    prediction.input(1, tick() + 3, grab);
     predictor.onFrame = () => {
       throw new WebAssembly.RuntimeError('unreachable');
     };
     for (let k = 0; k < 3; k++) frame(0);
     expect(errors).toHaveLength(1);
-    expect(foreseen.followed).toBe(0);
+    expect(prediction.followed).toBe(0);
   });
 });

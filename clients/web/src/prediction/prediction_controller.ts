@@ -9,9 +9,9 @@ import type { ControlledEntity } from '../word_changes';
 import { MOTION } from './motion';
 import type { Picture, Predictor, PredictorStats } from './predictor';
 
-const WRONG_M = 0.05; // a frame that differs by more was foreseen wrongly
-const FORGET_SHARE = 1 / 30; // of what frames before said, by each
-const TOO_OFTEN = 0.5;
+const CORRECTION_THRESHOLD_M = 0.05; // a frame that differs by more was foreseen wrongly
+const ERROR_DECAY_RATE = 1 / 30; // of what frames before said, by each
+const CORRECTION_RATE_MAX = 0.5;
 const QUIET_FRAMES = 60; // after the last input
 
 /** How often the followed one was compared with what the server says, and how far off it was. */
@@ -25,11 +25,11 @@ export class PredictionController implements PredictionListener {
   private held = false;
   private driving = 0; // 0: nothing
   private motion: number | undefined; // the kind of channel that says how bodies move
-  private wrong = 0; // share of frames
+  private correctionRate = 0; // share of frames
   private frames = 0; // compared so far
   private sinceInput = 0;
-  private readonly left = new Set<number>(); // to the server
-  private readonly meant = new Map<number, number>(); // of inputs that the server did not answer yet: their ticks
+  private readonly serverControlled = new Set<number>(); // to the server
+  private readonly pendingTicks = new Map<number, number>(); // of inputs that the server did not answer yet: their ticks
   /** Inputs that the server applied later than they were meant to be, and such that were foreseen. */
   late = 0;
   sent = 0;
@@ -47,22 +47,22 @@ export class PredictionController implements PredictionListener {
     this.followed = 0;
     this.held = false;
     this.driving = 0;
-    this.left.clear();
-    this.meant.clear();
+    this.serverControlled.clear();
+    this.pendingTicks.clear();
     this.try(() => this.predictor.begin(tickHz, gravity ?? { x: 0, y: 0, z: 0 }, substeps));
   }
 
-  came(entity: Entity): void {
+  entityAdded(entity: Entity): void {
     this.try(() => this.predictor.addBody(entity));
   }
 
-  went(entity: number): void {
+  entityRemoved(entity: number): void {
     this.try(() => this.predictor.removeBody(entity));
     if (entity === this.driving) this.driving = 0;
     if (entity === this.followed) this.follow(0);
   }
 
-  driven(thing: ControlledEntity | undefined): void {
+  controlledEntity(thing: ControlledEntity | undefined): void {
     this.try(() => this.predictor.drive(thing));
   }
 
@@ -78,21 +78,21 @@ export class PredictionController implements PredictionListener {
     if (kind?.case === 'grab' || kind?.case === 'release') this.held = kind.case === 'grab';
     this.sinceInput = 0;
     if (tick === 0) return;
-    if (!this.meant.has(sequence)) this.sent++;
-    this.meant.set(sequence, tick);
+    if (!this.pendingTicks.has(sequence)) this.sent++;
+    this.pendingTicks.set(sequence, tick);
     this.try(() => this.predictor.addInput(sequence, tick, input));
   }
 
   result({ sequence, tick, code }: InputResult): void {
-    if (tick > (this.meant.get(sequence) ?? tick)) this.late++;
-    this.meant.delete(sequence);
+    if (tick > (this.pendingTicks.get(sequence) ?? tick)) this.late++;
+    this.pendingTicks.delete(sequence);
     this.try(() => this.predictor.onResult(sequence, tick, code === InputCode.APPLIED));
   }
 
   frame(frame: PoseFrame): void {
     if (this.followed === 0) return;
     this.try(() => this.predictor.onFrame(frame, this.motion));
-    this.judge(this.predictor.stats);
+    this.updateCorrectionRate(this.predictor.stats);
     const rests = frame.entities.find(({ id }) => id === this.followed)?.atRest ?? true;
     if (++this.sinceInput > QUIET_FRAMES && !this.held && this.driving === 0 && rests) this.follow(0);
   }
@@ -107,9 +107,9 @@ export class PredictionController implements PredictionListener {
   }
 
   private follow(entity: number): void {
-    if (entity === this.followed || this.left.has(entity)) return;
+    if (entity === this.followed || this.serverControlled.has(entity)) return;
     this.followed = entity;
-    this.wrong = 0;
+    this.correctionRate = 0;
     this.try(() => {
       this.predictor.follow(entity);
       if (entity === 0) return;
@@ -119,15 +119,15 @@ export class PredictionController implements PredictionListener {
     });
   }
 
-  private judge(stats: PredictorStats): void {
+  private updateCorrectionRate(stats: PredictorStats): void {
     const { times, errorM } = compared(stats, this.driving !== 0);
     if (times === this.frames) return;
     this.frames = times;
-    this.wrong += FORGET_SHARE * ((errorM > WRONG_M ? 1 : 0) - this.wrong);
-    if (this.wrong < TOO_OFTEN) return;
+    this.correctionRate += ERROR_DECAY_RATE * ((errorM > CORRECTION_THRESHOLD_M ? 1 : 0) - this.correctionRate);
+    if (this.correctionRate < CORRECTION_RATE_MAX) return;
     const entity = this.followed;
     this.follow(0);
-    this.left.add(entity);
+    this.serverControlled.add(entity);
   }
 
   private broken = false;

@@ -16,7 +16,7 @@ export class PredictorError extends Error {}
 type Pointer = number;
 
 /** What predictor.wasm exports. */
-export interface Calls {
+export interface PredictorExports {
   readonly memory: WebAssembly.Memory;
   _initialize?(): void;
   create(): Pointer;
@@ -72,13 +72,13 @@ function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): W
 }
 
 /** Instantiates a compiled module; `asked` is told whose shapes are wanted. */
-export async function instantiate(module: WebAssembly.Module, asked: (entity: number) => void): Promise<Calls> {
-  let calls: Calls | undefined;
+export async function instantiate(module: WebAssembly.Module, asked: (entity: number) => void): Promise<PredictorExports> {
+  let calls: PredictorExports | undefined;
   const imports = {
     [WASI]: system(module, () => calls!.memory),
     jostle: { request_shapes: (_predictor: Pointer, entity: number) => asked(entity) },
   };
-  calls = (await WebAssembly.instantiate(module, imports)).exports as unknown as Calls;
+  calls = (await WebAssembly.instantiate(module, imports)).exports as unknown as PredictorExports;
   calls._initialize?.();
   return calls;
 }
@@ -118,7 +118,7 @@ const TYPES: Partial<Record<BodyType, number>> = { [BodyType.KINEMATIC]: 1, [Bod
 
 export class Predictor {
   private readonly entities = new Map<number, Entity>();
-  private calls!: Calls;
+  private calls!: PredictorExports;
   private self: Pointer = 0;
 
   private constructor() {}

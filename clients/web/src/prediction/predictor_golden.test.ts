@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { predictorModule } from '../testing/yard';
-import { instantiate, type Calls } from './predictor';
+import { instantiate, type PredictorExports } from './predictor';
 
 const story = JSON.parse(readFileSync(new URL('../../../../tests/determinism/predictor_golden.json', import.meta.url), 'utf8')) as [string, ...number[]][];
 
@@ -23,7 +23,7 @@ it('answers a story with the bits of the native build', async () => {
       expect([...list(count * 8)], `tick ${position}`).toEqual(right);
       poses += count;
     } else {
-      const made = calls[call as keyof Calls] as (...numbers: number[]) => number | undefined;
+      const made = calls[call as keyof PredictorExports] as (...numbers: number[]) => number | undefined;
       const given = ANSWERS.includes(call) ? values.slice(0, -1) : values;
       const answer = made(self, ...given);
       if (ANSWERS.includes(call)) expect(answer, call).toBe(values[values.length - 1]);

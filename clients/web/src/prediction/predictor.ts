@@ -59,28 +59,28 @@ function lockBits(locks: Locks | undefined): number {
 
 /** What the C++ library asks of a system: the time, and nothing else that it would get. */
 function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
-  const calls: WebAssembly.ModuleImports = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) if (from === WASI) calls[name] = () => NOT_SUPPORTED;
-  calls['clock_time_get'] = (_clock: number, _precision: bigint, at: number) => {
+  const api: WebAssembly.ModuleImports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) if (from === WASI) api[name] = () => NOT_SUPPORTED;
+  api['clock_time_get'] = (_clock: number, _precision: bigint, at: number) => {
     new DataView(memory().buffer).setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
     return 0;
   };
-  calls['proc_exit'] = (code: number) => {
+  api['proc_exit'] = (code: number) => {
     throw new PredictorError(`the predictor ended itself with ${code}`);
   };
-  return calls;
+  return api;
 }
 
 /** Instantiates a compiled module; `asked` is told whose shapes are wanted. */
-export async function instantiate(module: WebAssembly.Module, asked: (entity: number) => void): Promise<PredictorExports> {
-  let calls: PredictorExports | undefined;
+export async function instantiate(module: WebAssembly.Module, onShapesRequested: (entity: number) => void): Promise<PredictorExports> {
+  let api: PredictorExports | undefined;
   const imports = {
-    [WASI]: system(module, () => calls!.memory),
-    jostle: { request_shapes: (_predictor: Pointer, entity: number) => asked(entity) },
+    [WASI]: system(module, () => api!.memory),
+    jostle: { request_shapes: (_predictor: Pointer, entity: number) => onShapesRequested(entity) },
   };
-  calls = (await WebAssembly.instantiate(module, imports)).exports as unknown as PredictorExports;
-  calls._initialize?.();
-  return calls;
+  api = (await WebAssembly.instantiate(module, imports)).exports as unknown as PredictorExports;
+  api._initialize?.();
+  return api;
 }
 
 /** From the bytes of predictor.wasm, or from the answer that brings them. */
@@ -118,7 +118,7 @@ const TYPES: Partial<Record<BodyType, number>> = { [BodyType.KINEMATIC]: 1, [Bod
 
 export class Predictor {
   private readonly entities = new Map<number, Entity>();
-  private calls!: PredictorExports;
+  private api!: PredictorExports;
   private self: Pointer = 0;
 
   private constructor() {}
@@ -126,8 +126,8 @@ export class Predictor {
   static async create(module: WebAssembly.Module): Promise<Predictor> {
     const made = new Predictor();
     try {
-      made.calls = await instantiate(module, (entity) => made.tellShapes(entity));
-      made.self = made.calls.create();
+      made.api = await instantiate(module, (entity) => made.sendShapes(entity));
+      made.self = made.api.create();
     } catch (error) {
       throw new PredictorError(`predictor.wasm cannot be started: ${error instanceof Error ? error.message : error}`);
     }
@@ -137,59 +137,59 @@ export class Predictor {
   /** A stream begins: everything is forgotten. */
   begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }, substeps = 0): void {
     this.entities.clear();
-    this.calls.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z, substeps);
+    this.api.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z, substeps);
   }
 
   addBody(entity: Entity): void {
     this.entities.set(entity.id, entity);
-    this.calls.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
+    this.api.add_body(this.self, entity.id, TYPES[entity.type] ?? 0, entity.mass);
     const { id, linearDamping, angularDamping, gravityScale = 1, locks, controllable, jointed } = entity;
-    this.calls.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), (controllable ? 1 : 0) + (jointed ? 2 : 0));
+    this.api.set_body(this.self, id, linearDamping, angularDamping, gravityScale, lockBits(locks), (controllable ? 1 : 0) + (jointed ? 2 : 0));
   }
 
   removeBody(entity: number): void {
     this.entities.delete(entity);
-    this.calls.remove_body(this.self, entity);
+    this.api.remove_body(this.self, entity);
   }
 
   /** Whose motion is foreseen; 0: nobody's. */
   follow(entity: number): void {
-    this.calls.follow(this.self, entity);
+    this.api.follow(this.self, entity);
   }
 
   /** An input of that number that is meant for that tick; what is none of a hand or a push does nothing. */
   addInput(sequence: number, tick: number, { kind }: Input): void {
-    const { calls, self } = this;
+    const { api, self } = this;
     switch (kind?.case) {
       case 'impulse': {
         const { entity = 0, impulse: i, point: p } = kind.value;
         const [x, y, z] = [i?.x ?? 0, i?.y ?? 0, i?.z ?? 0];
-        if (p) return calls.push_at(self, sequence, tick, entity, x, y, z, p.x ?? 0, p.y ?? 0, p.z ?? 0);
-        return calls.push(self, sequence, tick, entity, x, y, z);
+        if (p) return api.push_at(self, sequence, tick, entity, x, y, z, p.x ?? 0, p.y ?? 0, p.z ?? 0);
+        return api.push(self, sequence, tick, entity, x, y, z);
       }
       case 'grab': {
         const { entity = 0, point: p } = kind.value;
-        return calls.grab(self, sequence, tick, entity, p?.x ?? 0, p?.y ?? 0, p?.z ?? 0);
+        return api.grab(self, sequence, tick, entity, p?.x ?? 0, p?.y ?? 0, p?.z ?? 0);
       }
       case 'drag': {
         const { target: t } = kind.value;
-        return calls.drag(self, sequence, tick, t?.x ?? 0, t?.y ?? 0, t?.z ?? 0);
+        return api.drag(self, sequence, tick, t?.x ?? 0, t?.y ?? 0, t?.z ?? 0);
       }
       case 'release':
-        return calls.release(self, sequence, tick);
+        return api.release(self, sequence, tick);
       case 'control': {
         const { axes = [], buttons = 0 } = kind.value;
         this.room(axes.length).set(axes.map((thousandths) => thousandths / 1000));
-        return calls.steer(self, sequence, tick, axes.length, buttons);
+        return api.steer(self, sequence, tick, axes.length, buttons);
       }
       case 'possess': // lets go of what was driven
-        return calls.steer(self, sequence, tick, 0, 0);
+        return api.steer(self, sequence, tick, 0, 0);
     }
   }
 
   /** What became of one. */
   onResult(sequence: number, tick: number, applied: boolean): void {
-    this.calls.result(this.self, sequence, tick, applied ? 1 : 0);
+    this.api.result(this.self, sequence, tick, applied ? 1 : 0);
   }
 
   /** What is driven, before the frame of its tick; undefined: nothing that is known. */
@@ -198,7 +198,7 @@ export class Predictor {
     const numbers = this.room(module.length + words.length);
     for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);
     numbers.set(words, module.length);
-    this.calls.drive(this.self, entity, tick, module.length, words.length);
+    this.api.drive(this.self, entity, tick, module.length, words.length);
   }
 
   /** `motion`: the number of the kind MOTION (motion.ts), where that is told. */
@@ -209,7 +209,7 @@ export class Predictor {
       moves[i * MOTION_NUMBERS] = entity;
       moves.set(values, i * MOTION_NUMBERS + 1);
     });
-    this.calls.motions(this.self, motions.length);
+    this.api.motions(this.self, motions.length);
     const numbers = this.room(entities.length * FRAME_NUMBERS);
     for (let i = 0; i < entities.length; i++) {
       const { id, atRest } = entities[i]!;
@@ -218,13 +218,13 @@ export class Predictor {
       for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = poses[i * POSE_FLOATS + k]!;
       numbers[to + 8] = atRest ? 1 : 0;
     }
-    this.calls.frame(this.self, frame, entities.length);
+    this.api.frame(this.self, frame, entities.length);
   }
 
   /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
   draw(picture: Picture, position: number, nowUs: number): number {
-    const { calls, self } = this;
-    const wanted = this.room(calls.drawn(self)).slice();
+    const { api, self } = this;
+    const wanted = this.room(api.drawn(self)).slice();
     const numbers = this.room(wanted.length * DRAWN_NUMBERS);
     let count = 0;
     for (const id of wanted) {
@@ -234,7 +234,7 @@ export class Predictor {
       numbers[to] = id;
       for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = picture.poses[i * POSE_FLOATS + k]!;
     }
-    if (calls.sample(self, position, nowUs, count) !== count) return 0;
+    if (api.sample(self, position, nowUs, count) !== count) return 0;
     const answer = this.room(wanted.length * DRAWN_NUMBERS);
     for (let n = 0; n < count; n++) {
       const from = n * DRAWN_NUMBERS;
@@ -245,21 +245,21 @@ export class Predictor {
   }
 
   get stats(): PredictorStats {
-    const figure = (which: number) => this.calls.figure(this.self, which);
+    const figure = (which: number) => this.api.figure(this.self, which);
     return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), drives: figure(6), driveCorrections: figure(7), lastDriveErrorM: figure(8) };
   }
 
   /** The predictor's list of numbers. Good until the next call: its memory may move. */
   private room(count: number): Float64Array {
-    const at = this.calls.numbers(this.self, count);
+    const at = this.api.numbers(this.self, count);
     if (at === 0 && count > 0) throw new PredictorError(`the predictor has no room for ${count} numbers`);
-    return new Float64Array(this.calls.memory.buffer, at, count);
+    return new Float64Array(this.api.memory.buffer, at, count);
   }
 
-  private tellShapes(id: number): void {
+  private sendShapes(id: number): void {
     const numbers = encodeShapes(this.entities.get(id)?.shapes ?? []);
     if (!numbers) return;
     this.room(numbers.length).set(numbers);
-    this.calls.set_shapes(this.self, id, numbers.length);
+    this.api.set_shapes(this.self, id, numbers.length);
   }
 }

@@ -7,7 +7,7 @@ import type { FrameBuffer, PoseFrame } from '../frame_buffer';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
 import type { ControlledEntity } from '../word_changes';
 import { MOTION } from './motion';
-import type { Picture, Predictor, PredictorStats } from './predictor';
+import type { RenderedScene, Predictor, PredictorStats } from './predictor';
 
 const CORRECTION_THRESHOLD_M = 0.05; // a frame that differs by more was foreseen wrongly
 const ERROR_DECAY_RATE = 1 / 30; // of what frames before said, by each
@@ -98,7 +98,7 @@ export class PredictionController implements PredictionListener {
   }
 
   /** The picture of now: at that place of the input clock, in ticks. */
-  draw(picture: Picture, position: number, nowUs: number): void {
+  draw(picture: RenderedScene, position: number, nowUs: number): void {
     this.try(() => this.predictor.draw(picture, position, nowUs));
   }
 

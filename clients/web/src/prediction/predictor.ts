@@ -108,7 +108,7 @@ export interface PredictorStats {
 }
 
 /** Poses of a picture, which are replaced where they are foreseen (DrawnPoses). */
-export interface Picture {
+export interface RenderedScene {
   readonly poses: Float64Array;
   /** -1: it is not in the picture. */
   indexOf(entity: number): number;
@@ -222,7 +222,7 @@ export class Predictor {
   }
 
   /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
-  draw(picture: Picture, position: number, nowUs: number): number {
+  draw(picture: RenderedScene, position: number, nowUs: number): number {
     const { api, self } = this;
     const wanted = this.room(api.drawn(self)).slice();
     const numbers = this.room(wanted.length * DRAWN_NUMBERS);

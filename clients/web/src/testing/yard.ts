@@ -12,7 +12,7 @@ import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
 import { DrawnPoses } from '../interpolate';
 import { NetworkSimulator, GOOD_LINK, type NetworkConditions } from '../link_conditioner';
-import { compile, Predictor, type Picture } from '../prediction/predictor';
+import { compile, Predictor, type RenderedScene } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
 
 export const FLOOR = 1;
@@ -43,7 +43,7 @@ const BODIES: readonly { entity: Entity; at: Point }[] = [
 ];
 
 /** A picture of all bodies, at first as they stand. */
-class Everybody implements Picture {
+class Everybody implements RenderedScene {
   readonly poses = new Float64Array(BODIES.length * POSE_FLOATS);
   constructor() {
     BODIES.forEach(({ at }, i) => this.poses.set([...at, 0, 0, 0, 1], i * POSE_FLOATS));

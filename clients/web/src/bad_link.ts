@@ -30,7 +30,7 @@ class Held {
 }
 
 /** Opens sockets as `open` does. */
-export function overLink(open: (url: string) => Socket, settings: NetworkConditions): (url: string) => Socket {
+export function simulatedSocket(open: (url: string) => Socket, settings: NetworkConditions): (url: string) => Socket {
   return (url) => {
     const real = open(url);
     const incoming = new Held(settings);

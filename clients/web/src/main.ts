@@ -1,7 +1,7 @@
 // Starts the parts and runs the picture loop.
 
 import * as THREE from 'three';
-import { overLink } from './bad_link';
+import { simulatedSocket } from './bad_link';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
@@ -84,7 +84,7 @@ const told: Events = {
 };
 // ?delay=80&jitter=20&stalls=250: as over a bad link.
 const badLink = linkOf(location.search);
-const open = badLink ? overLink(openSocket, badLink) : openSocket;
+const open = badLink ? simulatedSocket(openSocket, badLink) : openSocket;
 // What is played instead of a live world.
 let recorded: RecordedStream | undefined;
 // ?predict=1: what a hand holds or a push hits answers at once.

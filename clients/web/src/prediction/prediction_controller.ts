@@ -16,7 +16,7 @@ const QUIET_FRAMES = 60; // after the last input
 
 /** How often the followed one was compared with what the server says, and how far off it was. */
 function compared(stats: PredictorStats, driving: boolean): { times: number; errorM: number } {
-  return driving ? { times: stats.drives, errorM: stats.lastDriveErrorM } : { times: stats.frames, errorM: stats.lastErrorM };
+  return driving ? { times: stats.controlUpdates, errorM: stats.lastControlErrorM } : { times: stats.frames, errorM: stats.lastErrorM };
 }
 
 export class PredictionController implements PredictionListener {
@@ -98,8 +98,8 @@ export class PredictionController implements PredictionListener {
   }
 
   /** The picture of now: at that place of the input clock, in ticks. */
-  draw(picture: RenderedScene, position: number, nowUs: number): void {
-    this.try(() => this.predictor.draw(picture, position, nowUs));
+  draw(scene: RenderedScene, position: number, nowUs: number): void {
+    this.try(() => this.predictor.draw(scene, position, nowUs));
   }
 
   get stats(): PredictorStats {

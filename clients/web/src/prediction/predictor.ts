@@ -102,9 +102,9 @@ export interface PredictorStats {
   readonly lastErrorM: number; // greatest of the last frame, before it was corrected
   readonly bodies: number; // that are foreseen
   readonly unusable: number; // bodies whose shapes the solver cannot have
-  readonly drives: number; // times that what is driven was compared
-  readonly driveCorrections: number; // of them: that were not what was foreseen
-  readonly lastDriveErrorM: number; // of the last one
+  readonly controlUpdates: number; // times that what is driven was compared
+  readonly controlCorrections: number; // of them: that were not what was foreseen
+  readonly lastControlErrorM: number; // of the last one
 }
 
 /** Poses of a picture, which are replaced where they are foreseen (DrawnPoses). */
@@ -222,31 +222,31 @@ export class Predictor {
   }
 
   /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
-  draw(picture: RenderedScene, position: number, nowUs: number): number {
+  draw(scene: RenderedScene, position: number, nowUs: number): number {
     const { api, self } = this;
     const wanted = this.room(api.drawn(self)).slice();
     const numbers = this.room(wanted.length * DRAWN_NUMBERS);
     let count = 0;
     for (const id of wanted) {
-      const i = picture.indexOf(id);
+      const i = scene.indexOf(id);
       if (i < 0) continue;
       const to = count++ * DRAWN_NUMBERS;
       numbers[to] = id;
-      for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = picture.poses[i * POSE_FLOATS + k]!;
+      for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = scene.poses[i * POSE_FLOATS + k]!;
     }
     if (api.sample(self, position, nowUs, count) !== count) return 0;
     const answer = this.room(wanted.length * DRAWN_NUMBERS);
     for (let n = 0; n < count; n++) {
       const from = n * DRAWN_NUMBERS;
-      const i = picture.indexOf(answer[from]!);
-      for (let k = 0; k < POSE_FLOATS; k++) picture.poses[i * POSE_FLOATS + k] = answer[from + 1 + k]!;
+      const i = scene.indexOf(answer[from]!);
+      for (let k = 0; k < POSE_FLOATS; k++) scene.poses[i * POSE_FLOATS + k] = answer[from + 1 + k]!;
     }
     return count;
   }
 
   get stats(): PredictorStats {
     const figure = (which: number) => this.api.figure(this.self, which);
-    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), drives: figure(6), driveCorrections: figure(7), lastDriveErrorM: figure(8) };
+    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), controlUpdates: figure(6), controlCorrections: figure(7), lastControlErrorM: figure(8) };
   }
 
   /** The predictor's list of numbers. Good until the next call: its memory may move. */

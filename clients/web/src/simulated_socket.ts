@@ -6,7 +6,7 @@ import type { Socket } from './connection';
 import { NetworkSimulator, type NetworkConditions } from './link_conditioner';
 
 /** What is on its way in one direction, in order. */
-class Held {
+class DelayedMessages {
   private readonly due: { readonly at: number; readonly arrive: () => void }[] = [];
   private readonly link: NetworkSimulator;
 
@@ -33,8 +33,8 @@ class Held {
 export function simulatedSocket(open: (url: string) => Socket, settings: NetworkConditions): (url: string) => Socket {
   return (url) => {
     const real = open(url);
-    const incoming = new Held(settings);
-    const outgoing = new Held({ ...settings, seed: (settings.seed ^ 0x9e3779b9) >>> 0 }); // another link back
+    const incoming = new DelayedMessages(settings);
+    const outgoing = new DelayedMessages({ ...settings, seed: (settings.seed ^ 0x9e3779b9) >>> 0 }); // another link back
     let closed = false;
     const shown: Socket = {
       get binaryType() {

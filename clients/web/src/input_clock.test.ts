@@ -3,7 +3,7 @@
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock';
-import { GOOD_LINK, NetworkSimulator, type NetworkConditions } from './link_conditioner';
+import { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './link_conditioner';
 
 const TICK_US = 1e6 / 60;
 
@@ -25,8 +25,8 @@ class SteeredStream {
   private readonly down: NetworkSimulator;
 
   constructor(settings: Partial<NetworkConditions>) {
-    this.up = new NetworkSimulator({ ...GOOD_LINK, ...settings });
-    this.down = new NetworkSimulator({ ...GOOD_LINK, ...settings });
+    this.up = new NetworkSimulator({ ...IDEAL_NETWORK, ...settings });
+    this.down = new NetworkSimulator({ ...IDEAL_NETWORK, ...settings });
     this.clock.begin(60);
   }
 

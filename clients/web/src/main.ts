@@ -10,7 +10,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
-import { linkOf } from './link_conditioner';
+import { networkConditionsFromQuery } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
@@ -83,8 +83,8 @@ const told: Events = {
   notice: (text) => toasts.say(text),
 };
 // ?delay=80&jitter=20&stalls=250: as over a bad link.
-const badLink = linkOf(location.search);
-const open = badLink ? simulatedSocket(openSocket, badLink) : openSocket;
+const networkConditions = networkConditionsFromQuery(location.search);
+const open = networkConditions ? simulatedSocket(openSocket, networkConditions) : openSocket;
 // What is played instead of a live world.
 let recorded: RecordedStream | undefined;
 // ?predict=1: what a hand holds or a push hits answers at once.

@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import { GOOD_LINK, NetworkSimulator, linkOf, type NetworkConditions } from './link_conditioner';
+import { IDEAL_NETWORK, NetworkSimulator, networkConditionsFromQuery, type NetworkConditions } from './link_conditioner';
 
 /** How long each of so many messages, 60 a second, is on its way, ms. */
 function waysOf(settings: Partial<NetworkConditions>, count = 36_000): number[] {
-  const link = new NetworkSimulator({ ...GOOD_LINK, ...settings });
+  const link = new NetworkSimulator({ ...IDEAL_NETWORK, ...settings });
   const ways: number[] = [];
   let last = 0;
   for (let k = 0; k < count; k++) {
@@ -51,8 +51,8 @@ it('is the same link for the same seed in every language', () => {
 });
 
 it('is read from an address line', () => {
-  const link = linkOf('?world=yard&delay=80&jitter=20.5&stalls=250&stall_every=3000&seed=9')!;
-  expect(link).toEqual({ ...GOOD_LINK, delay: 80, jitter: 20.5, stalls: 250, stallEvery: 3000, seed: 9 });
-  expect(linkOf('?world=yard')).toBeUndefined();
-  expect(linkOf('?delay=-1&loss=2&jitter=much&tail=')).toBeUndefined();
+  const link = networkConditionsFromQuery('?world=yard&delay=80&jitter=20.5&stalls=250&stall_every=3000&seed=9')!;
+  expect(link).toEqual({ ...IDEAL_NETWORK, delay: 80, jitter: 20.5, stalls: 250, stallEvery: 3000, seed: 9 });
+  expect(networkConditionsFromQuery('?world=yard')).toBeUndefined();
+  expect(networkConditionsFromQuery('?delay=-1&loss=2&jitter=much&tail=')).toBeUndefined();
 });

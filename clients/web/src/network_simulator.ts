@@ -13,7 +13,7 @@ export interface NetworkConditions {
   readonly seed: number;
 }
 
-export const GOOD_LINK: NetworkConditions = {
+export const IDEAL_NETWORK: NetworkConditions = {
   delay: 0,
   jitter: 0,
   tail: 0,
@@ -36,8 +36,8 @@ const NAMES: Record<string, [field: keyof NetworkConditions, most: number]> = {
 };
 
 /** From an address line: ?delay=80&jitter=20&stalls=250. What is out of range is left out; undefined: a good link. */
-export function linkOf(search: string): NetworkConditions | undefined {
-  const settings: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...GOOD_LINK };
+export function networkConditionsFromQuery(search: string): NetworkConditions | undefined {
+  const settings: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...IDEAL_NETWORK };
   for (const [name, text] of new URLSearchParams(search)) {
     const [field, most] = NAMES[name] ?? [];
     const value = Number(text);
@@ -64,27 +64,27 @@ export class NetworkSimulator {
     const { delay, jitter, tail, stalls, stallEvery, loss, retransmit } = this.settings;
     if (!this.begun) {
       this.begun = true;
-      this.stall = sentUs + usOf(stallEvery * (0.5 + this.chance()));
+      this.stall = sentUs + usOf(stallEvery * (0.5 + this.nextUniform()));
     }
     let way = delay;
-    if (jitter > 0) way += jitter * this.chance();
-    if (tail > 0) way -= tail * Math.log(1 - this.chance());
-    if (loss > 0 && this.chance() < loss) way += retransmit;
+    if (jitter > 0) way += jitter * this.nextUniform();
+    if (tail > 0) way -= tail * Math.log(1 - this.nextUniform());
+    if (loss > 0 && this.nextUniform() < loss) way += retransmit;
     let arrival = Math.max(sentUs + usOf(way), this.lastArrival);
-    if (stalls > 0) arrival = this.afterStalls(arrival);
+    if (stalls > 0) arrival = this.skipStalls(arrival);
     return (this.lastArrival = arrival);
   }
 
-  private afterStalls(arrival: number): number {
+  private skipStalls(arrival: number): number {
     const length = usOf(this.settings.stalls);
     // A stall begins after the one before has ended.
     while (arrival >= this.stall + length)
-      this.stall += Math.max(usOf(this.settings.stallEvery * (0.5 + this.chance())), length + 1000);
+      this.stall += Math.max(usOf(this.settings.stallEvery * (0.5 + this.nextUniform())), length + 1000);
     return arrival >= this.stall ? this.stall + length : arrival;
   }
 
   /** Mulberry32 by Tommy Ettinger. 0 to 1, less than 1. */
-  private chance(): number {
+  private nextUniform(): number {
     this.random = (this.random + 0x6d2b79f5) | 0;
     let t = Math.imul(this.random ^ (this.random >>> 15), this.random | 1);
     t ^= t + Math.imul(t ^ (t >>> 7), t | 61);

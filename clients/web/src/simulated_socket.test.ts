@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { simulatedSocket } from './bad_link';
 import type { Socket } from './connection';
-import { GOOD_LINK } from './link_conditioner';
+import { IDEAL_NETWORK } from './link_conditioner';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -17,7 +17,7 @@ it('holds messages both ways for so long and keeps their order, the end last', a
     send: (bytes) => void sent.push(bytes[0]!),
     close: () => {},
   };
-  const socket = simulatedSocket(() => real, { ...GOOD_LINK, delay: 80, jitter: 20 })('ws://x');
+  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, delay: 80, jitter: 20 })('ws://x');
   socket.onmessage = ({ data }) => void heard.push(new Uint8Array(data)[0]!);
   socket.onclose = ({ reason }) => void heard.push(reason);
   for (let k = 0; k < 5; k++) {
@@ -44,7 +44,7 @@ it('sends nothing after it was closed', async () => {
     send: (bytes) => void sent.push(bytes),
     close: () => {},
   };
-  const socket = simulatedSocket(() => real, { ...GOOD_LINK, delay: 80 })('ws://x');
+  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, delay: 80 })('ws://x');
   socket.send(Uint8Array.of(1));
   socket.close();
   await vi.advanceTimersByTimeAsync(200);

@@ -2,7 +2,7 @@
 // tells the same of the C++ client library, with the same links and bounds.
 
 import { describe, expect, it } from 'vitest';
-import { GOOD_LINK, type NetworkConditions } from './link_conditioner';
+import { IDEAL_NETWORK, type NetworkConditions } from './link_conditioner';
 import { watch } from './testing/watched_world';
 
 // What each link is allowed to cost; measured figures are a little below. Errors are those of who guesses: a bounce is cut by 23 mm
@@ -19,7 +19,7 @@ const LINKS: { name: string; link: Partial<NetworkConditions>; usualErrorMm: num
 
 describe.each(LINKS)('over a link with $name', ({ link, ...most }) => {
   it.each([144, 60])('the clock never goes back and no body steps, at %d pictures a second', (picturesHz) => {
-    const seen = watch({ ...GOOD_LINK, ...link }, picturesHz);
+    const seen = watch({ ...IDEAL_NETWORK, ...link }, picturesHz);
     expect(seen.pictures).toBeGreaterThan(58 * picturesHz);
     expect(seen.backwardSteps).toBe(0);
     expect(seen.leastSpeed).toBeGreaterThan(0.9);

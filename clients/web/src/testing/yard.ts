@@ -11,7 +11,7 @@ import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
 import { DrawnPoses } from '../interpolate';
-import { NetworkSimulator, GOOD_LINK, type NetworkConditions } from '../link_conditioner';
+import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../link_conditioner';
 import { compile, Predictor, type RenderedScene } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
 
@@ -136,7 +136,7 @@ export class Yard {
 
   static async make(link: Partial<NetworkConditions> = { delay: 50, jitter: 10 }): Promise<Yard> {
     const module = await predictorModule();
-    return new Yard(await Predictor.create(module), await Predictor.create(module), { ...GOOD_LINK, ...link });
+    return new Yard(await Predictor.create(module), await Predictor.create(module), { ...IDEAL_NETWORK, ...link });
   }
 
   private statesOf(all: Everybody): EntityState[] {

@@ -8,7 +8,7 @@ import { Connection, openSocket, type Events, type State } from './connection';
 import type { Entity } from './gen/jostle/v1/play_pb';
 import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
-import { DrawnPoses } from './interpolate';
+import { RenderedPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
 import { networkConditionsFromQuery } from './link_conditioner';
 import { clearWay, topAt } from './pick';
@@ -50,7 +50,7 @@ renderer.toneMapping = THREE.ACESFilmicToneMapping;
 
 const camera = new Camera(canvas);
 const view = new SceneView();
-const drawn = new DrawnPoses();
+const drawn = new RenderedPoses();
 const toasts = new Toasts(byId('toasts'));
 
 const STATE_WORDS: Record<State, string> = {

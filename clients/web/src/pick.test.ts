@@ -2,7 +2,7 @@ import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { DrawnPoses } from './interpolate';
+import { RenderedPoses } from './interpolate';
 import { FrameBuffer } from './frame_buffer';
 import { pickAsked, pickDrawn, settle, type Pick } from './pick';
 import { Queries } from './queries';
@@ -52,7 +52,7 @@ function fieldAndCone(): SceneView {
     0,
     { unitsPerMeter: 512, rotationComponent: 511 },
   );
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   drawn.update(frames, 0, 0);
   view.update(drawn);
   view.scene.updateMatrixWorld();

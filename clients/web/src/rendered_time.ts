@@ -2,7 +2,7 @@
 // CastRaysRequest.seen). The C++ client library has the same (jostle/client/rendered_time.h).
 
 const RENDERING_TIMEOUT_US = 1_000_000;
-const EXTRAPOLATE_US = 50_000; // as interpolate.ts
+const EXTRAPOLATE_US = 50_000; // as rendered_poses.ts
 
 /** `renderTimeUs`: of RenderClock; 0, or more than a second before the newest frame: nobody draws, so what is known is the newest
  * frame. Pictures go on for 50 ms after it, not longer. */

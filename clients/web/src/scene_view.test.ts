@@ -2,7 +2,7 @@ import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { FrameBuffer } from './frame_buffer';
 import { EntitySchema, type Entity } from './gen/jostle/v1/play_pb';
-import { DrawnPoses } from './interpolate';
+import { RenderedPoses } from './interpolate';
 import { SceneView } from './scene_view';
 
 const spec = { unitsPerMeter: 512, rotationComponent: 511 };
@@ -22,7 +22,7 @@ it('puts 2,000 moving bodies in place in less than 12 ms', () => {
   const entities = new Map(Array.from({ length: 2000 }, (_, i) => [i + 1, entity(i + 1)]));
   view.setEntities(entities, 0);
   const frames = new FrameBuffer();
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   const times: number[] = [];
   for (let frame = 1; frame <= 60; frame++) {
     const states = Array.from({ length: 2000 }, (_, i) => ({
@@ -83,7 +83,7 @@ it('islands tint what can move, sleep turns it blue, and both go again', () => {
   const frames = new FrameBuffer();
   const at = { position: [0, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number] };
   frames.add({ frame: 1, entities: [1, 2, 3].map((id) => ({ id, ...at, atRest: id !== 1 })) }, 0, spec);
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   drawn.update(frames, 0, 0);
   const colors = () => {
     view.update(drawn);
@@ -120,7 +120,7 @@ it('dresses bodies that have no colour of their own, and outlines all but ground
   const frames = new FrameBuffer();
   const at = (id: number, x: number) => ({ id, position: [512 * x, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false });
   frames.add({ frame: 1, entities: [at(1, 0), at(2, 5), at(3, -3)] }, 0, spec);
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   drawn.update(frames, 0, 0);
   view.update(drawn);
   expect([view.colorOf(2), view.colorOf(3)]).toEqual([0xabcdef, 0x123456]);

@@ -7,7 +7,7 @@ import { BodyType } from './gen/jostle/v1/scene_pb';
 import type { Entity } from './gen/jostle/v1/play_pb';
 import { POSE_FLOATS } from './frame_buffer';
 import { Instances } from './instances';
-import type { DrawnPoses } from './interpolate';
+import type { RenderedPoses } from './interpolate';
 import { makeSky, materialFor } from './materials';
 import { partsOf, UNIT_GEOMETRIES, UNIT_KINDS, type Kind, type ShapePart } from './shape_parts';
 
@@ -151,7 +151,7 @@ export class SceneView {
   }
 
   /** Puts every body where it is now. */
-  update(now: DrawnPoses): void {
+  update(now: RenderedPoses): void {
     for (let i = 0; i < now.count; i++) {
       const shown = this.shown.get(now.ids[i]!);
       if (!shown) continue;

@@ -107,7 +107,7 @@ export interface PredictorStats {
   readonly lastControlErrorM: number; // of the last one
 }
 
-/** Poses of a picture, which are replaced where they are foreseen (DrawnPoses). */
+/** Poses of a picture, which are replaced where they are foreseen (RenderedPoses). */
 export interface RenderedScene {
   readonly poses: Float64Array;
   /** -1: it is not in the picture. */

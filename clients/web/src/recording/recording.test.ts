@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { Connection } from '../connection';
 import { POSE_FLOATS } from '../frame_buffer';
-import { DrawnPoses } from '../interpolate';
+import { RenderedPoses } from '../interpolate';
 import { Recording, RecordingError } from './recording';
 import { RecordedStream } from './recorded_stream';
 
@@ -18,7 +18,7 @@ async function watch(recording: Recording) {
   const connection = new Connection('', { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, happened: nothing, refused: nothing, notice: nothing }, () => stream.open());
   connection.join('');
   await Promise.resolve();
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   let us = 1e6;
   const run = (seconds: number) => {
     for (const end = us + seconds * 1e6; us < end; ) {

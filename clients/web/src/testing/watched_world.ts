@@ -3,7 +3,7 @@
 
 import type { EntityState } from '../decode_frame';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
-import { DrawnPoses } from '../interpolate';
+import { RenderedPoses } from '../interpolate';
 import { NetworkSimulator, type NetworkConditions } from '../link_conditioner';
 import { RenderClock } from '../render_clock';
 
@@ -70,7 +70,7 @@ class Watcher {
   private last = new Map<number, Point>();
   private lastShown = 0;
 
-  look(drawn: DrawnPoses, shown: number, s: number, seconds: number): void {
+  look(drawn: RenderedPoses, shown: number, s: number, seconds: number): void {
     if (shown < 0) return; // nobody told of what was before the first frame
     const { seen } = this;
     const places = new Map<number, Point>();
@@ -119,7 +119,7 @@ export function watch(settings: NetworkConditions, picturesHz: number, seconds =
   const link = new NetworkSimulator(settings);
   const clock = new RenderClock();
   const frames = new FrameBuffer();
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   const watcher = new Watcher();
   let next = 1;
   let arrivalUs = link.arrivalUs(0);

@@ -10,7 +10,7 @@ import type { EntityState } from '../frame_state';
 import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
-import { DrawnPoses } from '../interpolate';
+import { RenderedPoses } from '../interpolate';
 import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../link_conditioner';
 import { compile, Predictor, type RenderedScene } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
@@ -105,7 +105,7 @@ export class Yard {
   readonly clock = new InputClock();
   private readonly renderClock = new RenderClock();
   private readonly frames = new FrameBuffer();
-  private readonly picture = new DrawnPoses();
+  private readonly picture = new RenderedPoses();
   private sequence = 0;
   private nextTickUs = 0;
   private nextPictureUs = 500_000;

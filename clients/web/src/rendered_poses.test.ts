@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { EntityState } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { DrawnPoses } from './interpolate';
+import { RenderedPoses } from './interpolate';
 
 const spec = { unitsPerMeter: 512, rotationComponent: 511 };
 const entity = (id: number, x: number): EntityState => ({
@@ -16,7 +16,7 @@ describe('drawn poses', () => {
   const frames = new FrameBuffer();
   frames.add({ frame: 1, entities: [entity(1, 0), entity(2, 1)] }, 0, spec);
   frames.add({ frame: 2, entities: [entity(1, 1), entity(3, 0)] }, 10_000, spec);
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
 
   it('lie between two frames', () => {
     drawn.update(frames, 2_500, 0);
@@ -38,7 +38,7 @@ describe('a body that leaps', () => {
   /** Where it is drawn at a time at which it stood at 1 until frame 90, and at `there` since; frames stop from `stop` to `go`. */
   const leap = (there: number, stop: number, go: number) => {
     const frames = new FrameBuffer();
-    const drawn = new DrawnPoses();
+    const drawn = new RenderedPoses();
     const seen: number[] = [];
     let next = 0;
     for (let us = 0; us < 120 * 16_667; us += 4_167) {
@@ -64,7 +64,7 @@ describe('a body that leaps', () => {
 
 it('shows the world as it is to who did not look for a while', () => {
   const frames = new FrameBuffer();
-  const drawn = new DrawnPoses();
+  const drawn = new RenderedPoses();
   const feed = (from: number, to: number) => {
     for (let n = from; n < to; n++) frames.add({ frame: n + 1, entities: [entity(1, n / 60)] }, n * 16_667, spec);
   };

@@ -121,7 +121,7 @@ function jumpedSince(frames: FrameBuffer, id: number, serverUs: number): boolean
   return false;
 }
 
-export class DrawnPoses {
+export class RenderedPoses {
   /** s past the frame that it is drawn from; mostly a little before it. */
   seconds = 0;
   private readonly now = new Moment();

@@ -128,9 +128,9 @@ export class RenderedPoses {
   private readonly before = new Moment();
   private readonly errors = new Map<number, Pose>(); // by entity
   // The last picture: its time on our clock and on the server's, and what was the newest frame.
-  private drawnNowUs = 0;
-  private drawnAtUs = 0;
-  private drawnNewestUs = 0;
+  private lastSampleUs = 0;
+  private lastRenderTimeUs = 0;
+  private lastNewestFrameUs = 0;
 
   get ids(): Uint32Array {
     return this.now.ids;
@@ -152,9 +152,9 @@ export class RenderedPoses {
   /** What is to be drawn at nowUs on our clock, which shows serverUs of the server's (RenderClock.advance). */
   update(frames: FrameBuffer, serverUs: number, nowUs: number): void {
     const newestUs = frames.newest?.serverUs ?? 0;
-    const passedUs = Math.max(0, nowUs - this.drawnNowUs);
-    if (passedUs > UNSEEN_US || newestUs < this.drawnNewestUs) this.errors.clear();
-    else if (this.drawnAtUs > this.drawnNewestUs && newestUs > this.drawnNewestUs) this.noteErrors(frames);
+    const passedUs = Math.max(0, nowUs - this.lastSampleUs);
+    if (passedUs > UNSEEN_US || newestUs < this.lastNewestFrameUs) this.errors.clear();
+    else if (this.lastRenderTimeUs > this.lastNewestFrameUs && newestUs > this.lastNewestFrameUs) this.noteErrors(frames);
     this.now.update(frames, serverUs);
     this.seconds = this.source ? Math.min(EXTRAPOLATE_US, serverUs - this.source.serverUs) / 1e6 : 0;
     for (const [id, error] of this.errors) {
@@ -162,15 +162,15 @@ export class RenderedPoses {
       if (i >= 0 && decay(error, this.now.paceAt(i), passedUs / 1e6)) addError(this.now.poseAt(i), error);
       else this.errors.delete(id);
     }
-    this.drawnNowUs = nowUs;
-    this.drawnAtUs = serverUs;
-    this.drawnNewestUs = newestUs;
+    this.lastSampleUs = nowUs;
+    this.lastRenderTimeUs = serverUs;
+    this.lastNewestFrameUs = newestUs;
   }
 
   /** The last picture was a guess, and now there are the frames that it lacked: what would it have shown? */
   private noteErrors(frames: FrameBuffer): void {
     const right = this.before;
-    right.update(frames, this.drawnAtUs);
+    right.update(frames, this.lastRenderTimeUs);
     for (let i = 0; i < this.count; i++) {
       const id = this.ids[i]!;
       const k = right.indexOf(id);
@@ -179,7 +179,7 @@ export class RenderedPoses {
       const pose = right.poseAt(k);
       if (shown.every((value, c) => value === pose[c])) this.errors.delete(id);
       else {
-        const error = jumpedSince(frames, id, this.drawnNewestUs) ? undefined : poseError(shown, pose, right.paceAt(k));
+        const error = jumpedSince(frames, id, this.lastNewestFrameUs) ? undefined : poseError(shown, pose, right.paceAt(k));
         if (error) this.errors.set(id, error);
         else this.errors.delete(id);
       }

@@ -30,7 +30,7 @@ function indexOf(count: number, idAt: (i: number) => number, id: number): number
 const indexIn = ({ entities }: PoseFrame, id: number) => indexOf(entities.length, (i) => entities[i]!.id, id);
 
 /** Poses at one moment, without errors; reused, so that nothing is allocated while the number of entities stays. */
-class Moment {
+class FrameSample {
   ids = new Uint32Array(0);
   poses = new Float64Array(0);
   paces = new Float64Array(0); // speed and spin of each
@@ -124,8 +124,8 @@ function jumpedSince(frames: FrameBuffer, id: number, serverUs: number): boolean
 export class RenderedPoses {
   /** s past the frame that it is drawn from; mostly a little before it. */
   seconds = 0;
-  private readonly now = new Moment();
-  private readonly before = new Moment();
+  private readonly now = new FrameSample();
+  private readonly before = new FrameSample();
   private readonly errors = new Map<number, Pose>(); // by entity
   // The last picture: its time on our clock and on the server's, and what was the newest frame.
   private lastSampleUs = 0;

@@ -18,7 +18,7 @@ export interface PoseFrame {
 }
 
 const RING = 32;
-const FASTEST = 100; // m/s: what went further did not fly there
+const TELEPORT_SPEED = 100; // m/s: what went further did not fly there
 
 interface Placed {
   readonly position: ArrayLike<number>;
@@ -28,7 +28,7 @@ interface Placed {
 /** POSE_FLOATS. */
 function poseBetween(a: Placed, b: Placed, t: number, widthUs: number): number[] {
   const [p, q, r, s] = [a.position, b.position, a.rotation, b.rotation];
-  if (Math.hypot(q[0]! - p[0]!, q[1]! - p[1]!, q[2]! - p[2]!) * 1e6 > FASTEST * widthUs) return [...Array.from(p), ...Array.from(r)];
+  if (Math.hypot(q[0]! - p[0]!, q[1]! - p[1]!, q[2]! - p[2]!) * 1e6 > TELEPORT_SPEED * widthUs) return [...Array.from(p), ...Array.from(r)];
   const turn = [0, 1, 2, 3];
   const sign = turn.reduce((dot, k) => dot + r[k]! * s[k]!, 0) < 0 ? -1 : 1; // the shorter way round
   const mixed = turn.map((k) => r[k]! + t * (sign * s[k]! - r[k]!));

@@ -7,12 +7,12 @@ import { POSE_FLOATS, type FrameBuffer, type PoseFrame } from './frame_buffer';
 import { addError, decay, poseError, type Pose } from './pose_error';
 
 const EXTRAPOLATE_US = 50_000;
-const FASTEST = 100; // m/s
-const UNSEEN_US = 250_000; // who did not draw for so long shows the world anew: nobody saw what it looked like before
+const TELEPORT_SPEED = 100; // m/s
+const SAMPLE_GAP_MAX_US = 250_000; // who did not draw for so long shows the world anew: nobody saw what it looked like before
 
-function isJump(a: Float64Array, i: number, b: Float64Array, k: number, widthUs: number): boolean {
+function isTeleport(a: Float64Array, i: number, b: Float64Array, k: number, widthUs: number): boolean {
   const distance = Math.hypot(b[k]! - a[i]!, b[k + 1]! - a[i + 1]!, b[k + 2]! - a[i + 2]!);
-  return distance * 1e6 > FASTEST * widthUs;
+  return distance * 1e6 > TELEPORT_SPEED * widthUs;
 }
 
 /** Where an id is in a rising list; -1: nowhere. */
@@ -57,7 +57,7 @@ class FrameSample {
       const old = a.entities[from];
       const known = old?.id === entity.id && old !== entity;
       if (!known) this.copy(b.poses, i, i);
-      else if (isJump(a.poses, from * POSE_FLOATS, b.poses, i * POSE_FLOATS, width))
+      else if (isTeleport(a.poses, from * POSE_FLOATS, b.poses, i * POSE_FLOATS, width))
         this.copy(t < 1 ? a.poses : b.poses, t < 1 ? from : i, i);
       else this.blend(a.poses, from, b.poses, i, t, width / 1e6);
     }
@@ -66,7 +66,7 @@ class FrameSample {
   poseAt(i: number): Pose {
     return this.poses.subarray(i * POSE_FLOATS, (i + 1) * POSE_FLOATS);
   }
-  paceAt(i: number) {
+  speedAt(i: number) {
     return { speed: this.paces[2 * i]!, spin: this.paces[2 * i + 1]! };
   }
   indexOf(id: number): number {
@@ -110,13 +110,13 @@ class FrameSample {
   }
 }
 
-function jumpedSince(frames: FrameBuffer, id: number, serverUs: number): boolean {
+function teleportedSince(frames: FrameBuffer, id: number, serverUs: number): boolean {
   const list = frames.since(serverUs);
   for (let k = 1; k < list.length; k++) {
     const [a, b] = [list[k - 1]!, list[k]!];
     const i = indexIn(a, id);
     const j = indexIn(b, id);
-    if (i >= 0 && j >= 0 && isJump(a.poses, i * POSE_FLOATS, b.poses, j * POSE_FLOATS, b.serverUs - (a.heldUntilUs ?? a.serverUs))) return true;
+    if (i >= 0 && j >= 0 && isTeleport(a.poses, i * POSE_FLOATS, b.poses, j * POSE_FLOATS, b.serverUs - (a.heldUntilUs ?? a.serverUs))) return true;
   }
   return false;
 }
@@ -153,13 +153,13 @@ export class RenderedPoses {
   update(frames: FrameBuffer, serverUs: number, nowUs: number): void {
     const newestUs = frames.newest?.serverUs ?? 0;
     const passedUs = Math.max(0, nowUs - this.lastSampleUs);
-    if (passedUs > UNSEEN_US || newestUs < this.lastNewestFrameUs) this.errors.clear();
-    else if (this.lastRenderTimeUs > this.lastNewestFrameUs && newestUs > this.lastNewestFrameUs) this.noteErrors(frames);
+    if (passedUs > SAMPLE_GAP_MAX_US || newestUs < this.lastNewestFrameUs) this.errors.clear();
+    else if (this.lastRenderTimeUs > this.lastNewestFrameUs && newestUs > this.lastNewestFrameUs) this.updateErrors(frames);
     this.now.update(frames, serverUs);
     this.seconds = this.source ? Math.min(EXTRAPOLATE_US, serverUs - this.source.serverUs) / 1e6 : 0;
     for (const [id, error] of this.errors) {
       const i = this.now.indexOf(id);
-      if (i >= 0 && decay(error, this.now.paceAt(i), passedUs / 1e6)) addError(this.now.poseAt(i), error);
+      if (i >= 0 && decay(error, this.now.speedAt(i), passedUs / 1e6)) addError(this.now.poseAt(i), error);
       else this.errors.delete(id);
     }
     this.lastSampleUs = nowUs;
@@ -168,7 +168,7 @@ export class RenderedPoses {
   }
 
   /** The last picture was a guess, and now there are the frames that it lacked: what would it have shown? */
-  private noteErrors(frames: FrameBuffer): void {
+  private updateErrors(frames: FrameBuffer): void {
     const right = this.before;
     right.update(frames, this.lastRenderTimeUs);
     for (let i = 0; i < this.count; i++) {
@@ -179,7 +179,7 @@ export class RenderedPoses {
       const pose = right.poseAt(k);
       if (shown.every((value, c) => value === pose[c])) this.errors.delete(id);
       else {
-        const error = jumpedSince(frames, id, this.lastNewestFrameUs) ? undefined : poseError(shown, pose, right.paceAt(k));
+        const error = teleportedSince(frames, id, this.lastNewestFrameUs) ? undefined : poseError(shown, pose, right.speedAt(k));
         if (error) this.errors.set(id, error);
         else this.errors.delete(id);
       }

@@ -7,7 +7,7 @@
 export type Pose = Float64Array;
 
 /** Of a body: m/s, rad/s. */
-export interface Pace {
+export interface BodySpeed {
   readonly speed: number;
   readonly spin: number;
 }
@@ -19,8 +19,8 @@ const LEAST_SPIN = 1.5;
 const SHARE_OF_PACE = 0.35;
 const NOTHING = 1e-5; // m, rad
 
-const walkSpeed = (pace: Pace) => Math.max(LEAST_SPEED, SHARE_OF_PACE * pace.speed);
-const walkSpin = (pace: Pace) => Math.max(LEAST_SPIN, SHARE_OF_PACE * pace.spin);
+const walkSpeed = (pace: BodySpeed) => Math.max(LEAST_SPEED, SHARE_OF_PACE * pace.speed);
+const walkSpin = (pace: BodySpeed) => Math.max(LEAST_SPIN, SHARE_OF_PACE * pace.spin);
 const leftOf = (error: number, most: number, seconds: number) =>
   Math.max(error * 2 ** (-seconds / HALF_LIFE_S), error - most * seconds);
 
@@ -35,7 +35,7 @@ function multiply(a: Pose, b: Pose, out: Pose): void {
 }
 
 /** Shown less right: a translation and the rotation from right to shown; undefined where there is none or too much to walk. */
-export function poseError(shown: Pose, right: Pose, pace: Pace): Pose | undefined {
+export function poseError(shown: Pose, right: Pose, pace: BodySpeed): Pose | undefined {
   const error = new Float64Array(7);
   for (let k = 0; k < 3; k++) error[k] = shown[k]! - right[k]!;
   if (Math.hypot(error[0]!, error[1]!, error[2]!) > LONGEST_WALK_S * walkSpeed(pace)) return undefined;
@@ -54,7 +54,7 @@ export function addError(pose: Pose, error: Pose): void {
 }
 
 /** What is left of it after so many seconds; false: nothing. */
-export function decay(error: Pose, pace: Pace, seconds: number): boolean {
+export function decay(error: Pose, pace: BodySpeed, seconds: number): boolean {
   const distance = Math.hypot(error[0]!, error[1]!, error[2]!);
   const still = leftOf(distance, walkSpeed(pace), seconds);
   const share = still > NOTHING ? still / distance : 0;

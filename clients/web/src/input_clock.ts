@@ -4,13 +4,13 @@
 // the speed, for as long as it takes; more than ten ticks off, it jumps. The C++ client library has the same
 // (jostle/client/input_clock.h). Times in microseconds.
 
-const MEAN_SHARE = 1 / 8;
-const JITTER_SHARE = 1 / 16;
-const JITTERS_KEPT = 4;
+const MEAN_WEIGHT = 1 / 8;
+const JITTER_WEIGHT = 1 / 16;
+const JITTER_MARGIN_FACTOR = 4;
 const FIRST_JITTER_US = 4000;
 const STEER = 0.05;
 const JUMP_TICKS = 10;
-const MARGINS_IN_A_ROW = 3;
+const CONSECUTIVE_MARGINS = 3;
 const FRAMES_TOLD_FOR = 120;
 
 export class InputClock {
@@ -37,7 +37,7 @@ export class InputClock {
   }
 
   get targetUs(): number {
-    return this.tickUs + JITTERS_KEPT * this.jitter;
+    return this.tickUs + JITTER_MARGIN_FACTOR * this.jitter;
   }
   /** As told, smoothed. */
   get marginUs(): number {
@@ -75,9 +75,9 @@ export class InputClock {
     this.measured = true;
     // From one to the next: that the way became longer is no jitter.
     const change = Math.min(Math.abs(marginUs - this.last), 2 * this.tickUs);
-    this.jitter += JITTER_SHARE * (change - this.jitter);
+    this.jitter += JITTER_WEIGHT * (change - this.jitter);
     this.last = marginUs;
-    this.mean += MEAN_SHARE * (marginUs - this.mean);
+    this.mean += MEAN_WEIGHT * (marginUs - this.mean);
     this.steer(marginUs - this.targetUs);
   }
 
@@ -90,7 +90,7 @@ export class InputClock {
     }
     this.steerUs = Math.abs(off);
     this.early = off > 0 ? Math.max(0, this.early) + 1 : Math.min(0, this.early) - 1;
-    if (this.early >= MARGINS_IN_A_ROW) this.speed = 1 - STEER;
+    if (this.early >= CONSECUTIVE_MARGINS) this.speed = 1 - STEER;
     if (this.early <= -MARGINS_IN_A_ROW) this.speed = 1 + STEER;
   }
 

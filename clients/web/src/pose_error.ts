@@ -13,15 +13,15 @@ export interface BodySpeed {
 }
 
 const HALF_LIFE_S = 0.1;
-const LONGEST_WALK_S = 3;
-const LEAST_SPEED = 1.1;
-const LEAST_SPIN = 1.5;
-const SHARE_OF_PACE = 0.35;
-const NOTHING = 1e-5; // m, rad
+const CORRECTION_TIME_MAX_S = 3;
+const CORRECTION_SPEED_MIN = 1.1;
+const CORRECTION_SPIN_MIN = 1.5;
+const CORRECTION_SPEED_RATIO = 0.35;
+const NEGLIGIBLE = 1e-5; // m, rad
 
-const walkSpeed = (pace: BodySpeed) => Math.max(LEAST_SPEED, SHARE_OF_PACE * pace.speed);
-const walkSpin = (pace: BodySpeed) => Math.max(LEAST_SPIN, SHARE_OF_PACE * pace.spin);
-const leftOf = (error: number, most: number, seconds: number) =>
+const correctionSpeed = (pace: BodySpeed) => Math.max(CORRECTION_SPEED_MIN, CORRECTION_SPEED_RATIO * pace.speed);
+const correctionSpin = (pace: BodySpeed) => Math.max(CORRECTION_SPIN_MIN, CORRECTION_SPEED_RATIO * pace.spin);
+const remainingError = (error: number, most: number, seconds: number) =>
   Math.max(error * 2 ** (-seconds / HALF_LIFE_S), error - most * seconds);
 
 /** out = a * b, of quaternions that begin at the third number of a pose. */
@@ -38,7 +38,7 @@ function multiply(a: Pose, b: Pose, out: Pose): void {
 export function poseError(shown: Pose, right: Pose, pace: BodySpeed): Pose | undefined {
   const error = new Float64Array(7);
   for (let k = 0; k < 3; k++) error[k] = shown[k]! - right[k]!;
-  if (Math.hypot(error[0]!, error[1]!, error[2]!) > LONGEST_WALK_S * walkSpeed(pace)) return undefined;
+  if (Math.hypot(error[0]!, error[1]!, error[2]!) > CORRECTION_TIME_MAX_S * correctionSpeed(pace)) return undefined;
   const back = Float64Array.of(0, 0, 0, -right[3]!, -right[4]!, -right[5]!, right[6]!);
   multiply(shown, back, error);
   if (error[6]! < 0) for (let k = 3; k < 7; k++) error[k] = -error[k]!; // the shorter way
@@ -56,12 +56,12 @@ export function addError(pose: Pose, error: Pose): void {
 /** What is left of it after so many seconds; false: nothing. */
 export function decay(error: Pose, pace: BodySpeed, seconds: number): boolean {
   const distance = Math.hypot(error[0]!, error[1]!, error[2]!);
-  const still = leftOf(distance, walkSpeed(pace), seconds);
-  const share = still > NOTHING ? still / distance : 0;
+  const still = remainingError(distance, correctionSpeed(pace), seconds);
+  const share = still > NEGLIGIBLE ? still / distance : 0;
   for (let k = 0; k < 3; k++) error[k] = error[k]! * share;
   const sine = Math.hypot(error[3]!, error[4]!, error[5]!);
-  const angle = leftOf(2 * Math.atan2(sine, error[6]!), walkSpin(pace), seconds);
-  const turn = angle > NOTHING && sine > 0 ? Math.sin(angle / 2) / sine : 0;
+  const angle = remainingError(2 * Math.atan2(sine, error[6]!), correctionSpin(pace), seconds);
+  const turn = angle > NEGLIGIBLE && sine > 0 ? Math.sin(angle / 2) / sine : 0;
   for (let k = 3; k < 6; k++) error[k] = error[k]! * turn;
   error[6] = turn > 0 ? Math.cos(angle / 2) : 1;
   return share > 0 || turn > 0;

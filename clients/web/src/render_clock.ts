@@ -4,23 +4,23 @@
 // (jostle/client/render_clock.h). All in microseconds.
 
 const ARRIVALS_MAX = 256;
-const FRAMES_PER_LOOK = 8;
+const FRAMES_PER_UPDATE = 8;
 const REST_US = 200_000;
-const SILENCE_US = 500_000;
-const LONGEST_DELAY_US = 300_000;
+const FRAME_GAP_US = 500_000;
+const DELAY_MAX_US = 300_000;
 const FIRST_DELAY_US = 60_000;
-const AT_ONCE_SHARE = 0.25; // of their interval: frames that come faster one after the other came at once
+const BURST_INTERVAL_RATIO = 0.25; // of their interval: frames that come faster one after the other came at once
 const INTERVALS_BEHIND = 1.7;
-const JITTER_SHARE = 0.95;
+const JITTER_PERCENTILE = 0.95;
 // Of the difference to the delay that is wanted, by each frame.
-const GROW_SHARE = 1 / 60;
-const SHRINK_SHARE = 1 / 240;
+const DELAY_GROWTH_RATE = 1 / 60;
+const DELAY_SHRINK_RATE = 1 / 240;
 const SPEED_CHANGE_MAX = 0.08;
 const SETTLE_US = 500_000;
 const JUMP_US = 1_000_000;
 
 /** Of a list that may be put into another order. */
-function shareOf(values: Float64Array, share: number): number {
+function percentile(values: Float64Array, share: number): number {
   return values.sort()[Math.floor(share * (values.length - 1))]!;
 }
 
@@ -29,12 +29,12 @@ export class RenderClock {
   private readonly lateness = new Float64Array(ARRIVALS_MAX); // arrival less tick: the way, and how the clocks differ
   private readonly intervals = new Float64Array(ARRIVALS_MAX); // since the tick before; 0: tells nothing of the jitter
   private arrivals = 0; // so far
-  private wanted = FIRST_DELAY_US;
-  private untilLook = 0; // frames; what is wanted is looked at with every eighth
+  private targetDelayUs = FIRST_DELAY_US;
+  private framesUntilUpdate = 0; // frames; what is wanted is looked at with every eighth
   private newest = 0;
   private arrived = 0;
-  private shortest = 0; // lateness of the quickest of them
-  private silenceEnded = false; // and what it held up still comes
+  private minLatenessUs = 0; // lateness of the quickest of them
+  private gapEnded = false; // and what it held up still comes
   private started = false;
   private now = 0;
   /**
@@ -56,11 +56,11 @@ export class RenderClock {
     if (!first && serverUs <= this.newest) return;
     const interval = first ? 0 : serverUs - this.newest;
     const gap = first ? 0 : arrivedUs - this.arrived;
-    this.silenceEnded = (gap > SILENCE_US && !afterRest) || (this.silenceEnded && gap < AT_ONCE_SHARE * interval);
-    const inRhythm = !first && !afterRest && interval < REST_US && !this.silenceEnded;
+    this.gapEnded = (gap > FRAME_GAP_US && !afterRest) || (this.gapEnded && gap < BURST_INTERVAL_RATIO * interval);
+    const countsForJitter = !first && !afterRest && interval < REST_US && !this.gapEnded;
     const at = this.arrivals++ % ARRIVALS_MAX;
     this.lateness[at] = arrivedUs - serverUs;
-    this.intervals[at] = inRhythm ? interval : 0;
+    this.intervals[at] = countsForJitter ? interval : 0;
     this.newest = serverUs;
     this.arrived = arrivedUs;
     this.adapt();
@@ -72,7 +72,7 @@ export class RenderClock {
    */
   advance(nowUs: number): number {
     if (this.arrivals === 0) return 0;
-    const target = nowUs - this.shortest - this.delayUs;
+    const target = nowUs - this.minLatenessUs - this.delayUs;
     if (!this.started) {
       this.started = true;
       this.now = nowUs;
@@ -98,13 +98,13 @@ export class RenderClock {
 
   private adapt(): void {
     const count = Math.min(this.arrivals, ARRIVALS_MAX);
-    this.shortest = this.lateness[0]!;
-    for (let k = 1; k < count; k++) this.shortest = Math.min(this.shortest, this.lateness[k]!);
-    if (this.untilLook-- === 0) {
-      this.untilLook = FRAMES_PER_LOOK - 1;
+    this.minLatenessUs = this.lateness[0]!;
+    for (let k = 1; k < count; k++) this.minLatenessUs = Math.min(this.minLatenessUs, this.lateness[k]!);
+    if (this.framesUntilUpdate-- === 0) {
+      this.framesUntilUpdate = FRAMES_PER_UPDATE - 1;
       this.look(count);
     }
-    this.delayUs += (this.wanted > this.delayUs ? GROW_SHARE : SHRINK_SHARE) * (this.wanted - this.delayUs);
+    this.delayUs += (this.targetDelayUs > this.delayUs ? DELAY_GROWTH_RATE : DELAY_SHRINK_RATE) * (this.targetDelayUs - this.delayUs);
   }
 
   private look(count: number): void {
@@ -114,11 +114,11 @@ export class RenderClock {
     for (let k = 0; k < count; k++) {
       if (this.intervals[k] === 0) continue;
       intervals[telling] = this.intervals[k]!;
-      late[telling++] = this.lateness[k]! - this.shortest;
+      late[telling++] = this.lateness[k]! - this.minLatenessUs;
     }
     if (telling === 0) return;
-    const interval = shareOf(intervals.subarray(0, telling), 0.5);
-    const jitter = shareOf(late.subarray(0, telling), JITTER_SHARE);
-    this.wanted = Math.min(LONGEST_DELAY_US, Math.max(INTERVALS_BEHIND * interval, interval + jitter));
+    const interval = percentile(intervals.subarray(0, telling), 0.5);
+    const jitter = percentile(late.subarray(0, telling), JITTER_PERCENTILE);
+    this.targetDelayUs = Math.min(DELAY_MAX_US, Math.max(INTERVALS_BEHIND * interval, interval + jitter));
   }
 }

@@ -31,12 +31,12 @@ class SteeredStream {
   }
 
   /** In steps of a millisecond. */
-  run(seconds: number, wayUs: number): void {
+  run(seconds: number, oneWayUs: number): void {
     const { clock } = this;
     for (const end = this.us + seconds * 1e6; this.us < end; this.us += 1000) {
       if (this.us % 16_000 === 0) {
         const now = Math.floor(this.us / TICK_US) - 4;
-        clock.onFrame(now, this.us - now * TICK_US, wayUs, this.us);
+        clock.onFrame(now, this.us - now * TICK_US, oneWayUs, this.us);
       }
       if (clock.tick(this.us) > this.tick)
         this.unsent.push({ sequence: ++this.sequence, tick: (this.tick = clock.tick(this.us)) });

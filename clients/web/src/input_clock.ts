@@ -8,27 +8,27 @@ const MEAN_WEIGHT = 1 / 8;
 const JITTER_WEIGHT = 1 / 16;
 const JITTER_MARGIN_FACTOR = 4;
 const FIRST_JITTER_US = 4000;
-const STEER = 0.05;
+const SPEED_CORRECTION = 0.05;
 const JUMP_TICKS = 10;
 const CONSECUTIVE_MARGINS = 3;
-const FRAMES_TOLD_FOR = 120;
+const MARGIN_TIMEOUT_FRAMES = 120;
 
 export class InputClock {
   ready = false;
   speed = 1;
   jumps = 0;
   private tickUs = 1e6 / 60;
-  private place = 0; // in ticks
+  private positionTicks = 0; // in ticks
   private now = 0;
-  private steerUs = 0; // how much is still to be won or lost
+  private correctionUs = 0; // how much is still to be won or lost
   private measured = false;
   private mean = 0;
   private last = 0;
   private jitter = FIRST_JITTER_US;
-  private framesUntold = 0; // since the last margin
-  private early = 0; // how many margins in a row were beyond; negative: short of it
+  private framesSinceMargin = 0; // since the last margin
+  private consecutiveOutOfRange = 0; // how many margins in a row were beyond; negative: short of it
   private sentSequence = 0;
-  private toldSequence = 0;
+  private lastMarginSequence = 0;
 
   /** A stream of a world with so many ticks a second begins. */
   begin(tickHz: number): void {
@@ -45,17 +45,17 @@ export class InputClock {
   }
 
   /** A frame arrived: its tick was due so long ago, by the server's clock; and how long an input is on its way. */
-  onFrame(tick: number, dueAgoUs: number, wayUs: number, nowUs: number): void {
-    const wanted = tick + (dueAgoUs + wayUs + this.targetUs) / this.tickUs;
+  onFrame(tick: number, dueAgoUs: number, oneWayUs: number, nowUs: number): void {
+    const wanted = tick + (dueAgoUs + oneWayUs + this.targetUs) / this.tickUs;
     if (!this.ready) {
       this.ready = true;
-      this.place = wanted;
+      this.positionTicks = wanted;
       this.now = nowUs;
       return;
     }
     // Margins know better; but without inputs there are none.
     const off = wanted - this.position(nowUs);
-    if (++this.framesUntold > FRAMES_TOLD_FOR && Math.abs(off) > JUMP_TICKS) this.jump(off);
+    if (++this.framesSinceMargin > MARGIN_TIMEOUT_FRAMES && Math.abs(off) > JUMP_TICKS) this.jump(off);
   }
 
   /** Inputs up to that number have left. */
@@ -68,9 +68,9 @@ export class InputClock {
    * none.
    */
   onMargin(sequence: number, marginUs: number): void {
-    if (sequence <= this.toldSequence || marginUs === 0) return;
-    this.toldSequence = sequence;
-    this.framesUntold = 0;
+    if (sequence <= this.lastMarginSequence || marginUs === 0) return;
+    this.lastMarginSequence = sequence;
+    this.framesSinceMargin = 0;
     if (!this.measured) this.mean = this.last = marginUs;
     this.measured = true;
     // From one to the next: that the way became longer is no jitter.
@@ -84,35 +84,35 @@ export class InputClock {
   private steer(off: number): void {
     if (Math.abs(off) > JUMP_TICKS * this.tickUs) return this.jump(-off / this.tickUs);
     if (Math.abs(off) < this.tickUs) {
-      this.early = 0;
+      this.consecutiveOutOfRange = 0;
       this.speed = 1;
       return;
     }
-    this.steerUs = Math.abs(off);
-    this.early = off > 0 ? Math.max(0, this.early) + 1 : Math.min(0, this.early) - 1;
-    if (this.early >= CONSECUTIVE_MARGINS) this.speed = 1 - STEER;
-    if (this.early <= -MARGINS_IN_A_ROW) this.speed = 1 + STEER;
+    this.correctionUs = Math.abs(off);
+    this.consecutiveOutOfRange = off > 0 ? Math.max(0, this.consecutiveOutOfRange) + 1 : Math.min(0, this.consecutiveOutOfRange) - 1;
+    if (this.consecutiveOutOfRange >= CONSECUTIVE_MARGINS) this.speed = 1 - SPEED_CORRECTION;
+    if (this.consecutiveOutOfRange <= -MARGINS_IN_A_ROW) this.speed = 1 + SPEED_CORRECTION;
   }
 
   private jump(ticks: number): void {
-    this.place += ticks;
+    this.positionTicks += ticks;
     this.jumps++;
     this.speed = 1;
-    this.early = 0;
+    this.consecutiveOutOfRange = 0;
     this.measured = false;
-    this.toldSequence = Math.max(this.toldSequence, this.sentSequence);
+    this.lastMarginSequence = Math.max(this.lastMarginSequence, this.sentSequence);
   }
 
   /** In ticks, with a fraction; never back but by a jump. 0 until ready. */
   position(nowUs: number): number {
     if (this.ready && nowUs > this.now) {
       const passed = nowUs - this.now;
-      this.place += (passed * this.speed) / this.tickUs;
+      this.positionTicks += (passed * this.speed) / this.tickUs;
       this.now = nowUs;
-      this.steerUs -= Math.abs(this.speed - 1) * passed;
-      if (this.steerUs <= 0) this.speed = 1;
+      this.correctionUs -= Math.abs(this.speed - 1) * passed;
+      if (this.correctionUs <= 0) this.speed = 1;
     }
-    return this.place;
+    return this.positionTicks;
   }
 
   /** The tick that an input of now is meant for: the next whole one. */

@@ -11,18 +11,18 @@ class Feed {
   least = 1;
   greatest = 1;
 
-  frames(count: number, wayUs: number): void {
+  frames(count: number, oneWayUs: number): void {
     for (let k = 0; k < count; k++) {
       this.due += 16_667;
       this.ours += 16_667;
-      this.clock.onFrame(this.due, this.ours + wayUs);
-      this.clock.advance(this.ours + wayUs);
+      this.clock.onFrame(this.due, this.ours + oneWayUs);
+      this.clock.advance(this.ours + oneWayUs);
       this.least = Math.min(this.least, this.clock.speed);
       this.greatest = Math.max(this.greatest, this.clock.speed);
     }
   }
-  behindMs(wayUs: number): number {
-    return (this.due + wayUs - this.clock.renderTimeUs) / 1000;
+  behindMs(oneWayUs: number): number {
+    return (this.due + oneWayUs - this.clock.renderTimeUs) / 1000;
   }
 }
 

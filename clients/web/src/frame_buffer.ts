@@ -20,13 +20,13 @@ export interface PoseFrame {
 const RING = 32;
 const TELEPORT_SPEED = 100; // m/s: what went further did not fly there
 
-interface Placed {
+interface PoseLike {
   readonly position: ArrayLike<number>;
   readonly rotation: ArrayLike<number>;
 }
 
 /** POSE_FLOATS. */
-function poseBetween(a: Placed, b: Placed, t: number, widthUs: number): number[] {
+function poseBetween(a: PoseLike, b: PoseLike, t: number, widthUs: number): number[] {
   const [p, q, r, s] = [a.position, b.position, a.rotation, b.rotation];
   if (Math.hypot(q[0]! - p[0]!, q[1]! - p[1]!, q[2]! - p[2]!) * 1e6 > TELEPORT_SPEED * widthUs) return [...Array.from(p), ...Array.from(r)];
   const turn = [0, 1, 2, 3];

@@ -17,7 +17,7 @@ export interface PoseFrame {
   readonly channels: Channels;
 }
 
-const RING = 32;
+const FRAME_HISTORY_MAX = 32;
 const TELEPORT_SPEED = 100; // m/s: what went further did not fly there
 
 interface PoseLike {
@@ -37,7 +37,7 @@ function poseBetween(a: PoseLike, b: PoseLike, t: number, widthUs: number): numb
 }
 
 export class FrameBuffer {
-  private onTheirWay: ReadonlyMap<number, Blend> | undefined; // of the newest frame
+  private blendsOfNewest: ReadonlyMap<number, Blend> | undefined; // of the newest frame
   private frames: { quantized: QuantizedFrame; drawn: PoseFrame }[] = [];
 
   find(frame: number): QuantizedFrame | undefined {
@@ -51,8 +51,8 @@ export class FrameBuffer {
 
   /** `blends`: who is drawn on its way to where the frame has it (InterestCells), and how long a tick is. */
   add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS, blends?: ReadonlyMap<number, Blend>, tickUs = 0): PoseFrame {
-    const wereOnTheirWay = this.onTheirWay;
-    this.onTheirWay = blends;
+    const wereOnTheirWay = this.blendsOfNewest;
+    this.blendsOfNewest = blends;
     const before = this.newest;
     const poses = new Float64Array(quantized.entities.length * POSE_FLOATS);
     let from = 0;
@@ -72,7 +72,7 @@ export class FrameBuffer {
     });
     const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses, channels };
     this.frames.push({ quantized, drawn });
-    if (this.frames.length > RING) this.frames.shift();
+    if (this.frames.length > FRAME_HISTORY_MAX) this.frames.shift();
     return drawn;
   }
 

@@ -12,9 +12,9 @@ export interface CellUpdate {
   readonly crc: number;
 }
 
-const RING = 32;
+const FRAME_HISTORY_MAX = 32;
 const INTERVALS = 3;
-const LONGEST = 12; // ticks: nobody is shown later than that
+const BLEND_TICKS_MAX = 12; // ticks: nobody is shown later than that
 
 /** Of an entity that is on its way to where it was told to be. */
 export interface Blend {
@@ -39,7 +39,7 @@ export class InterestCells {
       // One that is told whole begins anew.
       if (states.length > 0 && state.frame <= states[states.length - 1]!.frame) states = [];
       states.push(state);
-      if (states.length > RING) states.shift();
+      if (states.length > FRAME_HISTORY_MAX) states.shift();
       this.cells.set(cell, states);
     }
   }
@@ -83,7 +83,7 @@ export class InterestCells {
   private progress(states: readonly QuantizedFrame[], number: number): number {
     const last = states.length - 1;
     if (last < 1) return 1;
-    let shortest = LONGEST;
+    let shortest = BLEND_TICKS_MAX;
     for (let k = last; k > 0 && k + INTERVALS > last; k--) shortest = Math.min(shortest, states[k]!.frame - states[k - 1]!.frame);
     const since = Math.max(0, number - states[last]!.frame);
     return shortest <= this.step ? 1 : Math.min(1, (since + this.step) / shortest);

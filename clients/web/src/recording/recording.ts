@@ -8,7 +8,7 @@ import { ServerMessageSchema, type ServerMessage, type Snapshot, type Welcome } 
 /** It is no recording that can be played. */
 export class RecordingError extends Error {}
 
-export interface Recorded {
+export interface RecordedMessage {
   /** The message as it came. */
   readonly bytes: Uint8Array;
   /** Of a snapshot; 0: it is none. */
@@ -31,7 +31,7 @@ const fault = (byte: number, what: string) => new RecordingError(`byte ${byte}: 
 const isWord = (bytes: Uint8Array, word: string) => [...word].every((letter, i) => bytes[i] === letter.charCodeAt(0));
 
 export class Recording {
-  readonly messages: readonly Recorded[]; // the first is the Welcome
+  readonly messages: readonly RecordedMessage[]; // the first is the Welcome
   readonly welcome: Welcome;
   readonly firstTick: number; // that can be shown
   readonly lastTick: number;
@@ -44,7 +44,7 @@ export class Recording {
       throw fault(0, 'it is no recording, which begins with the letters JREC; jostle-record makes one');
     const version = view.getUint32(4, true);
     if (version !== VERSION) throw fault(4, `it is a recording of version ${version}; this page plays version ${VERSION}`);
-    const messages: Recorded[] = [];
+    const messages: RecordedMessage[] = [];
     let cut = '';
     let dueUs = 0;
     let welcome: Welcome | undefined;
@@ -101,7 +101,7 @@ export class Recording {
 }
 
 /** Frames of the last snapshots. */
-function tail(messages: readonly Recorded[]): number[] {
+function tail(messages: readonly RecordedMessage[]): number[] {
   return messages.filter(({ frame }) => frame > 0).slice(-2).map(({ frame }) => frame);
 }
 

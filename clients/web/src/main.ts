@@ -179,7 +179,7 @@ function play(stream: RecordedStream | undefined): void {
 async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise<void> {
   try {
     const recording = new Recording(new Uint8Array(await bytes));
-    if (recording.cut) toasts.say(`${name} is played as far as it goes: ${recording.cut}`);
+    if (recording.truncationReason) toasts.say(`${name} is played as far as it goes: ${recording.truncationReason}`);
     driving.letGo();
     play(new RecordedStream(recording));
     connection.join('');

@@ -63,7 +63,7 @@ export class ModuleView {
 
   constructor(
     scene: THREE.Scene,
-    private readonly drawers = DRAWERS,
+    private readonly module_renderers = DRAWERS,
   ) {
     scene.add(this.lines.object);
     this.solids = new Solids(scene);
@@ -116,7 +116,7 @@ export class ModuleView {
   }
 
   private drawerOf({ kinds }: Shown, kind: number): Drawer | undefined {
-    return this.drawers.get(kinds[kind]?.name ?? '');
+    return this.module_renderers.get(kinds[kind]?.name ?? '');
   }
 
   /** Of some of its channels, which are in order of their kinds. */

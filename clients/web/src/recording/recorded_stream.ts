@@ -7,9 +7,9 @@ import type { Socket } from '../connection';
 import { ClientMessageSchema, ServerMessageSchema } from '../gen/jostle/v1/play_pb';
 import type { Recording } from './recording';
 
-const LEAD_US = 200_000;
-const WALK_US = 1e6; // so far ahead is played through
-const LONGEST_PICTURE_US = 250_000; // who did not draw for longer did not watch
+const LEAD_TIME_US = 200_000;
+const REPLAY_AHEAD_MAX_US = 1e6; // so far ahead is played through
+const FRAME_TIME_MAX_US = 250_000; // who did not draw for longer did not watch
 
 export class RecordedStream implements Socket {
   binaryType = '';
@@ -23,10 +23,10 @@ export class RecordedStream implements Socket {
   private renderTimeUs: number; // on the server's clock
   private readonly firstUs: number;
   private readonly lastUs: number;
-  private drawnUs = 0;
+  private lastFrameUs = 0;
   private next = 0; // message to be handed over
-  private greeted = false;
-  private wantedUs: number | undefined;
+  private welcomed = false;
+  private seekUs: number | undefined;
 
   constructor(readonly recording: Recording) {
     this.firstUs = this.renderTimeUs = recording.dueUs(recording.firstTick);
@@ -35,7 +35,7 @@ export class RecordedStream implements Socket {
 
   /** As WebSockets open: by and by. */
   open(): this {
-    this.greeted = false;
+    this.welcomed = false;
     queueMicrotask(() => this.onopen?.());
     return this;
   }
@@ -43,17 +43,17 @@ export class RecordedStream implements Socket {
   send(bytes: Uint8Array): void {
     const { message } = fromBinary(ClientMessageSchema, bytes);
     if (message.case === 'hello') {
-      this.greeted = true;
-      this.wantedUs ??= this.renderTimeUs;
+      this.welcomed = true;
+      this.seekUs ??= this.renderTimeUs;
     } else if (message.case === 'ping') {
       const { clientTimeUs } = message.value;
       const pong = create(ServerMessageSchema, { message: { case: 'pong', value: { clientTimeUs, serverTimeUs: BigInt(Math.round(this.renderTimeUs)) } } });
-      this.give(toBinary(ServerMessageSchema, pong));
+      this.deliver(toBinary(ServerMessageSchema, pong));
     }
   }
 
   close(): void {
-    this.greeted = false;
+    this.welcomed = false;
   }
 
   // --- its time ---
@@ -73,7 +73,7 @@ export class RecordedStream implements Socket {
 
   /** Shows that many seconds after its beginning, with the next picture. */
   seek(seconds: number): void {
-    this.wantedUs = Math.min(this.lastUs, Math.max(this.firstUs, this.firstUs + seconds * 1e6));
+    this.seekUs = Math.min(this.lastUs, Math.max(this.firstUs, this.firstUs + seconds * 1e6));
   }
 
   play(): void {
@@ -83,19 +83,19 @@ export class RecordedStream implements Socket {
 
   /** A picture is drawn, at nowUs on our clock: what it shows, on the server's clock. */
   advance(nowUs: number): number {
-    const passed = Math.min(LONGEST_PICTURE_US, Math.max(0, nowUs - this.drawnUs));
-    this.drawnUs = nowUs;
-    if (!this.greeted) return this.renderTimeUs;
-    if (this.wantedUs !== undefined) {
-      const ahead = this.wantedUs - this.renderTimeUs;
-      this.renderTimeUs = this.wantedUs;
-      this.wantedUs = undefined;
-      if (this.next === 0 || ahead < 0 || ahead > WALK_US) this.begin();
+    const passed = Math.min(FRAME_TIME_MAX_US, Math.max(0, nowUs - this.lastFrameUs));
+    this.lastFrameUs = nowUs;
+    if (!this.welcomed) return this.renderTimeUs;
+    if (this.seekUs !== undefined) {
+      const ahead = this.seekUs - this.renderTimeUs;
+      this.renderTimeUs = this.seekUs;
+      this.seekUs = undefined;
+      if (this.next === 0 || ahead < 0 || ahead > REPLAY_AHEAD_MAX_US) this.begin();
     } else if (this.playing) {
       this.renderTimeUs = Math.min(this.lastUs, this.renderTimeUs + passed * this.speed);
       if (this.renderTimeUs >= this.lastUs) this.playing = false;
     }
-    this.handOver();
+    this.deliverMessages();
     return this.renderTimeUs;
   }
 
@@ -103,17 +103,17 @@ export class RecordedStream implements Socket {
     const { messages } = this.recording;
     let first = this.recording.keyframeBefore(this.recording.firstTick);
     for (let i = first; i < messages.length; i++) if (messages[i]!.keyframe && messages[i]!.dueUs <= this.renderTimeUs) first = i;
-    this.give(messages[0]!.bytes);
-    for (let i = 1; i < first; i++) if (messages[i]!.standing) this.give(messages[i]!.bytes);
+    this.deliver(messages[0]!.bytes);
+    for (let i = 1; i < first; i++) if (messages[i]!.persistent) this.deliver(messages[i]!.bytes);
     this.next = first;
   }
 
-  private handOver(): void {
+  private deliverMessages(): void {
     const { messages } = this.recording;
-    for (; this.next < messages.length && messages[this.next]!.dueUs <= this.renderTimeUs + LEAD_US; this.next++) this.give(messages[this.next]!.bytes);
+    for (; this.next < messages.length && messages[this.next]!.dueUs <= this.renderTimeUs + LEAD_TIME_US; this.next++) this.deliver(messages[this.next]!.bytes);
   }
 
-  private give(bytes: Uint8Array): void {
+  private deliver(bytes: Uint8Array): void {
     this.onmessage?.({ data: bytes.slice().buffer as ArrayBuffer });
   }
 }

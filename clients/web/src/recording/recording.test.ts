@@ -33,7 +33,7 @@ async function watch(recording: Recording) {
 describe('recording', () => {
   it('is read whole, by its records and not by its index', () => {
     const recording = new Recording(bytes());
-    expect([recording.firstTick, recording.lastTick, recording.cut]).toEqual([191, 550, '']);
+    expect([recording.firstTick, recording.lastTick, recording.truncationReason]).toEqual([191, 550, '']);
     expect(recording.messages.filter(({ keyframe }) => keyframe)).toHaveLength(3);
     expect(recording.welcome.tickHz).toBe(60);
   });
@@ -44,9 +44,9 @@ describe('recording', () => {
     let last = 0;
     for (let end = whole.length; end > 0; end -= 97) {
       try {
-        const cut = new Recording(whole.subarray(0, end));
-        expect(cut.messages.length).toBeLessThanOrEqual(messages);
-        last = cut.messages.length;
+        const truncationReason = new Recording(whole.subarray(0, end));
+        expect(truncationReason.messages.length).toBeLessThanOrEqual(messages);
+        last = truncationReason.messages.length;
       } catch (error) {
         expect(error).toBeInstanceOf(RecordingError);
       }
@@ -60,7 +60,7 @@ describe('recording', () => {
     const recording = new Recording(damaged);
     expect(recording.lastTick).toBeGreaterThan(191);
     expect(recording.lastTick).toBeLessThan(550);
-    expect(recording.cut).toMatch(/^byte \d+: the CRC of the record does not match: it is damaged$/);
+    expect(recording.truncationReason).toMatch(/^byte \d+: the CRC of the record does not match: it is damaged$/);
   });
 
   it('says what is wrong with what is none', () => {

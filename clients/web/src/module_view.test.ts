@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Channel } from './channels';
-import type { Drawer, Told } from './drawers/drawer';
+import type { ModuleRenderer, Told } from './drawers/drawer';
 import { DRAWN_KINDS, ModuleView, type Moment, type Shown } from './module_view';
 
 const WHITE = new THREE.Color(0xffffff);
@@ -11,7 +11,7 @@ const KINDS = [
 ];
 
 /** One line for each number, where the entity is. */
-const drawLines: Drawer = {
+const drawLines: ModuleRenderer = {
   draw(told, { lines, poseOf }) {
     for (const { entity, values } of told)
       for (const value of values) {
@@ -53,7 +53,7 @@ describe('what modules tell', () => {
 
   it('comes to its drawer all at once, and with how long ago it was told: half a second, of one that is told once a second', () => {
     const pictures: (readonly Told[])[] = [];
-    const view = new ModuleView(new THREE.Scene(), new Map([['rare', { draw: (told) => pictures.push(told) } as Drawer]]));
+    const view = new ModuleView(new THREE.Scene(), new Map([['rare', { draw: (told) => pictures.push(told) } as ModuleRenderer]]));
     view.update(shown(channel(0, 3), channel(0, 4), channel(1, 3)), moment());
     expect(pictures).toHaveLength(1);
     expect(pictures[0]!.map(({ entity }) => entity)).toEqual([3, 4]);

@@ -6,7 +6,7 @@ import type { Channel, Channels } from './channels';
 import { boats } from './drawers/boat';
 import { characters } from './drawers/character';
 import { destructibles } from './drawers/destruction';
-import type { Drawer, Drawing, Steering, Told } from './drawers/drawer';
+import type { ModuleRenderer, Drawing, Steering, Told } from './drawers/drawer';
 import { fields, waves } from './drawers/fields';
 import { hovercraft } from './drawers/hovercraft';
 import { ragdolls } from './drawers/ragdoll';
@@ -17,7 +17,7 @@ import { VertexBuffer } from './vertex_buffer';
 import { Water } from './water';
 
 /** By kind: a new one is a file in drawers/ and a line here. */
-const DRAWERS: ReadonlyMap<string, Drawer> = new Map([
+const DRAWERS: ReadonlyMap<string, ModuleRenderer> = new Map([
   ['boat', boats],
   ['character', characters],
   ['destruction', destructibles],
@@ -48,7 +48,7 @@ export interface Moment extends Pick<Drawing, 'nowMs' | 'around' | 'poseOf' | 'e
 
 /** What is told of one kind, and who draws it. */
 interface Part {
-  readonly drawer: Drawer;
+  readonly drawer: ModuleRenderer;
   readonly told: readonly Told[];
 }
 
@@ -115,7 +115,7 @@ export class ModuleView {
       .join(' · ');
   }
 
-  private drawerOf({ kinds }: Shown, kind: number): Drawer | undefined {
+  private drawerOf({ kinds }: Shown, kind: number): ModuleRenderer | undefined {
     return this.module_renderers.get(kinds[kind]?.name ?? '');
   }
 

@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { Drawer, Drawing } from './drawer';
+import type { ModuleRenderer, Drawing } from './drawer';
 import { ValueReader } from './value_reader';
 
 const REACH = 8; // m, of the screw, along each axis
@@ -59,7 +59,7 @@ function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: Drawin
   }
 }
 
-export const boats: Drawer = {
+export const boats: ModuleRenderer = {
   draw(told, drawing) {
     for (const { entity, values } of told) {
       const boat = readBoat(values);

@@ -1,7 +1,7 @@
 // The module "character": a face where it looks, arms and feet that swing with the way it goes. character.h has the layout.
 
 import * as THREE from 'three';
-import type { Drawer, Drawing } from './drawer';
+import type { ModuleRenderer, Drawing } from './drawer';
 import { ValueReader } from './value_reader';
 
 const GROUNDS = ['on ground', 'slides', 'in the air'] as const;
@@ -65,7 +65,7 @@ function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, 
   }
 }
 
-export const characters: Drawer = {
+export const characters: ModuleRenderer = {
   draw(told, drawing) {
     for (const { entity, values } of told) {
       const who = readCharacter(values);

@@ -2,7 +2,7 @@
 // destruction.h has the layout.
 
 import * as THREE from 'three';
-import { isOfModule, type Drawer } from './drawer';
+import { isOfModule, type ModuleRenderer } from './drawer';
 import { ValueReader } from './value_reader';
 
 export interface Whole {
@@ -27,7 +27,7 @@ function stone(id: number): number {
   return shade.setHSL(0.045 + 0.035 * turn, 0.3 + 0.16 * ((id * GOLDEN * 7) % 1), 0.48 + 0.16 * turn).getHex();
 }
 
-export const destructibles: Drawer = {
+export const destructibles: ModuleRenderer = {
   dress(_told, entities) {
     const colors = new Map<number, number>();
     for (const entity of entities.values())

@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { WaterLook } from '../water';
-import type { Drawer, Drawing } from './drawer';
+import type { ModuleRenderer, Drawing } from './drawer';
 import { ValueReader } from './value_reader';
 
 const KINDS = ['central', 'turbulence', 'user'] as const;
@@ -143,13 +143,13 @@ function drawRings([x, y, z]: Point, { lines }: Drawing): void {
       }
 }
 
-export const waves: Drawer = {
+export const waves: ModuleRenderer = {
   draw(told, { water, around }) {
     for (const { values, seconds } of told) for (const one of readWaters(values) ?? []) water.add(lookOf(one, seconds), around);
   },
 };
 
-export const fields: Drawer = {
+export const fields: ModuleRenderer = {
   draw(told, drawing) {
     for (const { values } of told) {
       const { others, blasts } = readFields(values) ?? { others: [], blasts: [] };

@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { Drawer, Drawing, Told } from './drawer';
+import type { ModuleRenderer, Drawing, Told } from './drawer';
 import { ValueReader } from './value_reader';
 
 const THRUSTERS = 4;
@@ -56,7 +56,7 @@ function drawHovercraft({ entity, values }: Told, { lines, poseOf }: Pick<Drawin
   }
 }
 
-export const hovercraft: Drawer = {
+export const hovercraft: ModuleRenderer = {
   draw(told, drawing) {
     for (const one of told) drawHovercraft(one, drawing);
   },

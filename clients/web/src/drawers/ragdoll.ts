@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { Entity } from '../gen/jostle/v1/play_pb';
-import { isOfModule, type Drawer, type Told } from './drawer';
+import { isOfModule, type ModuleRenderer, type Told } from './drawer';
 
 const MODES = ['limp', 'powered', 'kinematic'] as const;
 const BONES_MAX = 64;
@@ -48,7 +48,7 @@ const size = new THREE.Vector3();
 const EYE = new THREE.Color(0x16181d);
 const HAIR = new THREE.Color(0x3b2a20);
 
-export const ragdolls: Drawer = {
+export const ragdolls: ModuleRenderer = {
   draw(told, { solids, poseOf, entityOf }) {
     for (const entity of rootsOf(told)) {
       const head = entity + HEAD;

@@ -1,7 +1,7 @@
 // The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
 
 import * as THREE from 'three';
-import type { Drawer, Drawing } from './drawer';
+import type { ModuleRenderer, Drawing } from './drawer';
 import { ValueReader } from './value_reader';
 
 const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis
@@ -81,7 +81,7 @@ function speedOf({ wheels }: Car): number {
   return wheels.length === 0 ? 0 : wheels.reduce((sum, { spin, radius }) => sum + spin * radius, 0) / wheels.length;
 }
 
-export const vehicles: Drawer = {
+export const vehicles: ModuleRenderer = {
   draw(told, drawing) {
     for (const { entity, values, seconds } of told) {
       const car = readCar(values);

@@ -40,7 +40,7 @@ export interface Steering {
 }
 
 /** Of one kind: `told` is all of it in the frame that is shown. */
-export interface Drawer {
+export interface ModuleRenderer {
   draw?(told: readonly Told[], drawing: Drawing): void;
   readonly steering?: Steering;
   /** Colours for bodies that have none of their own. */

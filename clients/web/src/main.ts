@@ -13,7 +13,7 @@ import { HitMarks } from './hit_marks';
 import { networkConditionsFromQuery } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
-import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
+import { RENDERED_CHANNEL_KINDS, ModuleView, type Shown } from './module_view';
 import type { PredictionController } from './prediction/foreseen';
 import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
@@ -89,7 +89,7 @@ const open = networkConditions ? simulatedSocket(openSocket, networkConditions) 
 let recorded: RecordedStream | undefined;
 // ?predict=1: what a hand holds or a push hits answers at once.
 const predicts = new URLSearchParams(location.search).get('predict') === '1';
-const kinds = predicts ? [...DRAWN_KINDS, MOTION] : DRAWN_KINDS;
+const kinds = predicts ? [...RENDERED_CHANNEL_KINDS, MOTION] : RENDERED_CHANNEL_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
 const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
 let prediction: PredictionController | undefined;

@@ -2,7 +2,7 @@ import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Channel } from './channels';
 import type { ModuleRenderer, Told } from './drawers/drawer';
-import { DRAWN_KINDS, ModuleView, type Moment, type Shown } from './module_view';
+import { RENDERED_CHANNEL_KINDS, ModuleView, type Moment, type Shown } from './module_view';
 
 const WHITE = new THREE.Color(0xffffff);
 const KINDS = [
@@ -68,7 +68,7 @@ describe('what modules tell', () => {
   });
 
   it('is asked for by kinds that can be drawn', () => {
-    expect(DRAWN_KINDS).toContain('fields.waves');
+    expect(RENDERED_CHANNEL_KINDS).toContain('fields.waves');
     const view = new ModuleView(new THREE.Scene());
     const craft = channel(0, 3, ...new Array<number>(20).fill(0));
     view.update({ ...shown(craft), kinds: [{ name: 'hovercraft', divisor: 1 }] }, moment(() => [0, 0, 0, 0, 0, 0, 1]));

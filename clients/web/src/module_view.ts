@@ -17,7 +17,7 @@ import { VertexBuffer } from './vertex_buffer';
 import { Water } from './water';
 
 /** By kind: a new one is a file in drawers/ and a line here. */
-const DRAWERS: ReadonlyMap<string, ModuleRenderer> = new Map([
+const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([
   ['boat', boats],
   ['character', characters],
   ['destruction', destructibles],
@@ -29,7 +29,7 @@ const DRAWERS: ReadonlyMap<string, ModuleRenderer> = new Map([
 ]);
 
 /** Kinds that can be drawn. */
-export const DRAWN_KINDS: readonly string[] = [...DRAWERS.keys()];
+export const RENDERED_CHANNEL_KINDS: readonly string[] = [...RENDERERS.keys()];
 
 /** What is shown of what modules tell. */
 export interface Shown {
@@ -48,7 +48,7 @@ export interface Moment extends Pick<Drawing, 'nowMs' | 'around' | 'poseOf' | 'e
 
 /** What is told of one kind, and who draws it. */
 interface Part {
-  readonly drawer: ModuleRenderer;
+  readonly renderer: ModuleRenderer;
   readonly told: readonly Told[];
 }
 
@@ -63,7 +63,7 @@ export class ModuleView {
 
   constructor(
     scene: THREE.Scene,
-    private readonly module_renderers = DRAWERS,
+    private readonly module_renderers = RENDERERS,
   ) {
     scene.add(this.lines.object);
     this.solids = new Solids(scene);
@@ -77,7 +77,7 @@ export class ModuleView {
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
     const drawing: Drawing = { ...moment, lines, solids, water, blasts, debug };
-    for (const { drawer, told } of this.parts) drawer.draw?.(told, drawing);
+    for (const { renderer, told } of this.parts) renderer.draw?.(told, drawing);
     moment.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();
     blasts.update(moment.nowMs);
@@ -91,8 +91,8 @@ export class ModuleView {
     if (same && !changed) return undefined;
     this.dressed = dressing;
     const colors = new Map<number, number>();
-    for (const { drawer, told } of this.partsOf(shown, dressing))
-      for (const [entity, color] of drawer.dress?.(told, entities) ?? []) colors.set(entity, color);
+    for (const { renderer, told } of this.partsOf(shown, dressing))
+      for (const [entity, color] of renderer.dress?.(told, entities) ?? []) colors.set(entity, color);
     return colors;
   }
 
@@ -110,7 +110,7 @@ export class ModuleView {
   /** What everybody wants to know. */
   words(): string {
     return this.parts
-      .map(({ drawer, told }) => drawer.words?.(told) ?? '')
+      .map(({ renderer, told }) => renderer.words?.(told) ?? '')
       .filter((words) => words !== '')
       .join(' · ');
   }
@@ -131,15 +131,15 @@ export class ModuleView {
       else told.set(kind, [{ entity, values, seconds }]);
     }
     return [...told].flatMap(([kind, ofKind]) => {
-      const drawer = this.drawerOf(shown, kind);
-      return drawer ? [{ drawer, told: ofKind }] : [];
+      const renderer = this.drawerOf(shown, kind);
+      return renderer ? [{ renderer, told: ofKind }] : [];
     });
   }
 
   private atWheel(entity: number): { steering: Steering; told: Told } | undefined {
-    for (const { drawer, told } of this.parts) {
-      const one = drawer.steering && told.find((of) => of.entity === entity);
-      if (drawer.steering && one) return { steering: drawer.steering, told: one };
+    for (const { renderer, told } of this.parts) {
+      const one = renderer.steering && told.find((of) => of.entity === entity);
+      if (renderer.steering && one) return { steering: renderer.steering, told: one };
     }
     return undefined;
   }

@@ -6,7 +6,7 @@ import type { Channel, Channels } from './channels';
 import { boats } from './drawers/boat';
 import { characters } from './drawers/character';
 import { destructibles } from './drawers/destruction';
-import type { ModuleRenderer, Drawing, Steering, Told } from './drawers/drawer';
+import type { ModuleRenderer, RenderContext, Steering, Told } from './drawers/drawer';
 import { fields, waves } from './drawers/fields';
 import { hovercraft } from './drawers/hovercraft';
 import { ragdolls } from './drawers/ragdoll';
@@ -41,7 +41,7 @@ export interface Shown {
 }
 
 /** Of the moment that a picture shows. */
-export interface Moment extends Pick<Drawing, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
+export interface Moment extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
   /** What else is to be drawn, that no module tells. */
   decorate?(solids: Solids): void;
 }
@@ -76,7 +76,7 @@ export class ModuleView {
     this.parts = this.partsOf(shown, shown.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
-    const drawing: Drawing = { ...moment, lines, solids, water, blasts, debug };
+    const drawing: RenderContext = { ...moment, lines, solids, water, blasts, debug };
     for (const { renderer, told } of this.parts) renderer.draw?.(told, drawing);
     moment.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();

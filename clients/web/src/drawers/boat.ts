@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, Drawing } from './drawer';
+import type { ModuleRenderer, RenderContext } from './drawer';
 import { ValueReader } from './value_reader';
 
 const REACH = 8; // m, of the screw, along each axis
@@ -39,7 +39,7 @@ const place = new THREE.Vector3();
 const size = new THREE.Vector3();
 const UP = new THREE.Vector3(0, 1, 0);
 
-function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: Drawing): void {
+function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: RenderContext): void {
   origin.set(pose[0]!, pose[1]!, pose[2]!);
   rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
   turn.setFromAxisAngle(UP, -RUDDER_SHOWN * boat.rudder).premultiply(rotation);

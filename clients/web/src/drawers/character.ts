@@ -1,7 +1,7 @@
 // The module "character": a face where it looks, arms and feet that swing with the way it goes. character.h has the layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, Drawing } from './drawer';
+import type { ModuleRenderer, RenderContext } from './drawer';
 import { ValueReader } from './value_reader';
 
 const GROUNDS = ['on ground', 'slides', 'in the air'] as const;
@@ -42,7 +42,7 @@ const turn = new THREE.Quaternion();
 const place = new THREE.Vector3();
 const size = new THREE.Vector3();
 
-function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, { solids, entityOf }: Drawing): void {
+function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, { solids, entityOf }: RenderContext): void {
   const shape = entityOf(entity)?.shapes[0];
   if (shape?.kind.case !== 'capsule') return;
   const { radius: r, halfLength } = shape.kind.value;

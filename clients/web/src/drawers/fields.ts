@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { WaterLook } from '../water';
-import type { ModuleRenderer, Drawing } from './drawer';
+import type { ModuleRenderer, RenderContext } from './drawer';
 import { ValueReader } from './value_reader';
 
 const KINDS = ['central', 'turbulence', 'user'] as const;
@@ -112,7 +112,7 @@ export function lookOf({ level, waves }: WavyWater, seconds: number): WaterLook 
 const WIND = new THREE.Color(0x9ad1ff);
 const PULL = new THREE.Color(0xff9df0);
 
-function drawWind(wind: Point, { lines, around }: Drawing): void {
+function drawWind(wind: Point, { lines, around }: RenderContext): void {
   const [x, y, z] = wind;
   const speed = Math.hypot(x, y, z);
   if (speed === 0) return;
@@ -133,7 +133,7 @@ function drawWind(wind: Point, { lines, around }: Drawing): void {
     }
 }
 
-function drawRings([x, y, z]: Point, { lines }: Drawing): void {
+function drawRings([x, y, z]: Point, { lines }: RenderContext): void {
   const SIDES = 32;
   for (const radius of RINGS)
     for (let k = 0; k < SIDES; k++)

@@ -7,7 +7,7 @@ import type { Solids } from '../solids';
 import type { VertexBuffer } from '../vertex_buffer';
 import type { Water } from '../water';
 
-export interface Drawing {
+export interface RenderContext {
   readonly lines: VertexBuffer;
   readonly solids: Solids;
   readonly water: Water;
@@ -41,7 +41,7 @@ export interface Steering {
 
 /** Of one kind: `told` is all of it in the frame that is shown. */
 export interface ModuleRenderer {
-  draw?(told: readonly Told[], drawing: Drawing): void;
+  draw?(told: readonly Told[], drawing: RenderContext): void;
   readonly steering?: Steering;
   /** Colours for bodies that have none of their own. */
   dress?(told: readonly Told[], entities: ReadonlyMap<number, Entity>): Map<number, number>;

@@ -1,7 +1,7 @@
 // The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, Drawing } from './drawer';
+import type { ModuleRenderer, RenderContext } from './drawer';
 import { ValueReader } from './value_reader';
 
 const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis
@@ -63,7 +63,7 @@ const X = new THREE.Vector3(1, 0, 0);
 const Y = new THREE.Vector3(0, 1, 0);
 const LYING = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), -Math.PI / 2); // a cylinder's axis from y to x
 
-function drawWheel(wheel: Wheel, seconds: number, { solids }: Drawing): void {
+function drawWheel(wheel: Wheel, seconds: number, { solids }: RenderContext): void {
   center.set(...wheel.center).applyQuaternion(rotation).add(origin);
   // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
   turn.copy(rotation);

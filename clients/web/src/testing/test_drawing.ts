@@ -5,9 +5,9 @@ import type { Entity } from '../gen/jostle/v1/play_pb';
 import { Solids } from '../solids';
 import { VertexBuffer } from '../vertex_buffer';
 import { Water } from '../water';
-import type { Drawing } from '../drawers/drawer';
+import type { RenderContext } from '../drawers/drawer';
 
-export interface TestDrawing extends Drawing {
+export interface TestDrawing extends RenderContext {
   readonly flashes: number[][];
 }
 
@@ -15,7 +15,7 @@ export interface TestDrawing extends Drawing {
 export function testDrawing(
   pose: number[] | ((entity: number) => number[] | undefined) = [0, 0, 0, 0, 0, 0, 1],
   entities: ReadonlyMap<number, Entity> = new Map(),
-  more: Partial<Drawing> = {},
+  more: Partial<RenderContext> = {},
 ): TestDrawing {
   const scene = new THREE.Scene();
   const flashes: number[][] = [];

@@ -76,8 +76,8 @@ export class ModuleView {
     this.parts = this.partsOf(shown, shown.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
-    const drawing: RenderContext = { ...moment, lines, solids, water, blasts, debug };
-    for (const { renderer, told } of this.parts) renderer.draw?.(told, drawing);
+    const context: RenderContext = { ...moment, lines, solids, water, blasts, debug };
+    for (const { renderer, told } of this.parts) renderer.draw?.(told, context);
     moment.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();
     blasts.update(moment.nowMs);

@@ -60,11 +60,11 @@ function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: Render
 }
 
 export const boats: ModuleRenderer = {
-  draw(told, drawing) {
+  draw(told, context) {
     for (const { entity, values } of told) {
       const boat = readBoat(values);
-      const pose = drawing.poseOf(entity);
-      if (boat && pose) drawBoat(boat, pose, drawing);
+      const pose = context.poseOf(entity);
+      if (boat && pose) drawBoat(boat, pose, context);
     }
   },
   steering: {

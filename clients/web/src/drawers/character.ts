@@ -66,11 +66,11 @@ function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, 
 }
 
 export const characters: ModuleRenderer = {
-  draw(told, drawing) {
+  draw(told, context) {
     for (const { entity, values } of told) {
       const who = readCharacter(values);
-      const pose = drawing.poseOf(entity);
-      if (who && pose) drawCharacter(who, entity, pose, drawing);
+      const pose = context.poseOf(entity);
+      if (who && pose) drawCharacter(who, entity, pose, context);
     }
   },
   steering: {

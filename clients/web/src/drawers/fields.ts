@@ -150,14 +150,14 @@ export const waves: ModuleRenderer = {
 };
 
 export const fields: ModuleRenderer = {
-  draw(told, drawing) {
+  draw(told, context) {
     for (const { values } of told) {
       const { others, blasts } = readFields(values) ?? { others: [], blasts: [] };
-      for (const { point, radius } of blasts) drawing.blasts.add(...point, radius, drawing.nowMs);
-      if (!drawing.debug) continue;
+      for (const { point, radius } of blasts) context.blasts.add(...point, radius, context.nowMs);
+      if (!context.debug) continue;
       for (const field of others) {
-        if (field.kind === 'turbulence') drawWind(field.wind, drawing);
-        if (field.kind === 'central') drawRings(field.point, drawing);
+        if (field.kind === 'turbulence') drawWind(field.wind, context);
+        if (field.kind === 'central') drawRings(field.point, context);
       }
     }
   },

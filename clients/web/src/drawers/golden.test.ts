@@ -32,10 +32,10 @@ describe('golden channels', () => {
     expect(boat.rudder).toBeCloseTo(0.5, 2);
     boat.screw.forEach((x, axis) => expect(x).toBeCloseTo([0, -0.4, 2.4][axis]!, 3));
     for (const part of broken(values)) expect(readBoat(part)).toBeUndefined();
-    const drawing = testDrawing();
-    boats.draw!(told, drawing);
-    expect(drawing.solids.countOf('box')).toBe(2);
-    expect(drawing.solids.countOf('sphere')).toBeGreaterThan(3); // foam
+    const context = testDrawing();
+    boats.draw!(told, context);
+    expect(context.solids.countOf('box')).toBe(2);
+    expect(context.solids.countOf('sphere')).toBeGreaterThan(3); // foam
     expect(boats.steering!.words!(told[0]!)).toBe('');
     const dry = withValue(values, 5, 0);
     expect(boats.steering!.words!({ ...told[0]!, values: dry })).toBe('the screw is out of the water');
@@ -52,9 +52,9 @@ describe('golden channels', () => {
     expect(jumps).toMatchObject({ ground: 'in the air' });
     expect(jumps!.rising).toBeCloseTo(5 - (9.81 * 20) / 60, 0);
     for (const part of broken(told[0]!.values)) expect(readCharacter(part)).toBeUndefined();
-    const drawing = testDrawing(undefined, capsules([2, 3, 4]));
-    characters.draw!(told, drawing);
-    expect(drawing.solids.countOf('sphere')).toBe(3 * 5); // face, hands, feet
+    const context = testDrawing(undefined, capsules([2, 3, 4]));
+    characters.draw!(told, context);
+    expect(context.solids.countOf('sphere')).toBe(3 * 5); // face, hands, feet
     expect(characters.steering!.words!(told[1]!)).toBe('0.0 m/s · crouched');
   });
 
@@ -92,9 +92,9 @@ describe('golden channels', () => {
 
   it('of water that was told a while ago is drawn as it is now', () => {
     const told = goldenModule('fields', 0).map((one) => ({ ...one, seconds: 0.75 }));
-    const drawing = testDrawing();
-    waves.draw!(told, drawing);
-    expect(drawing.water.drawn).toHaveLength(1);
+    const context = testDrawing();
+    waves.draw!(told, context);
+    expect(context.water.drawn).toHaveLength(1);
     // The height over a place, by the formula of waves.h with the scene's own time.
     const time = 31 / 60 + 0.75;
     const wave = (amplitude: number, length: number, heading: number, phase: number) => {
@@ -103,7 +103,7 @@ describe('golden channels', () => {
       return amplitude * Math.cos(number * along - Math.sqrt(9.81 * number) * time + phase);
     };
     const right = 0.5 + wave(0.25, 16, 0.4, 0) + wave(0.125, 6, -0.5, 1);
-    expect(heightAt(drawing.water.drawn[0]!, 3, 4)).toBeCloseTo(right, 3);
+    expect(heightAt(context.water.drawn[0]!, 3, 4)).toBeCloseTo(right, 3);
     expect(lookOf(readWaters(told[0]!.values)![0]!, 0).waves).toHaveLength(2);
   });
 
@@ -143,9 +143,9 @@ describe('golden channels', () => {
     expect(colors.get(3)).toBe(colors.get(5)); // chest and upper arm: the shirt
     expect(colors.get(4)).toBe(colors.get(7)); // head and lower arm: skin
     expect(colors.get(3)).not.toBe(colors.get(14)); // the other's shirt
-    const drawing = testDrawing(undefined, entities);
-    ragdolls.draw!(told, drawing);
-    expect(drawing.solids.countOf('sphere')).toBe(2 * 3); // eyes and hair
+    const context = testDrawing(undefined, entities);
+    ragdolls.draw!(told, context);
+    expect(context.solids.countOf('sphere')).toBe(2 * 3); // eyes and hair
   });
 
   it('of a car: pulls away to the right on four wheels', () => {
@@ -169,9 +169,9 @@ describe('golden channels', () => {
     expect(right!.center[0]).toBeCloseTo(0.8, 3);
     // Four wheels are also three and a part of one, or three.
     for (const part of broken(values)) if (part.length % 9 !== 2) expect(readCar(part)).toBeUndefined();
-    const drawing = testDrawing();
-    vehicles.draw!(told, drawing);
-    expect(drawing.solids.countOf('cylinder')).toBe(8);
+    const context = testDrawing();
+    vehicles.draw!(told, context);
+    expect(context.solids.countOf('cylinder')).toBe(8);
     expect(vehicles.steering!.words!(told[0]!)).toMatch(/^\d+ km\/h · gear 1$/);
   });
 });

@@ -18,9 +18,9 @@ const VALUES = new Int32Array([
 
 const drawn = (values: Int32Array, pose: number[] | undefined) => {
   let asked = 0;
-  const drawing = testDrawing((entity) => ((asked = entity), pose));
-  const { lines } = drawing;
-  hovercraft.draw!([{ entity: 258, values, seconds: 0 }], drawing);
+  const context = testDrawing((entity) => ((asked = entity), pose));
+  const { lines } = context;
+  hovercraft.draw!([{ entity: 258, values, seconds: 0 }], context);
   lines.end();
   const points = lines.object.geometry.getAttribute('position');
   const colors = lines.object.geometry.getAttribute('color');

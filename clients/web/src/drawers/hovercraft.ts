@@ -57,8 +57,8 @@ function drawHovercraft({ entity, values }: Told, { lines, poseOf }: Pick<Render
 }
 
 export const hovercraft: ModuleRenderer = {
-  draw(told, drawing) {
-    for (const one of told) drawHovercraft(one, drawing);
+  draw(told, context) {
+    for (const one of told) drawHovercraft(one, context);
   },
   steering: { keys: 'W S ahead and back · A D turn', camera: 'behind', distance: 9 },
 };

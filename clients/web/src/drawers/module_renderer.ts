@@ -41,7 +41,7 @@ export interface Steering {
 
 /** Of one kind: `told` is all of it in the frame that is shown. */
 export interface ModuleRenderer {
-  draw?(told: readonly Told[], drawing: RenderContext): void;
+  draw?(told: readonly Told[], context: RenderContext): void;
   readonly steering?: Steering;
   /** Colours for bodies that have none of their own. */
   dress?(told: readonly Told[], entities: ReadonlyMap<number, Entity>): Map<number, number>;

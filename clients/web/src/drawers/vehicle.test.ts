@@ -28,9 +28,9 @@ describe('vehicle', () => {
     for (const step of [-1, 0x10000]) expect(readCar(withValue(CAR, SPIN, step))).toBeUndefined();
   });
   it('is drawn as wheels that have turned and steer, where the chassis is', () => {
-    const drawing = testDrawing((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
-    vehicles.draw!([told(CAR)], drawing);
-    const { solids } = drawing;
+    const context = testDrawing((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
+    vehicles.draw!([told(CAR)], context);
+    const { solids } = context;
     expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
     const tyre = solids.matrixOf('cylinder', 0);
     const at = new THREE.Vector3().setFromMatrixPosition(tyre);
@@ -43,10 +43,10 @@ describe('vehicle', () => {
   });
   it('rolls on between ticks', () => {
     const spun = withValue(CAR, SPIN, 36044); // 40 rad/s
-    const drawing = testDrawing();
-    vehicles.draw!([told(spun, Math.PI / 80)], drawing);
+    const context = testDrawing();
+    vehicles.draw!([told(spun, Math.PI / 80)], context);
     // A quarter more: the top is behind the hub's height again, upside down.
-    expect(new THREE.Vector3(0, 1, 0).transformDirection(drawing.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);
+    expect(new THREE.Vector3(0, 1, 0).transformDirection(context.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);
   });
   it('says how fast and in which gear', () => {
     expect(vehicles.steering!.words!(told(CAR))).toBe('0 km/h · gear 2');

@@ -82,14 +82,14 @@ function speedOf({ wheels }: Car): number {
 }
 
 export const vehicles: ModuleRenderer = {
-  draw(told, drawing) {
+  draw(told, context) {
     for (const { entity, values, seconds } of told) {
       const car = readCar(values);
-      const pose = drawing.poseOf(entity);
+      const pose = context.poseOf(entity);
       if (!car || !pose) continue;
       origin.set(pose[0]!, pose[1]!, pose[2]!);
       rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
-      for (const wheel of car.wheels) drawWheel(wheel, seconds, drawing);
+      for (const wheel of car.wheels) drawWheel(wheel, seconds, context);
     }
   },
   steering: {

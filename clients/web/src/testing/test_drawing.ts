@@ -7,7 +7,7 @@ import { VertexBuffer } from '../vertex_buffer';
 import { Water } from '../water';
 import type { RenderContext } from '../drawers/drawer';
 
-export interface TestDrawing extends RenderContext {
+export interface TestRenderContext extends RenderContext {
   readonly flashes: number[][];
 }
 
@@ -16,10 +16,10 @@ export function testDrawing(
   pose: number[] | ((entity: number) => number[] | undefined) = [0, 0, 0, 0, 0, 0, 1],
   entities: ReadonlyMap<number, Entity> = new Map(),
   more: Partial<RenderContext> = {},
-): TestDrawing {
+): TestRenderContext {
   const scene = new THREE.Scene();
   const flashes: number[][] = [];
-  const drawing: TestDrawing = {
+  const drawing: TestRenderContext = {
     lines: VertexBuffer.lines(1),
     solids: new Solids(scene),
     water: new Water(scene),

@@ -4,7 +4,7 @@ import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
 import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { broken, goldenModule, withValue } from '../testing/golden_modules';
-import { testDrawing } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_drawing';
 import { heightAt } from '../water';
 import { boats, readBoat } from './boat';
 import { characters, readCharacter } from './character';
@@ -32,7 +32,7 @@ describe('golden channels', () => {
     expect(boat.rudder).toBeCloseTo(0.5, 2);
     boat.screw.forEach((x, axis) => expect(x).toBeCloseTo([0, -0.4, 2.4][axis]!, 3));
     for (const part of broken(values)) expect(readBoat(part)).toBeUndefined();
-    const context = testDrawing();
+    const context = testRenderContext();
     boats.draw!(told, context);
     expect(context.solids.countOf('box')).toBe(2);
     expect(context.solids.countOf('sphere')).toBeGreaterThan(3); // foam
@@ -52,7 +52,7 @@ describe('golden channels', () => {
     expect(jumps).toMatchObject({ ground: 'in the air' });
     expect(jumps!.rising).toBeCloseTo(5 - (9.81 * 20) / 60, 0);
     for (const part of broken(told[0]!.values)) expect(readCharacter(part)).toBeUndefined();
-    const context = testDrawing(undefined, capsules([2, 3, 4]));
+    const context = testRenderContext(undefined, capsules([2, 3, 4]));
     characters.draw!(told, context);
     expect(context.solids.countOf('sphere')).toBe(3 * 5); // face, hands, feet
     expect(characters.steering!.words!(told[1]!)).toBe('0.0 m/s · crouched');
@@ -92,7 +92,7 @@ describe('golden channels', () => {
 
   it('of water that was told a while ago is drawn as it is now', () => {
     const told = goldenModule('fields', 0).map((one) => ({ ...one, seconds: 0.75 }));
-    const context = testDrawing();
+    const context = testRenderContext();
     waves.draw!(told, context);
     expect(context.water.drawn).toHaveLength(1);
     // The height over a place, by the formula of waves.h with the scene's own time.
@@ -119,11 +119,11 @@ describe('golden channels', () => {
     });
     const withoutBlast = values.length - 4;
     for (const part of broken(values)) if (part.length !== withoutBlast) expect(readFields(part)).toBeUndefined();
-    const plain = testDrawing();
+    const plain = testRenderContext();
     fields.draw!(told, plain);
     expect(plain.flashes).toEqual([[4, 5, 6, 7, 0]]);
     expect(plain.lines.count).toBe(0);
-    const debug = testDrawing(undefined, undefined, { debug: true });
+    const debug = testRenderContext(undefined, undefined, { debug: true });
     fields.draw!(told, debug);
     expect(debug.lines.count).toBe(81 * 6 + 3 * 32 * 2);
   });
@@ -143,7 +143,7 @@ describe('golden channels', () => {
     expect(colors.get(3)).toBe(colors.get(5)); // chest and upper arm: the shirt
     expect(colors.get(4)).toBe(colors.get(7)); // head and lower arm: skin
     expect(colors.get(3)).not.toBe(colors.get(14)); // the other's shirt
-    const context = testDrawing(undefined, entities);
+    const context = testRenderContext(undefined, entities);
     ragdolls.draw!(told, context);
     expect(context.solids.countOf('sphere')).toBe(2 * 3); // eyes and hair
   });
@@ -169,7 +169,7 @@ describe('golden channels', () => {
     expect(right!.center[0]).toBeCloseTo(0.8, 3);
     // Four wheels are also three and a part of one, or three.
     for (const part of broken(values)) if (part.length % 9 !== 2) expect(readCar(part)).toBeUndefined();
-    const context = testDrawing();
+    const context = testRenderContext();
     vehicles.draw!(told, context);
     expect(context.solids.countOf('cylinder')).toBe(8);
     expect(vehicles.steering!.words!(told[0]!)).toMatch(/^\d+ km\/h · gear 1$/);

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { withValue } from '../testing/golden_modules';
-import { testDrawing } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_drawing';
 import { hovercraft, readThrusters } from './hovercraft';
 
 // Written by hand: thrusters at the corners of 2 by 2 m, half a metre below the origin. The first has a ray of 4 m and full thrust, the
@@ -18,7 +18,7 @@ const VALUES = new Int32Array([
 
 const drawn = (values: Int32Array, pose: number[] | undefined) => {
   let asked = 0;
-  const context = testDrawing((entity) => ((asked = entity), pose));
+  const context = testRenderContext((entity) => ((asked = entity), pose));
   const { lines } = context;
   hovercraft.draw!([{ entity: 258, values, seconds: 0 }], context);
   lines.end();

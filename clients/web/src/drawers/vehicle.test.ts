@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { withValue } from '../testing/golden_modules';
-import { testDrawing } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_drawing';
 import { readCar, vehicles } from './vehicle';
 
 // Written by hand: second gear, one wheel of half a metre, a quarter of a metre wide, at the origin of the chassis but a metre ahead; it
@@ -28,7 +28,7 @@ describe('vehicle', () => {
     for (const step of [-1, 0x10000]) expect(readCar(withValue(CAR, SPIN, step))).toBeUndefined();
   });
   it('is drawn as wheels that have turned and steer, where the chassis is', () => {
-    const context = testDrawing((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
+    const context = testRenderContext((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
     vehicles.draw!([told(CAR)], context);
     const { solids } = context;
     expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
@@ -43,7 +43,7 @@ describe('vehicle', () => {
   });
   it('rolls on between ticks', () => {
     const spun = withValue(CAR, SPIN, 36044); // 40 rad/s
-    const context = testDrawing();
+    const context = testRenderContext();
     vehicles.draw!([told(spun, Math.PI / 80)], context);
     // A quarter more: the top is behind the hub's height again, upside down.
     expect(new THREE.Vector3(0, 1, 0).transformDirection(context.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);

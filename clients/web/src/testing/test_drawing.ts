@@ -12,7 +12,7 @@ export interface TestRenderContext extends RenderContext {
 }
 
 /** Begun. All bodies are at `pose`, or where it says. */
-export function testDrawing(
+export function testRenderContext(
   pose: number[] | ((entity: number) => number[] | undefined) = [0, 0, 0, 0, 0, 0, 1],
   entities: ReadonlyMap<number, Entity> = new Map(),
   more: Partial<RenderContext> = {},

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Channel } from './channels';
-import type { ModuleRenderer, Told } from './drawers/drawer';
+import type { ModuleRenderer, ChannelData } from './drawers/drawer';
 import { RENDERED_CHANNEL_KINDS, ModuleView, type Moment, type Shown } from './module_view';
 
 const WHITE = new THREE.Color(0xffffff);
@@ -52,7 +52,7 @@ describe('what modules tell', () => {
   });
 
   it('comes to its drawer all at once, and with how long ago it was told: half a second, of one that is told once a second', () => {
-    const pictures: (readonly Told[])[] = [];
+    const pictures: (readonly ChannelData[])[] = [];
     const view = new ModuleView(new THREE.Scene(), new Map([['rare', { draw: (told) => pictures.push(told) } as ModuleRenderer]]));
     view.update(shown(channel(0, 3), channel(0, 4), channel(1, 3)), moment());
     expect(pictures).toHaveLength(1);

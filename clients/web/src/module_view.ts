@@ -6,7 +6,7 @@ import type { Channel, Channels } from './channels';
 import { boats } from './drawers/boat';
 import { characters } from './drawers/character';
 import { destructibles } from './drawers/destruction';
-import type { ModuleRenderer, RenderContext, Steering, Told } from './drawers/drawer';
+import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './drawers/drawer';
 import { fields, waves } from './drawers/fields';
 import { hovercraft } from './drawers/hovercraft';
 import { ragdolls } from './drawers/ragdoll';
@@ -49,7 +49,7 @@ export interface Moment extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf
 /** What is told of one kind, and who draws it. */
 interface Part {
   readonly renderer: ModuleRenderer;
-  readonly told: readonly Told[];
+  readonly told: readonly ChannelData[];
 }
 
 export class ModuleView {
@@ -121,7 +121,7 @@ export class ModuleView {
 
   /** Of some of its channels, which are in order of their kinds. */
   private partsOf(shown: Shown, channels: Channels): Part[] {
-    const told = new Map<number, Told[]>();
+    const told = new Map<number, ChannelData[]>();
     for (const { kind, entity, values } of channels) {
       // A kind is told in tick 1 and every `divisor` ticks from there.
       const ticks = (shown.frame - 1) % Math.max(shown.kinds[kind]?.divisor ?? 1, 1);
@@ -136,7 +136,7 @@ export class ModuleView {
     });
   }
 
-  private atWheel(entity: number): { steering: Steering; told: Told } | undefined {
+  private atWheel(entity: number): { steering: Steering; told: ChannelData } | undefined {
     for (const { renderer, told } of this.parts) {
       const one = renderer.steering && told.find((of) => of.entity === entity);
       if (renderer.steering && one) return { steering: renderer.steering, told: one };

@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, RenderContext, Told } from './drawer';
+import type { ModuleRenderer, RenderContext, ChannelData } from './drawer';
 import { ValueReader } from './value_reader';
 
 const THRUSTERS = 4;
@@ -39,7 +39,7 @@ const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const color = new THREE.Color();
 
-function drawHovercraft({ entity, values }: Told, { lines, poseOf }: Pick<RenderContext, 'lines' | 'poseOf'>): void {
+function drawHovercraft({ entity, values }: ChannelData, { lines, poseOf }: Pick<RenderContext, 'lines' | 'poseOf'>): void {
   const thrusters = readThrusters(values);
   const pose = poseOf(entity);
   if (!thrusters || !pose) return;

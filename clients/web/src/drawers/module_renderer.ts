@@ -23,7 +23,7 @@ export interface RenderContext {
 }
 
 /** One channel of a kind. */
-export interface Told {
+export interface ChannelData {
   readonly entity: number; // 0: the module itself
   readonly values: Int32Array;
   readonly seconds: number; // since the tick in which the server told it, at the moment that is shown; may be a little before it
@@ -36,17 +36,17 @@ export interface Steering {
   readonly camera: 'behind' | 'free';
   readonly distance: number; // m of the camera
   /** What the driver wants to know, like how fast. */
-  words?(told: Told): string;
+  words?(told: ChannelData): string;
 }
 
 /** Of one kind: `told` is all of it in the frame that is shown. */
 export interface ModuleRenderer {
-  draw?(told: readonly Told[], context: RenderContext): void;
+  draw?(told: readonly ChannelData[], context: RenderContext): void;
   readonly steering?: Steering;
   /** Colours for bodies that have none of their own. */
-  dress?(told: readonly Told[], entities: ReadonlyMap<number, Entity>): Map<number, number>;
+  dress?(told: readonly ChannelData[], entities: ReadonlyMap<number, Entity>): Map<number, number>;
   /** What everybody wants to know, in one line. */
-  words?(told: readonly Told[]): string;
+  words?(told: readonly ChannelData[]): string;
 }
 
 /** A body that a module made: no scene named it, no player spawned it. */

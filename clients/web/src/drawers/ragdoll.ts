@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { Entity } from '../gen/jostle/v1/play_pb';
-import { isOfModule, type ModuleRenderer, type Told } from './drawer';
+import { isOfModule, type ModuleRenderer, type ChannelData } from './drawer';
 
 const MODES = ['limp', 'powered', 'kinematic'] as const;
 const BONES_MAX = 64;
@@ -25,7 +25,7 @@ export function readMode(values: Int32Array): Mode | undefined {
 }
 
 /** The first bones of those that can be read. */
-const rootsOf = (told: readonly Told[]) => told.filter(({ values }) => readMode(values)).map(({ entity }) => entity);
+const rootsOf = (told: readonly ChannelData[]) => told.filter(({ values }) => readMode(values)).map(({ entity }) => entity);
 
 /** The bones of each figure, by its first one. */
 export function bonesOf(roots: readonly number[], entities: ReadonlyMap<number, Entity>): number[][] {

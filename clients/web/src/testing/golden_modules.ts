@@ -2,10 +2,10 @@
 
 import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
-import type { Told } from '../drawers/drawer';
+import type { ChannelData } from '../drawers/drawer';
 
 /** The channels of one of its kinds: a place in its channels(). */
-export function goldenModule(tag: string, kind = 0): Told[] {
+export function goldenModule(tag: string, kind = 0): ChannelData[] {
   const bytes = readFileSync(new URL(`../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
   let at = 0;
   const i32 = () => bytes.readInt32LE((at += 4) - 4);

@@ -315,7 +315,7 @@ function drawModules(shown: Shown): void {
   });
 }
 
-function dressBodies(shown: Shown): void {
+function colorBodies(shown: Shown): void {
   const colors = moduleView.dress(shown, entitiesChanged, connection.entities);
   entitiesChanged = false;
   if (colors) view.dress(colors);
@@ -327,7 +327,7 @@ function tellDriver(): void {
       choosing: tools.tool === 'drive',
       driven: connection.entities.get(driving.entity),
       keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
-      words: moduleView.drivenWords(driving.entity),
+      words: moduleView.controlledStatusText(driving.entity),
       general: moduleView.words() || offerWords(controllable),
     },
     controllable,
@@ -352,7 +352,7 @@ renderer.setAnimationLoop(() => {
   if (!recorded) prediction?.draw(drawn, connection.inputClock.position(now), now);
   timeline.update();
   const shown = shownNow();
-  dressBodies(shown);
+  colorBodies(shown);
   view.update(drawn);
   frameWorld();
   drawModules(shown);

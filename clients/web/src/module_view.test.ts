@@ -20,9 +20,9 @@ const drawLines: ModuleRenderer = {
         lines.vertex(x, value, 0, WHITE);
       }
   },
-  steering: { keys: 'W', camera: 'behind', distance: 5, words: ({ values }) => `number ${values[0]}` },
-  dress: (told) => new Map(told.map(({ entity, values }) => [entity, 0x100000 + values[0]!])),
-  words: (told) => `${told.length} of them`,
+  steering: { keys: 'W', camera: 'behind', distance: 5, statusText: ({ values }) => `number ${values[0]}` },
+  bodyColors: (told) => new Map(told.map(({ entity, values }) => [entity, 0x100000 + values[0]!])),
+  statusText: (told) => `${told.length} of them`,
 };
 const LINES = new Map([['lines', drawLines]]);
 
@@ -80,20 +80,20 @@ describe('what modules tell', () => {
     view.update(shown(channel(0, 9, 1), channel(1, 7, 70), channel(1, 8, 80)), moment());
     expect(view.steeringOf(8)?.keys).toBe('W');
     expect(view.steeringOf(9)).toBeUndefined();
-    expect(view.drivenWords(7)).toBe('number 70');
-    expect(view.drivenWords(9)).toBe('');
-    expect(view.words()).toBe('2 of them');
+    expect(view.controlledStatusText(7)).toBe('number 70');
+    expect(view.controlledStatusText(9)).toBe('');
+    expect(view.statusText()).toBe('2 of them');
   });
 
   it('dresses bodies anew only when a channel or the bodies are others', () => {
     const view = new ModuleView(new THREE.Scene(), LINES);
-    const dress = (changed: boolean, ...channels: Channel[]) => view.dress(shown(...channels), changed, new Map());
+    const bodyColors = (changed: boolean, ...channels: Channel[]) => view.bodyColors(shown(...channels), changed, new Map());
     const seven = channel(1, 7, 7);
-    expect(dress(false, seven)).toEqual(new Map([[7, 0x100007]]));
-    expect(dress(false, channel(0, 7, 1), seven)).toBeUndefined();
-    expect(dress(true, seven)).toEqual(new Map([[7, 0x100007]]));
-    expect(dress(false, channel(1, 7, 9))).toEqual(new Map([[7, 0x100009]]));
-    expect(dress(false)).toEqual(new Map());
-    expect(dress(false)).toBeUndefined();
+    expect(bodyColors(false, seven)).toEqual(new Map([[7, 0x100007]]));
+    expect(bodyColors(false, channel(0, 7, 1), seven)).toBeUndefined();
+    expect(bodyColors(true, seven)).toEqual(new Map([[7, 0x100007]]));
+    expect(bodyColors(false, channel(1, 7, 9))).toEqual(new Map([[7, 0x100009]]));
+    expect(bodyColors(false)).toEqual(new Map());
+    expect(bodyColors(false)).toBeUndefined();
   });
 });

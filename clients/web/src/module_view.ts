@@ -49,7 +49,7 @@ export interface Moment extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf
 /** What is told of one kind, and who draws it. */
 interface Part {
   readonly renderer: ModuleRenderer;
-  readonly told: readonly ChannelData[];
+  readonly data: readonly ChannelData[];
 }
 
 export class ModuleView {
@@ -59,7 +59,7 @@ export class ModuleView {
   readonly blasts: BlastMarks;
   debug = false;
   private parts: readonly Part[] = [];
-  private dressed: readonly Channel[] = [];
+  private coloredChannels: readonly Channel[] = [];
 
   constructor(
     scene: THREE.Scene,
@@ -77,41 +77,41 @@ export class ModuleView {
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
     const context: RenderContext = { ...moment, lines, solids, water, blasts, debug };
-    for (const { renderer, told } of this.parts) renderer.draw?.(told, context);
+    for (const { renderer, data } of this.parts) renderer.draw?.(data, context);
     moment.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();
     blasts.update(moment.nowMs);
   }
 
   /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
-  dress(shown: Shown, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
-    const dressing = shown.channels.filter(({ kind }) => this.drawerOf(shown, kind)?.dress);
+  bodyColors(shown: Shown, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
+    const dressing = shown.channels.filter(({ kind }) => this.drawerOf(shown, kind)?.bodyColors);
     // Frames share channels that did not change.
-    const same = dressing.length === this.dressed.length && dressing.every((channel, k) => channel === this.dressed[k]);
+    const same = dressing.length === this.coloredChannels.length && dressing.every((channel, k) => channel === this.coloredChannels[k]);
     if (same && !changed) return undefined;
-    this.dressed = dressing;
+    this.coloredChannels = dressing;
     const colors = new Map<number, number>();
-    for (const { renderer, told } of this.partsOf(shown, dressing))
-      for (const [entity, color] of renderer.dress?.(told, entities) ?? []) colors.set(entity, color);
+    for (const { renderer, data } of this.partsOf(shown, dressing))
+      for (const [entity, color] of renderer.bodyColors?.(data, entities) ?? []) colors.set(entity, color);
     return colors;
   }
 
   /** How an entity is driven; nothing when no module that we know has it. */
   steeringOf(entity: number): Steering | undefined {
-    return this.atWheel(entity)?.steering;
+    return this.controlledRenderer(entity)?.steering;
   }
 
   /** What the driver of that entity wants to know. */
-  drivenWords(entity: number): string {
-    const { steering, told } = this.atWheel(entity) ?? {};
-    return (told && steering?.words?.(told)) ?? '';
+  controlledStatusText(entity: number): string {
+    const { steering, data } = this.controlledRenderer(entity) ?? {};
+    return (data && steering?.statusText?.(data)) ?? '';
   }
 
   /** What everybody wants to know. */
-  words(): string {
+  statusText(): string {
     return this.parts
-      .map(({ renderer, told }) => renderer.words?.(told) ?? '')
-      .filter((words) => words !== '')
+      .map(({ renderer, data }) => renderer.statusText?.(data) ?? '')
+      .filter((statusText) => statusText !== '')
       .join(' · ');
   }
 
@@ -121,25 +121,25 @@ export class ModuleView {
 
   /** Of some of its channels, which are in order of their kinds. */
   private partsOf(shown: Shown, channels: Channels): Part[] {
-    const told = new Map<number, ChannelData[]>();
+    const data = new Map<number, ChannelData[]>();
     for (const { kind, entity, values } of channels) {
       // A kind is told in tick 1 and every `divisor` ticks from there.
       const ticks = (shown.frame - 1) % Math.max(shown.kinds[kind]?.divisor ?? 1, 1);
       const seconds = ticks / shown.tickHz + shown.later;
-      const ofKind = told.get(kind);
+      const ofKind = data.get(kind);
       if (ofKind) ofKind.push({ entity, values, seconds });
-      else told.set(kind, [{ entity, values, seconds }]);
+      else data.set(kind, [{ entity, values, seconds }]);
     }
-    return [...told].flatMap(([kind, ofKind]) => {
+    return [...data].flatMap(([kind, ofKind]) => {
       const renderer = this.drawerOf(shown, kind);
-      return renderer ? [{ renderer, told: ofKind }] : [];
+      return renderer ? [{ renderer, data: ofKind }] : [];
     });
   }
 
-  private atWheel(entity: number): { steering: Steering; told: ChannelData } | undefined {
-    for (const { renderer, told } of this.parts) {
-      const one = renderer.steering && told.find((of) => of.entity === entity);
-      if (renderer.steering && one) return { steering: renderer.steering, told: one };
+  private controlledRenderer(entity: number): { steering: Steering; data: ChannelData } | undefined {
+    for (const { renderer, data } of this.parts) {
+      const one = renderer.steering && data.find((of) => of.entity === entity);
+      if (renderer.steering && one) return { steering: renderer.steering, data: one };
     }
     return undefined;
   }

@@ -116,7 +116,7 @@ it('dresses bodies that have no colour of their own, and outlines all but ground
       shapes: [{ kind: { case: 'box', value: { halfExtents: { x: half, y: 1, z: half } } } }],
     });
   view.setEntities(new Map([[1, box(1, 100)], [2, box(2, 1)], [3, box(3, 1, 0x123456)]]), 0);
-  view.dress(new Map([[2, 0xabcdef], [3, 0xabcdef]]));
+  view.setBodyColors(new Map([[2, 0xabcdef], [3, 0xabcdef]]));
   const frames = new FrameBuffer();
   const at = (id: number, x: number) => ({ id, position: [512 * x, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false });
   frames.add({ frame: 1, entities: [at(1, 0), at(2, 5), at(3, -3)] }, 0, spec);

@@ -57,7 +57,7 @@ export class SceneView {
   private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
   private shadowReach = 0;
   private tints: ReadonlyMap<number, number> | undefined;
-  private dresses: ReadonlyMap<number, number> = new Map();
+  private bodyColors: ReadonlyMap<number, number> = new Map();
   private asleepMarked = false;
 
   constructor() {
@@ -191,7 +191,7 @@ export class SceneView {
   }
 
   private colorNow({ entity, color }: Shown): number {
-    const own = entity.color ?? this.dresses.get(entity.id) ?? color;
+    const own = entity.color ?? this.bodyColors.get(entity.id) ?? color;
     if (!this.tints || entity.mass <= 0) return own;
     return this.tints.get(entity.id) ?? NO_ISLAND;
   }
@@ -206,9 +206,9 @@ export class SceneView {
   }
 
   /** Colours for bodies that have none of their own. */
-  dress(colors: ReadonlyMap<number, number>): void {
-    const before = this.dresses;
-    this.dresses = colors;
+  setBodyColors(colors: ReadonlyMap<number, number>): void {
+    const before = this.bodyColors;
+    this.bodyColors = colors;
     for (const [id, shown] of this.shown) if (before.get(id) !== colors.get(id)) shown.asleep = undefined; // painted with the next picture
   }
 

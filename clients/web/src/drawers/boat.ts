@@ -60,8 +60,8 @@ function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: Render
 }
 
 export const boats: ModuleRenderer = {
-  draw(told, context) {
-    for (const { entity, values } of told) {
+  draw(data, context) {
+    for (const { entity, values } of data) {
       const boat = readBoat(values);
       const pose = context.poseOf(entity);
       if (boat && pose) drawBoat(boat, pose, context);
@@ -71,6 +71,6 @@ export const boats: ModuleRenderer = {
     keys: 'W ahead · S astern · A D rudder',
     camera: 'behind',
     distance: 11,
-    words: ({ values }) => (readBoat(values)?.wet === false ? 'the screw is out of the water' : ''),
+    statusText: ({ values }) => (readBoat(values)?.wet === false ? 'the screw is out of the water' : ''),
   },
 };

@@ -66,8 +66,8 @@ function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, 
 }
 
 export const characters: ModuleRenderer = {
-  draw(told, context) {
-    for (const { entity, values } of told) {
+  draw(data, context) {
+    for (const { entity, values } of data) {
       const who = readCharacter(values);
       const pose = context.poseOf(entity);
       if (who && pose) drawCharacter(who, entity, pose, context);
@@ -77,7 +77,7 @@ export const characters: ModuleRenderer = {
     keys: 'W A S D walk as the camera looks · drag to look round · space jumps · shift crouches',
     camera: 'free',
     distance: 5.5,
-    words({ values }) {
+    statusText({ values }) {
       const who = readCharacter(values);
       return who ? `${who.speed.toFixed(1)} m/s${who.ground === 'on ground' ? '' : ` · ${who.ground}`}${who.crouched ? ' · crouched' : ''}` : '';
     },

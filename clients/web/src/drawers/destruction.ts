@@ -28,15 +28,15 @@ function stone(id: number): number {
 }
 
 export const destructibles: ModuleRenderer = {
-  dress(_told, entities) {
+  bodyColors(_told, entities) {
     const colors = new Map<number, number>();
     for (const entity of entities.values())
       if (isOfModule(entity) && entity.shapes.length > 0 && entity.shapes.every(({ kind }) => kind.case === 'hull'))
         colors.set(entity.id, stone(entity.id));
     return colors;
   },
-  words(told) {
-    const wholes = told.flatMap(({ values }) => readWholes(values) ?? []);
+  statusText(data) {
+    const wholes = data.flatMap(({ values }) => readWholes(values) ?? []);
     if (wholes.length === 0) return '';
     const sum = (of: keyof Whole) => wholes.reduce((total, whole) => total + whole[of], 0);
     const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;

@@ -144,14 +144,14 @@ function drawRings([x, y, z]: Point, { lines }: RenderContext): void {
 }
 
 export const waves: ModuleRenderer = {
-  draw(told, { water, around }) {
-    for (const { values, seconds } of told) for (const one of readWaters(values) ?? []) water.add(lookOf(one, seconds), around);
+  draw(data, { water, around }) {
+    for (const { values, seconds } of data) for (const one of readWaters(values) ?? []) water.add(lookOf(one, seconds), around);
   },
 };
 
 export const fields: ModuleRenderer = {
-  draw(told, context) {
-    for (const { values } of told) {
+  draw(data, context) {
+    for (const { values } of data) {
       const { others, blasts } = readFields(values) ?? { others: [], blasts: [] };
       for (const { point, radius } of blasts) context.blasts.add(...point, radius, context.nowMs);
       if (!context.debug) continue;

@@ -24,57 +24,57 @@ const from = (first: number, count: number) => Array.from({ length: count }, (_,
 
 describe('golden channels', () => {
   it('of a boat: full ahead, the rudder half to the right, the screw in the water', () => {
-    const told = goldenModule('boat');
-    expect(told.map(({ entity }) => entity)).toEqual([1]);
-    const { values } = told[0]!;
+    const data = goldenModule('boat');
+    expect(data.map(({ entity }) => entity)).toEqual([1]);
+    const { values } = data[0]!;
     const boat = readBoat(values)!;
     expect(boat).toMatchObject({ throttle: 1, wet: true });
     expect(boat.rudder).toBeCloseTo(0.5, 2);
     boat.screw.forEach((x, axis) => expect(x).toBeCloseTo([0, -0.4, 2.4][axis]!, 3));
     for (const part of broken(values)) expect(readBoat(part)).toBeUndefined();
     const context = testRenderContext();
-    boats.draw!(told, context);
+    boats.draw!(data, context);
     expect(context.solids.countOf('box')).toBe(2);
     expect(context.solids.countOf('sphere')).toBeGreaterThan(3); // foam
-    expect(boats.steering!.words!(told[0]!)).toBe('');
+    expect(boats.steering!.statusText!(data[0]!)).toBe('');
     const dry = withValue(values, 5, 0);
-    expect(boats.steering!.words!({ ...told[0]!, values: dry })).toBe('the screw is out of the water');
+    expect(boats.steering!.statusText!({ ...data[0]!, values: dry })).toBe('the screw is out of the water');
   });
 
   it('of characters: one walks to the right, one crouches, one is in the air', () => {
-    const told = goldenModule('character');
-    expect(told.map(({ entity }) => entity)).toEqual([2, 3, 4]);
-    const [walks, crouches, jumps] = told.map(({ values }) => readCharacter(values));
+    const data = goldenModule('character');
+    expect(data.map(({ entity }) => entity)).toEqual([2, 3, 4]);
+    const [walks, crouches, jumps] = data.map(({ values }) => readCharacter(values));
     expect(walks).toMatchObject({ rigid: false, crouched: false, ground: 'on ground' });
     expect(walks!.heading).toBeCloseTo(-Math.PI / 2, 1);
     expect(walks!.speed).toBeCloseTo(3, 1);
     expect(crouches).toMatchObject({ rigid: true, crouched: true, ground: 'on ground' });
     expect(jumps).toMatchObject({ ground: 'in the air' });
     expect(jumps!.rising).toBeCloseTo(5 - (9.81 * 20) / 60, 0);
-    for (const part of broken(told[0]!.values)) expect(readCharacter(part)).toBeUndefined();
+    for (const part of broken(data[0]!.values)) expect(readCharacter(part)).toBeUndefined();
     const context = testRenderContext(undefined, capsules([2, 3, 4]));
-    characters.draw!(told, context);
+    characters.draw!(data, context);
     expect(context.solids.countOf('sphere')).toBe(3 * 5); // face, hands, feet
-    expect(characters.steering!.words!(told[1]!)).toBe('0.0 m/s · crouched');
+    expect(characters.steering!.statusText!(data[1]!)).toBe('0.0 m/s · crouched');
   });
 
   it('of two walls: one whole, one that lost its middle', () => {
-    const told = goldenModule('destruction');
-    expect(told.map(({ entity }) => entity)).toEqual([0]);
-    const { values } = told[0]!;
+    const data = goldenModule('destruction');
+    expect(data.map(({ entity }) => entity)).toEqual([0]);
+    const { values } = data[0]!;
     const [whole, hit] = readWholes(values)!;
     expect(whole).toEqual({ pieces: 1, bonds: 69, bondsAtFirst: 69 });
     expect(hit!.pieces).toBeGreaterThan(1);
     expect(hit!.bonds).toBeLessThan(69);
     // Two walls are also one, or none.
     for (const part of broken(values)) if (part.length % 3 !== 0) expect(readWholes(part)).toBeUndefined();
-    expect(destructibles.words!(told)).toBe('2 walls in 4 pieces · 84 % of the bonds hold');
+    expect(destructibles.statusText!(data)).toBe('2 walls in 4 pieces · 84 % of the bonds hold');
   });
 
   it('of water: waves that have run on for half a second', () => {
-    const told = goldenModule('fields', 0);
-    expect(told.map(({ entity }) => entity)).toEqual([0]);
-    const { values } = told[0]!;
+    const data = goldenModule('fields', 0);
+    expect(data.map(({ entity }) => entity)).toEqual([0]);
+    const { values } = data[0]!;
     const [water, ...others] = readWaters(values)!;
     expect(others).toEqual([]);
     const [long, short] = water!.waves;
@@ -91,9 +91,9 @@ describe('golden channels', () => {
   });
 
   it('of water that was told a while ago is drawn as it is now', () => {
-    const told = goldenModule('fields', 0).map((one) => ({ ...one, seconds: 0.75 }));
+    const data = goldenModule('fields', 0).map((one) => ({ ...one, seconds: 0.75 }));
     const context = testRenderContext();
-    waves.draw!(told, context);
+    waves.draw!(data, context);
     expect(context.water.drawn).toHaveLength(1);
     // The height over a place, by the formula of waves.h with the scene's own time.
     const time = 31 / 60 + 0.75;
@@ -104,12 +104,12 @@ describe('golden channels', () => {
     };
     const right = 0.5 + wave(0.25, 16, 0.4, 0) + wave(0.125, 6, -0.5, 1);
     expect(heightAt(context.water.drawn[0]!, 3, 4)).toBeCloseTo(right, 3);
-    expect(lookOf(readWaters(told[0]!.values)![0]!, 0).waves).toHaveLength(2);
+    expect(lookOf(readWaters(data[0]!.values)![0]!, 0).waves).toHaveLength(2);
   });
 
   it('of other fields: wind, an attraction and a blast, arrows and rings only in the debug view', () => {
-    const told = goldenModule('fields', 1);
-    const { values } = told[0]!;
+    const data = goldenModule('fields', 1);
+    const { values } = data[0]!;
     expect(readFields(values)).toEqual({
       others: [
         { kind: 'turbulence', wind: [2, 0, -1], speed: 1.5 },
@@ -120,38 +120,38 @@ describe('golden channels', () => {
     const withoutBlast = values.length - 4;
     for (const part of broken(values)) if (part.length !== withoutBlast) expect(readFields(part)).toBeUndefined();
     const plain = testRenderContext();
-    fields.draw!(told, plain);
+    fields.draw!(data, plain);
     expect(plain.flashes).toEqual([[4, 5, 6, 7, 0]]);
     expect(plain.lines.count).toBe(0);
     const debug = testRenderContext(undefined, undefined, { debug: true });
-    fields.draw!(told, debug);
+    fields.draw!(data, debug);
     expect(debug.lines.count).toBe(81 * 6 + 3 * 32 * 2);
   });
 
   it('of figures: a limp and a powered one, eleven bones each, dressed as people', () => {
-    const told = goldenModule('ragdoll');
-    expect(told.map(({ entity, values }) => [entity, readMode(values)])).toEqual([
+    const data = goldenModule('ragdoll');
+    expect(data.map(({ entity, values }) => [entity, readMode(values)])).toEqual([
       [2, 'limp'],
       [13, 'powered'],
     ]);
-    for (const part of broken(told[0]!.values)) expect(readMode(part)).toBeUndefined();
+    for (const part of broken(data[0]!.values)) expect(readMode(part)).toBeUndefined();
     expect(readMode(new Int32Array([3]))).toBeUndefined();
     const entities = new Map([...capsules(from(2, 22)), ...capsules([24], 'walker')]);
     expect(bonesOf([2, 13], entities)).toEqual([from(2, 11), from(13, 11)]);
-    const colors = ragdolls.dress!(told, entities);
+    const colors = ragdolls.bodyColors!(data, entities);
     expect(colors.size).toBe(22);
     expect(colors.get(3)).toBe(colors.get(5)); // chest and upper arm: the shirt
     expect(colors.get(4)).toBe(colors.get(7)); // head and lower arm: skin
     expect(colors.get(3)).not.toBe(colors.get(14)); // the other's shirt
     const context = testRenderContext(undefined, entities);
-    ragdolls.draw!(told, context);
+    ragdolls.draw!(data, context);
     expect(context.solids.countOf('sphere')).toBe(2 * 3); // eyes and hair
   });
 
   it('of a car: pulls away to the right on four wheels', () => {
-    const told = goldenModule('vehicle');
-    expect(told.map(({ entity }) => entity)).toEqual([2]);
-    const { values } = told[0]!;
+    const data = goldenModule('vehicle');
+    expect(data.map(({ entity }) => entity)).toEqual([2]);
+    const { values } = data[0]!;
     const car = readCar(values)!;
     expect(car.gear).toBe(1);
     expect(car.engine).toBeGreaterThan(0.13);
@@ -170,8 +170,8 @@ describe('golden channels', () => {
     // Four wheels are also three and a part of one, or three.
     for (const part of broken(values)) if (part.length % 9 !== 2) expect(readCar(part)).toBeUndefined();
     const context = testRenderContext();
-    vehicles.draw!(told, context);
+    vehicles.draw!(data, context);
     expect(context.solids.countOf('cylinder')).toBe(8);
-    expect(vehicles.steering!.words!(told[0]!)).toMatch(/^\d+ km\/h · gear 1$/);
+    expect(vehicles.steering!.statusText!(data[0]!)).toMatch(/^\d+ km\/h · gear 1$/);
   });
 });

@@ -57,8 +57,8 @@ function drawHovercraft({ entity, values }: ChannelData, { lines, poseOf }: Pick
 }
 
 export const hovercraft: ModuleRenderer = {
-  draw(told, context) {
-    for (const one of told) drawHovercraft(one, context);
+  draw(data, context) {
+    for (const one of data) drawHovercraft(one, context);
   },
   steering: { keys: 'W S ahead and back · A D turn', camera: 'behind', distance: 9 },
 };

@@ -36,17 +36,17 @@ export interface Steering {
   readonly camera: 'behind' | 'free';
   readonly distance: number; // m of the camera
   /** What the driver wants to know, like how fast. */
-  words?(told: ChannelData): string;
+  statusText?(data: ChannelData): string;
 }
 
 /** Of one kind: `told` is all of it in the frame that is shown. */
 export interface ModuleRenderer {
-  draw?(told: readonly ChannelData[], context: RenderContext): void;
+  draw?(data: readonly ChannelData[], context: RenderContext): void;
   readonly steering?: Steering;
   /** Colours for bodies that have none of their own. */
-  dress?(told: readonly ChannelData[], entities: ReadonlyMap<number, Entity>): Map<number, number>;
+  bodyColors?(data: readonly ChannelData[], entities: ReadonlyMap<number, Entity>): Map<number, number>;
   /** What everybody wants to know, in one line. */
-  words?(told: readonly ChannelData[]): string;
+  statusText?(data: readonly ChannelData[]): string;
 }
 
 /** A body that a module made: no scene named it, no player spawned it. */

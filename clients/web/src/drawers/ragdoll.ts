@@ -25,7 +25,7 @@ export function readMode(values: Int32Array): Mode | undefined {
 }
 
 /** The first bones of those that can be read. */
-const rootsOf = (told: readonly ChannelData[]) => told.filter(({ values }) => readMode(values)).map(({ entity }) => entity);
+const rootsOf = (data: readonly ChannelData[]) => data.filter(({ values }) => readMode(values)).map(({ entity }) => entity);
 
 /** The bones of each figure, by its first one. */
 export function bonesOf(roots: readonly number[], entities: ReadonlyMap<number, Entity>): number[][] {
@@ -49,8 +49,8 @@ const EYE = new THREE.Color(0x16181d);
 const HAIR = new THREE.Color(0x3b2a20);
 
 export const ragdolls: ModuleRenderer = {
-  draw(told, { solids, poseOf, entityOf }) {
-    for (const entity of rootsOf(told)) {
+  draw(data, { solids, poseOf, entityOf }) {
+    for (const entity of rootsOf(data)) {
       const head = entity + HEAD;
       const shape = entityOf(head)?.shapes[0];
       const pose = poseOf(head);
@@ -67,9 +67,9 @@ export const ragdolls: ModuleRenderer = {
       add(0, halfLength + 0.25 * r, -0.16 * r, 1.02 * r, 0.88 * r, 1.0 * r, HAIR);
     }
   },
-  dress(told, entities) {
+  bodyColors(data, entities) {
     const colors = new Map<number, number>();
-    bonesOf(rootsOf(told), entities).forEach((bones, k) => {
+    bonesOf(rootsOf(data), entities).forEach((bones, k) => {
       const shirt = SHIRTS[k % SHIRTS.length]!;
       const trousers = TROUSERS[k % TROUSERS.length]!;
       const skin = SKINS[k % SKINS.length]!;

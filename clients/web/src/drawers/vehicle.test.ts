@@ -8,7 +8,7 @@ import { readCar, vehicles } from './vehicle';
 // touches, slides, has turned by a quarter and steers by nothing.
 const CAR = new Int32Array([2, 128, 64, 64, 0x7fff, 0x7fff, 0x6fff, 3, 0x4000, 0x7fff, 0x7fff]);
 const SPIN = 9; // its place
-const told = (values: Int32Array, seconds = 0) => ({ entity: 7, values, seconds });
+const data = (values: Int32Array, seconds = 0) => ({ entity: 7, values, seconds });
 
 describe('vehicle', () => {
   it('is read as the module writes it', () => {
@@ -29,7 +29,7 @@ describe('vehicle', () => {
   });
   it('is drawn as wheels that have turned and steer, where the chassis is', () => {
     const context = testRenderContext((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
-    vehicles.draw!([told(CAR)], context);
+    vehicles.draw!([data(CAR)], context);
     const { solids } = context;
     expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
     const tyre = solids.matrixOf('cylinder', 0);
@@ -44,13 +44,13 @@ describe('vehicle', () => {
   it('rolls on between ticks', () => {
     const spun = withValue(CAR, SPIN, 36044); // 40 rad/s
     const context = testRenderContext();
-    vehicles.draw!([told(spun, Math.PI / 80)], context);
+    vehicles.draw!([data(spun, Math.PI / 80)], context);
     // A quarter more: the top is behind the hub's height again, upside down.
     expect(new THREE.Vector3(0, 1, 0).transformDirection(context.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);
   });
   it('says how fast and in which gear', () => {
-    expect(vehicles.steering!.words!(told(CAR))).toBe('0 km/h · gear 2');
-    expect(vehicles.steering!.words!(told(withValue(CAR, 0, -1)))).toBe('0 km/h · reverse');
-    expect(vehicles.steering!.words!(told(CAR.subarray(0, 5)))).toBe('');
+    expect(vehicles.steering!.statusText!(data(CAR))).toBe('0 km/h · gear 2');
+    expect(vehicles.steering!.statusText!(data(withValue(CAR, 0, -1)))).toBe('0 km/h · reverse');
+    expect(vehicles.steering!.statusText!(data(CAR.subarray(0, 5)))).toBe('');
   });
 });

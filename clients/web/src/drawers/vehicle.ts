@@ -82,8 +82,8 @@ function speedOf({ wheels }: Car): number {
 }
 
 export const vehicles: ModuleRenderer = {
-  draw(told, context) {
-    for (const { entity, values, seconds } of told) {
+  draw(data, context) {
+    for (const { entity, values, seconds } of data) {
       const car = readCar(values);
       const pose = context.poseOf(entity);
       if (!car || !pose) continue;
@@ -96,7 +96,7 @@ export const vehicles: ModuleRenderer = {
     keys: 'W throttle · S brake, then reverse · A D steer · space hand brake · E Q gears of a manual gearbox',
     camera: 'behind',
     distance: 8,
-    words({ values }) {
+    statusText({ values }) {
       const car = readCar(values);
       if (!car) return '';
       const gear = car.gear < 0 ? 'reverse' : car.gear === 0 ? 'neutral' : `gear ${car.gear}`;

@@ -13,7 +13,7 @@ import { HitMarks } from './hit_marks';
 import { networkConditionsFromQuery } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
-import { RENDERED_CHANNEL_KINDS, ModuleView, type Shown } from './module_view';
+import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './module_view';
 import type { PredictionController } from './prediction/foreseen';
 import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
@@ -296,13 +296,13 @@ function frameWorld(): void {
 }
 
 /** What modules tell with the frame that is drawn. */
-function shownNow(): Shown {
+function shownNow(): RenderedChannels {
   const { frame = 0, channels = NO_CHANNELS } = drawn.source ?? {};
   const { channels: kinds = [], tickHz = 60 } = connection.welcome ?? {};
   return { frame, channels, later: drawn.seconds, kinds, tickHz };
 }
 
-function drawModules(shown: Shown): void {
+function drawModules(shown: RenderedChannels): void {
   moduleView.debug = debugPanel.on.fields;
   moduleView.update(shown, {
     nowMs: performance.now(),
@@ -315,7 +315,7 @@ function drawModules(shown: Shown): void {
   });
 }
 
-function colorBodies(shown: Shown): void {
+function colorBodies(shown: RenderedChannels): void {
   const colors = moduleView.dress(shown, entitiesChanged, connection.entities);
   entitiesChanged = false;
   if (colors) view.dress(colors);

@@ -32,7 +32,7 @@ const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([
 export const RENDERED_CHANNEL_KINDS: readonly string[] = [...RENDERERS.keys()];
 
 /** What is shown of what modules tell. */
-export interface Shown {
+export interface RenderedChannels {
   readonly frame: number;
   readonly channels: Channels;
   readonly later: number; // s, from that frame to the moment that is shown
@@ -72,7 +72,7 @@ export class ModuleView {
   }
 
   /** Once a picture, after the bodies were put where they are. */
-  update(shown: Shown, moment: Moment): void {
+  update(shown: RenderedChannels, moment: Moment): void {
     this.parts = this.partsOf(shown, shown.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
@@ -84,7 +84,7 @@ export class ModuleView {
   }
 
   /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
-  bodyColors(shown: Shown, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
+  bodyColors(shown: RenderedChannels, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
     const dressing = shown.channels.filter(({ kind }) => this.drawerOf(shown, kind)?.bodyColors);
     // Frames share channels that did not change.
     const same = dressing.length === this.coloredChannels.length && dressing.every((channel, k) => channel === this.coloredChannels[k]);
@@ -115,12 +115,12 @@ export class ModuleView {
       .join(' · ');
   }
 
-  private drawerOf({ kinds }: Shown, kind: number): ModuleRenderer | undefined {
+  private drawerOf({ kinds }: RenderedChannels, kind: number): ModuleRenderer | undefined {
     return this.module_renderers.get(kinds[kind]?.name ?? '');
   }
 
   /** Of some of its channels, which are in order of their kinds. */
-  private partsOf(shown: Shown, channels: Channels): Part[] {
+  private partsOf(shown: RenderedChannels, channels: Channels): Part[] {
     const data = new Map<number, ChannelData[]>();
     for (const { kind, entity, values } of channels) {
       // A kind is told in tick 1 and every `divisor` ticks from there.

@@ -17,7 +17,7 @@ interface Part {
   readonly local: THREE.Matrix4;
 }
 
-interface Shown {
+interface RenderedEntity {
   readonly entity: Entity;
   readonly parts: readonly Part[];
   readonly color: number;
@@ -53,7 +53,7 @@ export class SceneView {
   readonly scene = new THREE.Scene();
   private readonly geometries = new Map<string, Instances>(); // by the key of a part
   private readonly materials = new Map<Kind, THREE.Material>();
-  private readonly shown = new Map<number, Shown>();
+  private readonly shown = new Map<number, RenderedEntity>();
   private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
   private shadowReach = 0;
   private tints: ReadonlyMap<number, number> | undefined;
@@ -138,7 +138,7 @@ export class SceneView {
     }
   }
 
-  private show(entity: Entity, me: number): Shown {
+  private show(entity: Entity, me: number): RenderedEntity {
     const parts: Part[] = [];
     entity.shapes.forEach((shape, number) => {
       for (const part of partsOf(shape)) {
@@ -171,7 +171,7 @@ export class SceneView {
     for (const instances of this.geometries.values()) instances.publish();
   }
 
-  private place({ pose, parts }: Shown): void {
+  private place({ pose, parts }: RenderedEntity): void {
     vector.set(pose[0]!, pose[1]!, pose[2]!);
     quaternion.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
     bodyMatrix.compose(vector, quaternion, one);
@@ -181,7 +181,7 @@ export class SceneView {
     }
   }
 
-  private paint(shown: Shown, asleep: boolean): void {
+  private paint(shown: RenderedEntity, asleep: boolean): void {
     shown.asleep = asleep;
     color.set(this.colorNow(shown));
     // Fixed bodies always rest; only what could move looks sleepy.
@@ -190,7 +190,7 @@ export class SceneView {
     for (const { instances, slot } of shown.parts) instances.paint(slot, color);
   }
 
-  private colorNow({ entity, color }: Shown): number {
+  private colorNow({ entity, color }: RenderedEntity): number {
     const own = entity.color ?? this.bodyColors.get(entity.id) ?? color;
     if (!this.tints || entity.mass <= 0) return own;
     return this.tints.get(entity.id) ?? NO_ISLAND;

@@ -41,7 +41,7 @@ export interface RenderedChannels {
 }
 
 /** Of the moment that a picture shows. */
-export interface Moment extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
+export interface FrameInput extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
   /** What else is to be drawn, that no module tells. */
   decorate?(solids: Solids): void;
 }
@@ -72,7 +72,7 @@ export class ModuleView {
   }
 
   /** Once a picture, after the bodies were put where they are. */
-  update(shown: RenderedChannels, moment: Moment): void {
+  update(shown: RenderedChannels, moment: FrameInput): void {
     this.parts = this.partsOf(shown, shown.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();

@@ -296,10 +296,10 @@ function frameWorld(): void {
 }
 
 /** What modules tell with the frame that is drawn. */
-function shownNow(): RenderedChannels {
+function renderedChannels(): RenderedChannels {
   const { frame = 0, channels = NO_CHANNELS } = drawn.source ?? {};
   const { channels: kinds = [], tickHz = 60 } = connection.welcome ?? {};
-  return { frame, channels, later: drawn.seconds, kinds, tickHz };
+  return { frame, channels, secondsAfter: drawn.seconds, kinds, tickHz };
 }
 
 function drawModules(shown: RenderedChannels): void {
@@ -321,7 +321,7 @@ function colorBodies(shown: RenderedChannels): void {
   if (colors) view.dress(colors);
 }
 
-function tellDriver(): void {
+function updateDriverPanel(): void {
   driverPanel.update(
     {
       choosing: tools.tool === 'drive',
@@ -351,12 +351,12 @@ renderer.setAnimationLoop(() => {
   drawn.update(connection.frames, renderTimeUs, now);
   if (!recorded) prediction?.draw(drawn, connection.inputClock.position(now), now);
   timeline.update();
-  const shown = shownNow();
+  const shown = renderedChannels();
   colorBodies(shown);
   view.update(drawn);
   frameWorld();
   drawModules(shown);
-  tellDriver();
+  updateDriverPanel();
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());

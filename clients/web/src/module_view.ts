@@ -35,7 +35,7 @@ export const RENDERED_CHANNEL_KINDS: readonly string[] = [...RENDERERS.keys()];
 export interface RenderedChannels {
   readonly frame: number;
   readonly channels: Channels;
-  readonly later: number; // s, from that frame to the moment that is shown
+  readonly secondsAfter: number; // s, from that frame to the moment that is shown
   readonly kinds: readonly { name: string; divisor: number }[];
   readonly tickHz: number;
 }
@@ -72,15 +72,15 @@ export class ModuleView {
   }
 
   /** Once a picture, after the bodies were put where they are. */
-  update(shown: RenderedChannels, moment: FrameInput): void {
+  update(shown: RenderedChannels, input: FrameInput): void {
     this.parts = this.partsOf(shown, shown.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
-    const context: RenderContext = { ...moment, lines, solids, water, blasts, debug };
+    const context: RenderContext = { ...input, lines, solids, water, blasts, debug };
     for (const { renderer, data } of this.parts) renderer.draw?.(data, context);
-    moment.decorate?.(solids);
+    input.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();
-    blasts.update(moment.nowMs);
+    blasts.update(input.nowMs);
   }
 
   /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
@@ -125,7 +125,7 @@ export class ModuleView {
     for (const { kind, entity, values } of channels) {
       // A kind is told in tick 1 and every `divisor` ticks from there.
       const ticks = (shown.frame - 1) % Math.max(shown.kinds[kind]?.divisor ?? 1, 1);
-      const seconds = ticks / shown.tickHz + shown.later;
+      const seconds = ticks / shown.tickHz + shown.secondsAfter;
       const ofKind = data.get(kind);
       if (ofKind) ofKind.push({ entity, values, seconds });
       else data.set(kind, [{ entity, values, seconds }]);

@@ -11,7 +11,7 @@ const ARROW = new THREE.Color(0xffd166);
 const ARROW_HEIGHT = 2.4; // m over what it stands on
 const DOWNWARDS = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);
 
-export interface DriverNews {
+export interface DriverState {
   choosing: boolean; // the tool is chosen
   driven: Entity | undefined;
   keys: string; // of what is driven
@@ -36,7 +36,7 @@ export class DriverPanel {
   }
 
   /** Once a picture: touches the page only when something is to be said anew. */
-  update(news: DriverNews, controllable: readonly Entity[]): void {
+  update(news: DriverState, controllable: readonly Entity[]): void {
     const { choosing, driven, keys, words, general } = news;
     this.panel.hidden = !choosing && !driven && general === '';
     if (this.panel.hidden) return;

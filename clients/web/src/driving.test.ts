@@ -56,7 +56,7 @@ describe('driving', () => {
     expect(driving.down('KeyW')).toBe(false);
     driving.take(7);
     expect(driving.down('KeyX')).toBe(false);
-    driving.letGo();
+    driving.stopControlling();
     driving.update(undefined, 0, 0);
     expect(cases()).toEqual(['possess', 'possess']);
     expect(driving.down('KeyW')).toBe(false);

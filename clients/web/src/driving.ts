@@ -82,7 +82,7 @@ export class Driving {
     this.keys.clear();
     this.send({ kind: { case: 'possess', value: { entity } } });
   }
-  letGo(): void {
+  stopControlling(): void {
     if (this.entity !== 0) this.take(0);
   }
   /** The entity went, or the world changed: nobody need be told. */

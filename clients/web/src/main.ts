@@ -130,7 +130,7 @@ const tools = new Tools(
   },
   (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
 );
-const driverPanel = new DriverPanel(byId('driver'), takeWheel, () => driving.letGo());
+const driverPanel = new DriverPanel(byId('driver'), takeWheel, () => driving.stopControlling());
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
@@ -180,7 +180,7 @@ async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise
   try {
     const recording = new Recording(new Uint8Array(await bytes));
     if (recording.truncationReason) toasts.say(`${name} is played as far as it goes: ${recording.truncationReason}`);
-    driving.letGo();
+    driving.stopControlling();
     play(new RecordedStream(recording));
     connection.join('');
   } catch (error) {
@@ -236,7 +236,7 @@ byId('events-button').onclick = () => eventsPanel.toggle();
 byId('help-button').onclick = () => toggle('help');
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (event.key === 'Escape') driving.letGo();
+  if (event.key === 'Escape') driving.stopControlling();
   if (driving.down(event.code)) return event.preventDefault();
   if (recorded && event.key === ' ' && event.target === document.body) timeline.toggle();
   const chosen = TOOLS.find(({ key }) => key === event.key);

@@ -121,7 +121,7 @@ export class Tools {
   /** The server answered; most often what the drawing said. */
   private putRight(press: Press, hit: Pick | undefined, pointerId: number): void {
     if (this.pressed !== press || this.held?.entity === hit?.entity) return;
-    if (this.held) this.letGo();
+    if (this.held) this.dropGrab();
     // Who is looking around by now is not given a body.
     else if (press.movedAway) return;
     if (this.isLoose(hit)) this.take(hit, pointerId);
@@ -164,10 +164,10 @@ export class Tools {
 
   private release(): void {
     this.pressed = undefined;
-    if (this.held) this.letGo();
+    if (this.held) this.dropGrab();
   }
 
-  private letGo(): void {
+  private dropGrab(): void {
     this.held = undefined;
     this.camera.controls.enabled = true;
     this.send({ case: 'release', value: {} });

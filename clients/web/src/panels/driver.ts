@@ -29,15 +29,15 @@ export class DriverPanel {
   constructor(
     private readonly panel: HTMLElement,
     private readonly take: (entity: number) => void,
-    private readonly letGo: () => void,
+    private readonly stopControlling: () => void,
   ) {
     this.keys.className = 'keys';
     panel.append(this.line, this.keys, this.choices);
   }
 
   /** Once a picture: touches the page only when something is to be said anew. */
-  update(news: DriverState, controllable: readonly Entity[]): void {
-    const { choosing, driven, keys, words, general } = news;
+  update(state: DriverState, controllable: readonly Entity[]): void {
+    const { choosing, driven, keys, words, general } = state;
     this.panel.hidden = !choosing && !driven && general === '';
     if (this.panel.hidden) return;
     const told = driven
@@ -72,7 +72,7 @@ export class DriverPanel {
     };
     this.choices.replaceChildren(
       ...choices.map(({ id, name }) => button(name || `${id}`, () => this.take(id))),
-      ...(drives ? [button('Let go', () => this.letGo())] : []),
+      ...(drives ? [button('Let go', () => this.stopControlling())] : []),
     );
   }
 }

@@ -28,7 +28,7 @@ const BUTTONS: { code: string; pad: number; bit: number }[] = [
   { code: 'KeyQ', pad: 4, bit: 3 },
 ];
 
-export interface Held {
+export interface ControlInput {
   axes: number[]; // thousandths
   buttons: number;
 }
@@ -44,7 +44,7 @@ function stick(value: number | undefined): number {
 }
 
 /** What keys and pad hold together. `look`: where the camera looks, in half turns about y from -z, to the left. */
-export function heldBy(keys: ReadonlySet<string>, pad: Pad | undefined, look: number): Held {
+export function heldBy(keys: ReadonlySet<string>, pad: Pad | undefined, look: number): ControlInput {
   const axes = new Array<number>(AXIS_COUNT).fill(0);
   for (const code of keys) {
     const key = KEYS[code];
@@ -71,7 +71,7 @@ export function lookOf(direction: { x: number; z: number }): number {
 export class Driving {
   entity = 0; // 0: none
   private readonly keys = new Set<string>();
-  private told: Held | undefined;
+  private told: ControlInput | undefined;
   private toldAt = 0;
 
   constructor(private readonly send: (input: Input) => void) {}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Input } from './connection';
-import { Driving, heldBy, lookOf, type Pad } from './driving';
+import { Driving, readControls, cameraYaw, type Pad } from './driving';
 
 const pad = (axes: number[], pressed: Record<number, number> = {}): Pad => ({
   axes,
@@ -9,23 +9,23 @@ const pad = (axes: number[], pressed: Record<number, number> = {}): Pad => ({
 
 describe('what is held', () => {
   it('is the sum of keys, sticks and triggers, within a thousand', () => {
-    expect(heldBy(new Set(['KeyW', 'KeyA']), undefined, 0)).toEqual({ axes: [-1000, 1000, 0, 0], buttons: 0 });
-    expect(heldBy(new Set(['KeyW', 'KeyS']), undefined, 0).axes[1]).toBe(0);
-    expect(heldBy(new Set(), pad([0.5, 0], { 7: 0.25 }), -0.5)).toEqual({ axes: [500, 250, 0, -500], buttons: 0 });
-    expect(heldBy(new Set(['KeyW']), pad([0, -1]), 0).axes[1]).toBe(1000);
+    expect(readControls(new Set(['KeyW', 'KeyA']), undefined, 0)).toEqual({ axes: [-1000, 1000, 0, 0], buttons: 0 });
+    expect(readControls(new Set(['KeyW', 'KeyS']), undefined, 0).axes[1]).toBe(0);
+    expect(readControls(new Set(), pad([0.5, 0], { 7: 0.25 }), -0.5)).toEqual({ axes: [500, 250, 0, -500], buttons: 0 });
+    expect(readControls(new Set(['KeyW']), pad([0, -1]), 0).axes[1]).toBe(1000);
   });
   it('has a bit for each button', () => {
-    expect(heldBy(new Set(['Space']), undefined, 0).buttons).toBe(1);
-    expect(heldBy(new Set(['KeyQ', 'ShiftLeft']), undefined, 0).buttons).toBe(10);
-    expect(heldBy(new Set(), pad([], { 5: 1 }), 0).buttons).toBe(4);
+    expect(readControls(new Set(['Space']), undefined, 0).buttons).toBe(1);
+    expect(readControls(new Set(['KeyQ', 'ShiftLeft']), undefined, 0).buttons).toBe(10);
+    expect(readControls(new Set(), pad([], { 5: 1 }), 0).buttons).toBe(4);
   });
   it('is nothing when a stick only trembles', () => {
-    expect(heldBy(new Set(), pad([0.1, -0.1]), 0).axes).toEqual([0, 0, 0, 0]);
+    expect(readControls(new Set(), pad([0.1, -0.1]), 0).axes).toEqual([0, 0, 0, 0]);
   });
   it('says where the camera looks, in half turns to the left of -z', () => {
-    expect(lookOf({ x: 0, z: -1 })).toBeCloseTo(0, 12);
-    expect(lookOf({ x: -1, z: 0 })).toBeCloseTo(0.5, 12);
-    expect(lookOf({ x: 1, z: 0 })).toBeCloseTo(-0.5, 12);
+    expect(cameraYaw({ x: 0, z: -1 })).toBeCloseTo(0, 12);
+    expect(cameraYaw({ x: -1, z: 0 })).toBeCloseTo(0.5, 12);
+    expect(cameraYaw({ x: 1, z: 0 })).toBeCloseTo(-0.5, 12);
   });
 });
 

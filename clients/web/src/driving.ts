@@ -44,7 +44,7 @@ function stick(value: number | undefined): number {
 }
 
 /** What keys and pad hold together. `look`: where the camera looks, in half turns about y from -z, to the left. */
-export function heldBy(keys: ReadonlySet<string>, pad: Pad | undefined, look: number): ControlInput {
+export function readControls(keys: ReadonlySet<string>, pad: Pad | undefined, look: number): ControlInput {
   const axes = new Array<number>(AXIS_COUNT).fill(0);
   for (const code of keys) {
     const key = KEYS[code];
@@ -64,21 +64,21 @@ export function heldBy(keys: ReadonlySet<string>, pad: Pad | undefined, look: nu
 }
 
 /** From a camera's direction. */
-export function lookOf(direction: { x: number; z: number }): number {
+export function cameraYaw(direction: { x: number; z: number }): number {
   return Math.atan2(-direction.x, -direction.z) / Math.PI;
 }
 
 export class Driving {
   entity = 0; // 0: none
   private readonly keys = new Set<string>();
-  private told: ControlInput | undefined;
-  private toldAt = 0;
+  private lastSent: ControlInput | undefined;
+  private lastSentAt = 0;
 
   constructor(private readonly send: (input: Input) => void) {}
 
   take(entity: number): void {
     this.entity = entity;
-    this.told = undefined;
+    this.lastSent = undefined;
     this.keys.clear();
     this.send({ kind: { case: 'possess', value: { entity } } });
   }
@@ -108,11 +108,11 @@ export class Driving {
   /** Once a picture. */
   update(pad: Pad | undefined, look: number, nowMs: number): void {
     if (this.entity === 0) return;
-    const held = heldBy(this.keys, pad, look);
-    const same = this.told?.buttons === held.buttons && this.told.axes.every((axis, k) => axis === held.axes[k]);
-    if (same && nowMs - this.toldAt < REPEAT_MS) return;
-    this.told = held;
-    this.toldAt = nowMs;
+    const held = readControls(this.keys, pad, look);
+    const same = this.lastSent?.buttons === held.buttons && this.lastSent.axes.every((axis, k) => axis === held.axes[k]);
+    if (same && nowMs - this.lastSentAt < REPEAT_MS) return;
+    this.lastSent = held;
+    this.lastSentAt = nowMs;
     this.send({ kind: { case: 'control', value: held } });
   }
 }

@@ -6,7 +6,7 @@ import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
 import type { Entity } from './gen/jostle/v1/play_pb';
-import { Driving, lookOf, type Pad } from './driving';
+import { Driving, cameraYaw, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { RenderedPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
@@ -269,7 +269,7 @@ function drive(): void {
   pictureAt = now;
   if (driving.entity === 0) return;
   const pad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
-  driving.update(pad, lookOf(camera.camera.getWorldDirection(new THREE.Vector3())), now);
+  driving.update(pad, cameraYaw(camera.camera.getWorldDirection(new THREE.Vector3())), now);
   const pose = view.poseOf(driving.entity);
   if (!pose) return;
   // Who goes where the camera looks leaves the camera to the pointer.

@@ -96,7 +96,7 @@ export function readFields(values: Int32Array): Fields | undefined {
 }
 
 /** As it is that long after it was told. */
-export function lookOf({ level, waves }: WavyWater, seconds: number): WaterLook {
+export function waterSurface({ level, waves }: WavyWater, seconds: number): WaterLook {
   return {
     level,
     waves: waves.map(({ amplitude, length, heading, phase, omega }) => ({
@@ -145,7 +145,7 @@ function drawRings([x, y, z]: Point, { lines }: RenderContext): void {
 
 export const waves: ModuleRenderer = {
   draw(data, { water, around }) {
-    for (const { values, seconds } of data) for (const one of readWaters(values) ?? []) water.add(lookOf(one, seconds), around);
+    for (const { values, seconds } of data) for (const one of readWaters(values) ?? []) water.add(waterSurface(one, seconds), around);
   },
 };
 

@@ -9,7 +9,7 @@ import { heightAt } from '../water';
 import { boats, readBoat } from './boat';
 import { characters, readCharacter } from './character';
 import { destructibles, readWholes } from './destruction';
-import { fields, lookOf, readFields, readWaters, waves } from './fields';
+import { fields, waterSurface, readFields, readWaters, waves } from './fields';
 import { bonesOf, ragdolls, readMode } from './ragdoll';
 import { readCar, vehicles } from './vehicle';
 
@@ -104,7 +104,7 @@ describe('golden channels', () => {
     };
     const right = 0.5 + wave(0.25, 16, 0.4, 0) + wave(0.125, 6, -0.5, 1);
     expect(heightAt(context.water.drawn[0]!, 3, 4)).toBeCloseTo(right, 3);
-    expect(lookOf(readWaters(data[0]!.values)![0]!, 0).waves).toHaveLength(2);
+    expect(waterSurface(readWaters(data[0]!.values)![0]!, 0).waves).toHaveLength(2);
   });
 
   it('of other fields: wind, an attraction and a blast, arrows and rings only in the debug view', () => {

@@ -11,7 +11,7 @@ export interface Wave {
   turn: number; // rad, of this moment
 }
 
-export interface WaterLook {
+export interface WaterSurface {
   level: number; // m
   waves: readonly Wave[];
 }
@@ -22,7 +22,7 @@ const CELLS = 112;
 const DENSE = 0.22; // how much finer its middle is than its rim
 
 /** Height of the surface over a place; what the shader does. */
-export function heightAt({ level, waves }: WaterLook, x: number, z: number): number {
+export function heightAt({ level, waves }: WaterSurface, x: number, z: number): number {
   return waves.reduce((y, wave) => y + wave.amplitude * Math.cos(wave.number * (wave.x * x + wave.z * z) + wave.turn), level);
 }
 
@@ -86,7 +86,7 @@ void main() {
 export class Water {
   private readonly sheets: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>[] = [];
   private used = 0;
-  readonly drawn: WaterLook[] = [];
+  readonly drawn: WaterSurface[] = [];
 
   constructor(private readonly scene: THREE.Scene) {}
 
@@ -96,7 +96,7 @@ export class Water {
   }
 
   /** About that place. */
-  add(look: WaterLook, around: { x: number; z: number }): void {
+  add(look: WaterSurface, around: { x: number; z: number }): void {
     this.drawn.push(look);
     const sheet = (this.sheets[this.used++] ??= this.make());
     sheet.visible = true;

@@ -2,7 +2,7 @@
 // "fields" flashes of blasts, and in the debug view arrows of the wind and rings round what attracts. fields.h has the layouts.
 
 import * as THREE from 'three';
-import type { WaterLook } from '../water';
+import type { WaterSurface } from '../water';
 import type { ModuleRenderer, RenderContext } from './drawer';
 import { ValueReader } from './value_reader';
 
@@ -96,7 +96,7 @@ export function readFields(values: Int32Array): Fields | undefined {
 }
 
 /** As it is that long after it was told. */
-export function waterSurface({ level, waves }: WavyWater, seconds: number): WaterLook {
+export function waterSurface({ level, waves }: WavyWater, seconds: number): WaterSurface {
   return {
     level,
     waves: waves.map(({ amplitude, length, heading, phase, omega }) => ({

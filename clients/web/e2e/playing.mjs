@@ -11,7 +11,7 @@ async function enter(page, url, world, until) {
   );
 }
 
-async function takeWheel(page, name, until) {
+async function takeControl(page, name, until) {
   await page.keyboard.press('8');
   await page.locator('#driver button', { hasText: new RegExp(`^${name}$`) }).click();
   const id = await until(`${name} is driven`, () => page.evaluate(() => window.jostle.driven));
@@ -22,7 +22,7 @@ async function takeWheel(page, name, until) {
 export async function playing({ page, url, until, expect, shoot }) {
   await enter(page, url, 'race_track', until);
   expect((await page.evaluate(() => window.jostle.controllable().length)) === 6, 'six cars can be driven');
-  const car = await takeWheel(page, 'car', until);
+  const car = await takeControl(page, 'car', until);
   await page.keyboard.down(' ');
   await until('the hand brake stops the car', async () => /· [0-2] km\/h/.test(await page.locator('#driver').textContent()));
   await page.keyboard.up(' ');
@@ -50,7 +50,7 @@ export async function playing({ page, url, until, expect, shoot }) {
   await until('Esc lets go', () => page.evaluate(() => window.jostle.driven === 0));
 
   await enter(page, url, 'parkour', until);
-  const walker = await takeWheel(page, 'walker1', until);
+  const walker = await takeControl(page, 'walker1', until);
   const began = await pose(page, walker);
   await page.keyboard.down('w');
   const walked = await until('the character walks more than 3 m', async () => {
@@ -65,7 +65,7 @@ export async function playing({ page, url, until, expect, shoot }) {
   expect((await page.evaluate(() => window.jostle.moduleSolids())) >= 5 * 6, `the character walked ${walked.toFixed(1)} m and jumped; all have faces`);
 
   await enter(page, url, 'harbour', until);
-  const boat = await takeWheel(page, 'boat', until);
+  const boat = await takeControl(page, 'boat', until);
   const moored = await pose(page, boat);
   await page.keyboard.down('w');
   const out = await until('the boat leaves by more than 3 m', async () => {

@@ -3,7 +3,7 @@
 
 import type { Input } from './connection';
 
-const AXES = { right: 0, ahead: 1, up: 2, look: 3 } as const;
+const AXES = { right: 0, ahead: 1, up: 2, yaw: 3 } as const;
 const AXIS_COUNT = 4;
 const THOUSANDTHS = 1000;
 const REPEAT_MS = 1000; // what is held is told again: an input may have been refused
@@ -44,7 +44,7 @@ function stick(value: number | undefined): number {
 }
 
 /** What keys and pad hold together. `look`: where the camera looks, in half turns about y from -z, to the left. */
-export function readControls(keys: ReadonlySet<string>, pad: Pad | undefined, look: number): ControlInput {
+export function readControls(keys: ReadonlySet<string>, pad: Pad | undefined, yaw: number): ControlInput {
   const axes = new Array<number>(AXIS_COUNT).fill(0);
   for (const code of keys) {
     const key = KEYS[code];
@@ -58,7 +58,7 @@ export function readControls(keys: ReadonlySet<string>, pad: Pad | undefined, lo
     axes[AXES.ahead] = axes[AXES.ahead]! - stick(pad.axes[1]) + (pad.buttons[7]?.value ?? 0) - (pad.buttons[6]?.value ?? 0);
     for (const { pad: index, bit } of BUTTONS) if (pad.buttons[index]?.pressed) buttons |= 1 << bit;
   }
-  axes[AXES.look] = look;
+  axes[AXES.yaw] = yaw;
   const whole = (x: number) => Math.round(Math.min(1, Math.max(-1, x)) * THOUSANDTHS) + 0; // no -0
   return { axes: axes.map(whole), buttons };
 }
@@ -106,9 +106,9 @@ export class Driving {
   }
 
   /** Once a picture. */
-  update(pad: Pad | undefined, look: number, nowMs: number): void {
+  update(pad: Pad | undefined, yaw: number, nowMs: number): void {
     if (this.entity === 0) return;
-    const held = readControls(this.keys, pad, look);
+    const held = readControls(this.keys, pad, yaw);
     const same = this.lastSent?.buttons === held.buttons && this.lastSent.axes.every((axis, k) => axis === held.axes[k]);
     if (same && nowMs - this.lastSentAt < REPEAT_MS) return;
     this.lastSent = held;

@@ -64,7 +64,7 @@ const token = takeToken(
   { hash: location.hash, replaceHash: (hash) => history.replaceState(null, '', location.pathname + location.search + (hash && `#${hash}`)) },
   sessionStorage,
 );
-const told: Events = {
+const connectionEvents: Events = {
   state: (state, why) => {
     const name = connection.welcome?.worldName ?? '';
     stateLine.textContent = state === 'playing' ? `in ${name}` : [why, STATE_WORDS[state]].filter(Boolean).join(' — ');
@@ -78,7 +78,7 @@ const told: Events = {
     if (!entities.has(driving.entity)) driving.forget();
   },
   stats: (stats) => statsPanel.update(stats),
-  addEvents: (events) => eventsPanel.addEvents(events, performance.now() + pictureBehindMs()),
+  addEvents: (events) => eventsPanel.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
@@ -91,7 +91,7 @@ let recorded: RecordedStream | undefined;
 const predicts = new URLSearchParams(location.search).get('predict') === '1';
 const kinds = predicts ? [...RENDERED_CHANNEL_KINDS, MOTION] : RENDERED_CHANNEL_KINDS;
 // ?sight=150&kbps=500: what is within 150 m of where one looks, and no more than that.
-const connection = new Connection(websocketUrl(), told, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
+const connection = new Connection(websocketUrl(), connectionEvents, (url) => (recorded ? recorded.open() : open(url)), token, kinds, areaOfInterestFromQuery(location.search));
 let prediction: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {
   const without = (error: unknown) => {
@@ -126,11 +126,11 @@ const tools = new Tools(
   },
   (entity) => {
     if (!connection.entities.get(entity)?.controllable) return toasts.say('nobody can drive that');
-    takeWheel(entity);
+    takeControl(entity);
   },
   (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
 );
-const driverPanel = new DriverPanel(byId('driver'), takeWheel, () => driving.stopControlling());
+const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.stopControlling());
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
@@ -161,7 +161,7 @@ function websocketUrl(): string {
 let renderTimeUs = 0; // by the picture, on the server's clock
 
 /** How far the picture is behind the newest that the server told. */
-function pictureBehindMs(): number {
+function renderDelayMs(): number {
   const newest = connection.frames.newest;
   return newest ? Math.max(0, (newest.serverUs - renderTimeUs) / 1000) : 0;
 }
@@ -257,7 +257,7 @@ function headingOf(pose: ArrayLike<number>): number {
   return Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
 }
 
-function takeWheel(entity: number): void {
+function takeControl(entity: number): void {
   driving.take(entity);
   camera.settle(moduleView.steeringOf(entity)?.distance ?? 8);
 }
@@ -364,7 +364,7 @@ renderer.setAnimationLoop(() => {
   connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
-  statsPanel.pictureDrawn();
+  statsPanel.frameRendered();
 });
 
 // ?recording=URL plays one, as dropping a file does.

@@ -60,7 +60,7 @@ export class Tools {
     private readonly queries: Queries,
     /** What is under the pointer now. */
     private readonly over: (hit: Pick | undefined) => void,
-    private readonly takeWheel: (entity: number) => void,
+    private readonly takeControl: (entity: number) => void,
     /** Something goes off. */
     private readonly flash: (x: number, y: number, z: number, radius: number) => void,
   ) {
@@ -192,7 +192,7 @@ export class Tools {
       case 'delete':
         return this.send({ case: 'delete', value: { entity: hit.entity } });
       case 'drive':
-        return this.takeWheel(hit.entity);
+        return this.takeControl(hit.entity);
     }
   }
 

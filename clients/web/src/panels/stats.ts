@@ -67,15 +67,15 @@ export class StatsPanel {
   };
   private lastBytes = 0;
   private lastAt = performance.now();
-  private pictures = 0;
+  private frames = 0;
 
   constructor(panel: HTMLElement, private readonly connection: Connection) {
     this.tick.className = 'tick';
     panel.append(this.tick, ...Object.values(this.plots).map((plot) => plot.row));
   }
 
-  pictureDrawn(): void {
-    this.pictures++;
+  frameRendered(): void {
+    this.frames++;
   }
 
   /** Ten times a second, with the world's statistics. */
@@ -96,8 +96,8 @@ export class StatsPanel {
     this.plots.awake.add(stats.awake);
     this.plots.asleep.add(this.asleep());
     this.plots.step.add(stats.stepMsMean);
-    this.plots.fps.add(this.pictures / seconds);
-    this.pictures = 0;
+    this.plots.fps.add(this.frames / seconds);
+    this.frames = 0;
   }
 
   private asleep(): number {

@@ -8,7 +8,7 @@ import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } f
 import { VertexBuffer } from './vertex_buffer';
 
 /** What is asked of the server. */
-export interface DebugWishes {
+export interface DebugOptions {
   contacts: boolean;
   islands: boolean;
   bounds: boolean;
@@ -50,7 +50,7 @@ export class DebugView {
   }
 
   /** Draws what is wished for and in the answer. Joints are tied to where their bodies are drawn. */
-  show(answer: DebugResponse, wishes: DebugWishes, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
+  show(answer: DebugResponse, wishes: DebugOptions, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
     for (const buffer of this.buffers) buffer.begin();
     if (wishes.contacts) for (const contact of answer.contacts) this.drawContact(contact);
     if (wishes.bounds) for (const box of answer.bounds) drawBox(this.boundLines, box, BOUNDS);

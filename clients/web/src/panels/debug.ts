@@ -1,6 +1,6 @@
 // Toggles of the debug view. The server is asked five times a second while something is on that it has to tell, else never.
 
-import { islandTints, type DebugView, type DebugWishes } from '../debug_view';
+import { islandTints, type DebugView, type DebugOptions } from '../debug_view';
 import type { DebugResponse } from '../gen/jostle/v1/query_pb';
 import { Paced } from '../paced';
 import type { Queries } from '../queries';
@@ -9,7 +9,7 @@ import type { SceneView } from '../scene_view';
 const EVERY_MS = 200;
 const MISSES = 2;
 
-type Toggle = keyof DebugWishes | 'sleep' | 'fields';
+type Toggle = keyof DebugOptions | 'sleep' | 'fields';
 const NOT_ASKED: readonly Toggle[] = ['sleep', 'fields']; // snapshots tell
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
   { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red presses, blue is near; the longer, the harder' },
@@ -101,7 +101,7 @@ export class DebugPanel {
   }
 }
 
-export function summary(answer: DebugResponse, on: DebugWishes): string {
+export function summary(answer: DebugResponse, on: DebugOptions): string {
   const counts: string[] = [];
   const count = (wished: boolean, n: number, one: string, many: string) => {
     if (wished) counts.push(`${n} ${n === 1 ? one : many}`);

@@ -50,12 +50,12 @@ export class DebugView {
   }
 
   /** Draws what is wished for and in the answer. Joints are tied to where their bodies are drawn. */
-  show(answer: DebugResponse, wishes: DebugOptions, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
+  show(response: DebugResponse, options: DebugOptions, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
     for (const buffer of this.buffers) buffer.begin();
-    if (wishes.contacts) for (const contact of answer.contacts) this.drawContact(contact);
-    if (wishes.bounds) for (const box of answer.bounds) drawBox(this.boundLines, box, BOUNDS);
-    if (wishes.broadPhase) for (const box of answer.broadPhase) drawBox(this.cellLines, box, CELLS);
-    if (wishes.joints) for (const joint of answer.joints) this.drawJoint(joint, poseOf);
+    if (options.contacts) for (const contact of response.contacts) this.drawContact(contact);
+    if (options.bounds) for (const box of response.bounds) drawBox(this.boundLines, box, BOUNDS);
+    if (options.broadPhase) for (const box of response.broadPhase) drawBox(this.cellLines, box, CELLS);
+    if (options.joints) for (const joint of response.joints) this.drawJoint(joint, poseOf);
     for (const buffer of this.buffers) buffer.end();
   }
 

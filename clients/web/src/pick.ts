@@ -59,9 +59,9 @@ export async function pickAsked(
 ): Promise<{ hit: Pick | undefined } | undefined> {
   const motion = direction.clone().multiplyScalar(REACH);
   const xyz = ({ x, y, z }: THREE.Vector3) => ({ x, y, z });
-  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }], viewTime });
-  if (!answer) return undefined;
-  const hit = answer.rays[0]?.hits[0];
+  const response = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }], viewTime });
+  if (!response) return undefined;
+  const hit = response.rays[0]?.hits[0];
   if (!hit) return { hit: undefined };
   const { entity, shape, fraction } = hit;
   const point = new THREE.Vector3(hit.point?.x, hit.point?.y, hit.point?.z);

@@ -52,10 +52,10 @@ export class Queries {
     if (world === '' || this.notServed.has(here)) return undefined;
     try {
       const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
-      const answer = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(PATIENCE_MS));
-      if (NOT_SERVED.includes(answer.status)) this.notServed.add(here);
-      if (answer.status !== 200) return undefined;
-      const text = await answer.text();
+      const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(PATIENCE_MS));
+      if (NOT_SERVED.includes(response.status)) this.notServed.add(here);
+      if (response.status !== 200) return undefined;
+      const text = await response.text();
       // The world may have been left in the meantime.
       return this.world() === world ? fromJsonString(responseSchema, text, { ignoreUnknownFields: true }) : undefined;
     } catch {

@@ -10,7 +10,7 @@ const EVERY_MS = 200;
 const MISSES = 2;
 
 type Toggle = keyof DebugOptions | 'sleep' | 'fields';
-const NOT_ASKED: readonly Toggle[] = ['sleep', 'fields']; // snapshots tell
+const LOCAL_TOGGLES: readonly Toggle[] = ['sleep', 'fields']; // snapshots tell
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
   { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red presses, blue is near; the longer, the harder' },
   { toggle: 'islands', label: 'Islands', hint: 'Bodies that hang together have one colour' },
@@ -33,7 +33,7 @@ export class DebugPanel {
   };
   private missed = 0;
   private readonly note = document.createElement('p');
-  private readonly asking = new Paced(EVERY_MS, () => this.ask());
+  private readonly throttle = new Paced(EVERY_MS, () => this.ask());
 
   constructor(
     panel: HTMLElement,
@@ -63,7 +63,7 @@ export class DebugPanel {
   }
 
   private get asksServer(): boolean {
-    return TOGGLES.some(({ toggle }) => !NOT_ASKED.includes(toggle) && this.on[toggle]);
+    return TOGGLES.some(({ toggle }) => !LOCAL_TOGGLES.includes(toggle) && this.on[toggle]);
   }
 
   private toggled(): void {
@@ -77,39 +77,39 @@ export class DebugPanel {
 
   /** Once a picture. */
   update(): void {
-    if (this.asksServer) this.asking.ask();
+    if (this.asksServer) this.throttle.ask();
   }
 
   private async ask(): Promise<void> {
     if (!this.asksServer) return;
     const { contacts, islands, bounds, joints, broadPhase } = this.on;
-    const answer = await this.queries.debug({ contacts, islands, bounds, joints, broadPhase });
+    const response = await this.queries.debug({ contacts, islands, bounds, joints, broadPhase });
     // Toggles may have changed in the meantime.
     if (!this.asksServer) return;
     // One answer that came too late is no reason to make the lines flicker.
-    this.missed = answer ? 0 : this.missed + 1;
-    if (!answer) {
+    this.missed = response ? 0 : this.missed + 1;
+    if (!response) {
       if (this.missed < MISSES) return;
       this.lines.clear();
       this.view.setTints(undefined);
       this.note.textContent = 'The server does not tell.';
       return;
     }
-    this.lines.show(answer, this.on, (entity) => this.view.loosePoseOf(entity));
-    if (this.on.islands) this.view.setTints(islandTints(answer.islands));
-    this.note.textContent = summary(answer, this.on);
+    this.lines.show(response, this.on, (entity) => this.view.loosePoseOf(entity));
+    if (this.on.islands) this.view.setTints(islandTints(response.islands));
+    this.note.textContent = summary(response, this.on);
   }
 }
 
-export function summary(answer: DebugResponse, on: DebugOptions): string {
+export function summary(response: DebugResponse, on: DebugOptions): string {
   const counts: string[] = [];
   const count = (wished: boolean, n: number, one: string, many: string) => {
     if (wished) counts.push(`${n} ${n === 1 ? one : many}`);
   };
-  count(on.contacts, answer.contacts.length, 'contact', 'contacts');
-  count(on.islands, answer.islands.length, 'island', 'islands');
-  count(on.bounds, answer.bounds.length, 'box', 'boxes');
-  count(on.joints, answer.joints.length, 'joint', 'joints');
-  count(on.broadPhase, answer.broadPhase.length, 'cell', 'cells');
-  return counts.join(', ') + (answer.cut ? '; there are more than are shown' : '');
+  count(on.contacts, response.contacts.length, 'contact', 'contacts');
+  count(on.islands, response.islands.length, 'island', 'islands');
+  count(on.bounds, response.bounds.length, 'box', 'boxes');
+  count(on.joints, response.joints.length, 'joint', 'joints');
+  count(on.broadPhase, response.broadPhase.length, 'cell', 'cells');
+  return counts.join(', ') + (response.cut ? '; there are more than are shown' : '');
 }

@@ -55,14 +55,14 @@ export class WorldsPanel {
       throw new Error('the server does not answer');
     });
     const text = await response.text();
-    let answer: { message?: string } = {};
+    let payload: { message?: string } = {};
     try {
-      answer = JSON.parse(text) as typeof answer;
+      payload = JSON.parse(text) as typeof payload;
     } catch {
-      answer = { message: text };
+      payload = { message: text };
     }
-    if (!response.ok) throw new Error(answer.message || `the server onResult ${response.status}`);
-    return answer;
+    if (!response.ok) throw new Error(payload.message || `the server onResult ${response.status}`);
+    return payload;
   }
 
   private async run(action: () => Promise<void>): Promise<void> {
@@ -155,12 +155,12 @@ export class WorldsPanel {
     const taken = new Set(worlds.map((world) => world.name));
     let name = wanted;
     for (let n = 2; taken.has(name); n++) name = `${wanted}-${n}`;
-    const answer = (await this.ask('api/worlds', {
+    const payload = (await this.ask('api/worlds', {
       method: 'POST',
       headers: { 'Content-Type': 'application/json' },
       body: JSON.stringify({ name, ...source }),
     })) as { world: WorldInfo };
     this.panel.hidden = true;
-    this.join(answer.world.id);
+    this.join(payload.world.id);
   }
 }

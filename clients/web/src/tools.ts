@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import type { Camera } from './camera';
 import type { Connection, Input } from './connection';
-import { Paced } from './paced';
+import { Throttle } from './paced';
 import { pickAsked, pickDrawn, settle, type Pick } from './pick';
 import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
@@ -50,7 +50,7 @@ export class Tools {
   private held: { entity: number; plane: THREE.Plane } | undefined;
   private pressed: Press | undefined;
   private hovering: PointerEvent | undefined;
-  private readonly hover = new Paced(HOVER_MS, () => this.lookUnderPointer());
+  private readonly hover = new Throttle(HOVER_MS, () => this.lookUnderPointer());
 
   constructor(
     private readonly canvas: HTMLCanvasElement,

@@ -2,7 +2,7 @@
 
 import { islandTints, type DebugView, type DebugOptions } from '../debug_view';
 import type { DebugResponse } from '../gen/jostle/v1/query_pb';
-import { Paced } from '../paced';
+import { Throttle } from '../paced';
 import type { Queries } from '../queries';
 import type { SceneView } from '../scene_view';
 
@@ -33,7 +33,7 @@ export class DebugPanel {
   };
   private missed = 0;
   private readonly note = document.createElement('p');
-  private readonly throttle = new Paced(EVERY_MS, () => this.ask());
+  private readonly throttle = new Throttle(EVERY_MS, () => this.ask());
 
   constructor(
     panel: HTMLElement,

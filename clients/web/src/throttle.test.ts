@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { Paced } from './paced';
+import { Throttle } from './paced';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -7,7 +7,7 @@ afterEach(() => void vi.useRealTimers());
 it('runs ten times in a second of sixty askings, and once more for the last', async () => {
   const seen: number[] = [];
   let asked = 0;
-  const paced = new Paced(100, async () => void seen.push(asked));
+  const paced = new Throttle(100, async () => void seen.push(asked));
   for (; asked < 60; asked++) {
     paced.ask();
     await vi.advanceTimersByTimeAsync(1000 / 60);
@@ -21,7 +21,7 @@ it('runs ten times in a second of sixty askings, and once more for the last', as
 it('waits for a slow answer before it asks again', async () => {
   let started = 0;
   let answer = () => {};
-  const paced = new Paced(100, () => {
+  const paced = new Throttle(100, () => {
     started++;
     return new Promise((done) => (answer = done));
   });

@@ -1,6 +1,6 @@
 // Work that is asked for often and done at most so often: never twice at the same time, and once more after the last asking.
 
-export class Paced {
+export class Throttle {
   private due = false;
   private running = false;
   private last = -Infinity; // ms, when it last began

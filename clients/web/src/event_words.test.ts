@@ -1,10 +1,10 @@
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { eventWords, LastLines } from './event_words';
+import { describeEvents, LastLines } from './event_words';
 import { EventsSchema } from './gen/jostle/v1/play_pb';
 
 const names = ['', 'ball', 'wall', 'box', 'goal'];
-const words = (init: MessageInitShape<typeof EventsSchema>) => eventWords(create(EventsSchema, init), (id) => names[id]!);
+const words = (init: MessageInitShape<typeof EventsSchema>) => describeEvents(create(EventsSchema, init), (id) => names[id]!);
 
 describe('events in words', () => {
   it('a hit says how fast', () => {

@@ -8,7 +8,7 @@ const NAMED_SLEEPERS = 2; // more of them in one tick are only counted
  * One line for each thing that happened, the ones that matter most last. What merely goes on (contacts that press, bodies that
  * stay in a trigger) is said in every tick by the server and not repeated here.
  */
-export function eventWords(events: Events, name: (entity: number) => string): string[] {
+export function describeEvents(events: Events, name: (entity: number) => string): string[] {
   const lines: string[] = [];
   const pair = ({ entityA, entityB }: Pick<ContactEvent, 'entityA' | 'entityB'>) => `${entityA} ${entityB}`;
   const both = (event: ContactEvent, verb: string) => `${name(event.entityA)} ${verb} ${name(event.entityB)}`;

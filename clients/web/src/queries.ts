@@ -12,7 +12,7 @@ import {
 } from './gen/jostle/v1/query_pb';
 import { withToken } from './token';
 
-const PATIENCE_MS = 10_000; // a page that draws without a graphics processor may take seconds to look at an answer
+const QUERY_TIMEOUT_MS = 10_000; // a page that draws without a graphics processor may take seconds to look at an answer
 const NOT_SERVED = [404, 501];
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
@@ -52,7 +52,7 @@ export class Queries {
     if (world === '' || this.notServed.has(here)) return undefined;
     try {
       const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
-      const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(PATIENCE_MS));
+      const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(QUERY_TIMEOUT_MS));
       if (NOT_SERVED.includes(response.status)) this.notServed.add(here);
       if (response.status !== 200) return undefined;
       const text = await response.text();

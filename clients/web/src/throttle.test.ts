@@ -9,7 +9,7 @@ it('runs ten times in a second of sixty askings, and once more for the last', as
   let asked = 0;
   const paced = new Throttle(100, async () => void seen.push(asked));
   for (; asked < 60; asked++) {
-    paced.ask();
+    paced.request();
     await vi.advanceTimersByTimeAsync(1000 / 60);
   }
   expect(seen.length).toBe(10);
@@ -25,8 +25,8 @@ it('waits for a slow answer before it asks again', async () => {
     started++;
     return new Promise((done) => (answer = done));
   });
-  paced.ask();
-  paced.ask();
+  paced.request();
+  paced.request();
   await vi.advanceTimersByTimeAsync(5000);
   expect(started).toBe(1);
   answer();

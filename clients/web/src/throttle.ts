@@ -11,7 +11,7 @@ export class Throttle {
     private readonly run: () => Promise<void>,
   ) {}
 
-  ask(): void {
+  request(): void {
     this.due = true;
     this.next();
   }

@@ -1,6 +1,6 @@
 // What happened last, in words; a mark where something hit. The server is asked to tell only while this is open.
 
-import { eventWords, LastLines } from '../event_words';
+import { describeEvents, LastLines } from '../event_words';
 import type { Events } from '../gen/jostle/v1/play_pb';
 import type { HitMarks } from '../hit_marks';
 
@@ -35,7 +35,7 @@ export class EventsPanel {
 
   /** `seenMs`: when the picture will have come to that moment. */
   addEvents(events: Events, seenMs: number): void {
-    for (const words of eventWords(events, this.nameOf)) this.last.add(words);
+    for (const words of describeEvents(events, this.nameOf)) this.last.add(words);
     for (const { point, speed } of events.hits) if (point) this.marks.add(point.x, point.y, point.z, speed, seenMs);
     this.changed = true;
   }

@@ -1,6 +1,6 @@
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { describeEvents, LastLines } from './event_words';
+import { describeEvents, RecentLines } from './event_words';
 import { EventsSchema } from './gen/jostle/v1/play_pb';
 
 const names = ['', 'ball', 'wall', 'box', 'goal'];
@@ -52,7 +52,7 @@ describe('events in words', () => {
 });
 
 it('keeps the last 12 lines, and counts what repeats', () => {
-  const last = new LastLines(12);
+  const last = new RecentLines(12);
   for (let i = 0; i < 20; i++) last.add(`line ${i}`);
   last.add('line 19');
   expect(last.lines.length).toBe(12);

@@ -36,7 +36,7 @@ function counted(n: number, one: string, many: string): string {
 }
 
 /** The newest lines, oldest first. The same words again and again are one line with a count. */
-export class LastLines {
+export class RecentLines {
   private readonly kept: { words: string; times: number }[] = [];
 
   constructor(private readonly most: number) {}

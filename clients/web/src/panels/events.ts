@@ -1,13 +1,13 @@
 // What happened last, in words; a mark where something hit. The server is asked to tell only while this is open.
 
-import { describeEvents, LastLines } from '../event_words';
+import { describeEvents, RecentLines } from '../event_words';
 import type { Events } from '../gen/jostle/v1/play_pb';
 import type { HitMarks } from '../hit_marks';
 
 const LINES = 12;
 
 export class EventsPanel {
-  private readonly last = new LastLines(LINES);
+  private readonly last = new RecentLines(LINES);
   private readonly list = document.createElement('ol');
   private changed = true;
 

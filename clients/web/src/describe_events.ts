@@ -15,7 +15,7 @@ export function describeEvents(events: Events, name: (entity: number) => string)
   // A hit says all that its beginning would.
   const hit = new Set(events.hits.map(pair));
   if (events.missed > 0) lines.push(`${counted(events.missed, 'tick', 'ticks')} of events went by unseen`);
-  lines.push(...someSleep(events.fellAsleep, 'fell asleep', name), ...someSleep(events.woke, 'woke', name));
+  lines.push(...describeSleep(events.fellAsleep, 'fell asleep', name), ...describeSleep(events.woke, 'woke', name));
   for (const event of events.contactsEnded) lines.push(both(event, 'parted from'));
   for (const event of events.contactsBegan) if (!hit.has(pair(event))) lines.push(both(event, 'touched'));
   for (const event of events.triggersLeft) lines.push(`${name(event.entity)} left ${name(event.trigger)}`);
@@ -26,7 +26,7 @@ export function describeEvents(events: Events, name: (entity: number) => string)
   return lines;
 }
 
-function someSleep(entities: readonly number[], verb: string, name: (entity: number) => string): string[] {
+function describeSleep(entities: readonly number[], verb: string, name: (entity: number) => string): string[] {
   if (entities.length > NAMED_SLEEPERS) return [`${entities.length} bodies ${verb}`];
   return entities.map((entity) => `${name(entity)} ${verb}`);
 }
@@ -37,25 +37,25 @@ function counted(n: number, one: string, many: string): string {
 
 /** The newest lines, oldest first. The same words again and again are one line with a count. */
 export class RecentLines {
-  private readonly kept: { words: string; times: number }[] = [];
+  private readonly entries: { words: string; times: number }[] = [];
 
   constructor(private readonly most: number) {}
 
   add(words: string): void {
-    const last = this.kept[this.kept.length - 1];
+    const last = this.entries[this.entries.length - 1];
     if (last?.words === words) {
       last.times++;
       return;
     }
-    this.kept.push({ words, times: 1 });
-    if (this.kept.length > this.most) this.kept.shift();
+    this.entries.push({ words, times: 1 });
+    if (this.entries.length > this.most) this.entries.shift();
   }
 
   clear(): void {
-    this.kept.length = 0;
+    this.entries.length = 0;
   }
 
   get lines(): string[] {
-    return this.kept.map(({ words, times }) => (times > 1 ? `${words} × ${times}` : words));
+    return this.entries.map(({ words, times }) => (times > 1 ? `${words} × ${times}` : words));
   }
 }

@@ -29,7 +29,7 @@ import { Recording } from './recording/recording';
 import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
-import { readoutWords, thingName } from './thing_names';
+import { readoutWords, entityName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import { heightAt } from './water';
 import './style.css';
@@ -138,7 +138,7 @@ const eventsPanel = new EventsPanel(
   byId('events'),
   hitMarks,
   (wanted) => connection.setEventsEnabled(wanted),
-  (id) => thingName(connection.entities.get(id), id),
+  (id) => entityName(connection.entities.get(id), id),
 );
 const worlds = new WorldsPanel(
   byId('worlds'),

@@ -1,15 +1,15 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { readoutWords, thingName } from './thing_names';
+import { readoutWords, entityName } from './thing_names';
 
 const field = { kind: { case: 'heightField' as const, value: {} } };
 const ball = { kind: { case: 'sphere' as const, value: { radius: 1 } } };
 
 it('a body is called by its name, else after its first shape', () => {
-  expect(thingName(create(EntitySchema, { name: 'goal', shapes: [ball] }), 3)).toBe('goal');
-  expect(thingName(create(EntitySchema, { shapes: [ball] }), 3)).toBe('ball 3');
-  expect(thingName(undefined, 3)).toBe('body 3');
+  expect(entityName(create(EntitySchema, { name: 'goal', shapes: [ball] }), 3)).toBe('goal');
+  expect(entityName(create(EntitySchema, { shapes: [ball] }), 3)).toBe('ball 3');
+  expect(entityName(undefined, 3)).toBe('body 3');
 });
 
 it('the line under the pointer says name, id, the shape that was hit and how far it is', () => {

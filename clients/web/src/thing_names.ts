@@ -11,7 +11,7 @@ export function kindWord(shape: Shape | undefined): string {
 }
 
 /** Its name in the scene; what has none, like a thrown ball, is called after its first shape. */
-export function thingName(entity: Entity | undefined, id: number): string {
+export function entityName(entity: Entity | undefined, id: number): string {
   if (!entity) return `body ${id}`;
   const kind = kindWord(entity.shapes[0]);
   return entity.name || `${kind === 'sphere' ? 'ball' : kind} ${id}`;

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import type { Entity } from '../gen/jostle/v1/play_pb';
 import type { Solids } from '../solids';
-import { thingName } from '../thing_names';
+import { entityName } from '../thing_names';
 
 const CHOICES_MAX = 12;
 const ARROW = new THREE.Color(0xffd166);
@@ -41,7 +41,7 @@ export class DriverPanel {
     this.panel.hidden = !choosing && !driven && general === '';
     if (this.panel.hidden) return;
     const told = driven
-      ? `You drive ${thingName(driven, driven.id)}${words && ` · ${words}`}`
+      ? `You drive ${entityName(driven, driven.id)}${words && ` · ${words}`}`
       : choosing
         ? controllable.length > 0
           ? 'Click what stands under an arrow, or choose:'
@@ -80,7 +80,7 @@ export class DriverPanel {
 /** An invitation. */
 export function offerWords(controllable: readonly Entity[]): string {
   if (controllable.length === 0) return '';
-  return controllable.length === 1 ? `Press 8 to drive ${thingName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length}`;
+  return controllable.length === 1 ? `Press 8 to drive ${entityName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length}`;
 }
 
 const place = new THREE.Vector3();

@@ -1,7 +1,7 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { readoutWords, entityName } from './thing_names';
+import { describePick, entityName } from './thing_names';
 
 const field = { kind: { case: 'heightField' as const, value: {} } };
 const ball = { kind: { case: 'sphere' as const, value: { radius: 1 } } };
@@ -14,6 +14,6 @@ it('a body is called by its name, else after its first shape', () => {
 
 it('the line under the pointer says name, id, the shape that was hit and how far it is', () => {
   const hill = create(EntitySchema, { name: 'hill', shapes: [ball, field] });
-  expect(readoutWords(hill, { entity: 12, shape: 1, distance: 14.239 })).toBe('hill · id 12 · height field · 14.2 m away');
-  expect(readoutWords(undefined, { entity: 5, shape: 0, distance: 1.5 })).toBe('no name · id 5 · shape · 1.50 m away');
+  expect(describePick(hill, { entity: 12, shape: 1, distance: 14.239 })).toBe('hill · id 12 · height field · 14.2 m away');
+  expect(describePick(undefined, { entity: 5, shape: 0, distance: 1.5 })).toBe('no name · id 5 · shape · 1.50 m away');
 });

@@ -3,26 +3,26 @@
 import type { Entity } from './gen/jostle/v1/play_pb';
 import type { Shape } from './gen/jostle/v1/scene_pb';
 
-const KIND_WORDS: Record<string, string> = { heightField: 'height field' };
+const KIND_NAMES: Record<string, string> = { heightField: 'height field' };
 
-export function kindWord(shape: Shape | undefined): string {
+export function shapeKindName(shape: Shape | undefined): string {
   const kind = shape?.kind.case;
-  return kind === undefined ? 'shape' : (KIND_WORDS[kind] ?? kind);
+  return kind === undefined ? 'shape' : (KIND_NAMES[kind] ?? kind);
 }
 
 /** Its name in the scene; what has none, like a thrown ball, is called after its first shape. */
 export function entityName(entity: Entity | undefined, id: number): string {
   if (!entity) return `body ${id}`;
-  const kind = kindWord(entity.shapes[0]);
+  const kind = shapeKindName(entity.shapes[0]);
   return entity.name || `${kind === 'sphere' ? 'ball' : kind} ${id}`;
 }
 
 /** One line on what is under the pointer. */
-export function readoutWords(entity: Entity | undefined, pick: { entity: number; shape: number; distance: number }): string {
+export function describePick(entity: Entity | undefined, pick: { entity: number; shape: number; distance: number }): string {
   const parts = [
     entity?.name || 'no name',
     `id ${pick.entity}`,
-    kindWord(entity?.shapes[pick.shape]),
+    shapeKindName(entity?.shapes[pick.shape]),
     `${pick.distance.toFixed(pick.distance < 10 ? 2 : 1)} m away`,
   ];
   return parts.join(' · ');

@@ -11,7 +11,7 @@ import { DebugView } from './debug_view';
 import { RenderedPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
 import { networkConditionsFromQuery } from './link_conditioner';
-import { clearWay, topAt } from './pick';
+import { unobstructedDistance, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './module_view';
 import type { PredictionController } from './prediction/foreseen';
@@ -29,7 +29,7 @@ import { Recording } from './recording/recording';
 import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
-import { readoutWords, entityName } from './thing_names';
+import { describePick, entityName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import { heightAt } from './water';
 import './style.css';
@@ -122,7 +122,7 @@ const tools = new Tools(
   queries,
   (hit) => {
     readout.hidden = hit === undefined;
-    if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
+    if (hit) readout.textContent = describePick(connection.entities.get(hit.entity), hit);
   },
   (entity) => {
     if (!connection.entities.get(entity)?.controllable) return toasts.say('nobody can drive that');
@@ -280,7 +280,7 @@ function drive(): void {
 /** Of who walks, who goes near walls. */
 function clearDistance(): number {
   if (driving.entity === 0 || moduleView.steeringOf(driving.entity)?.camera !== 'free') return Infinity;
-  return clearWay(view, camera.controls.target, camera.camera.position, driving.entity);
+  return unobstructedDistance(view, camera.controls.target, camera.camera.position, driving.entity);
 }
 
 /** A world that is new to us is seen as a whole at first. */

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
 import { RenderedPoses } from './interpolate';
 import { FrameBuffer } from './frame_buffer';
-import { pickAsked, pickDrawn, settle, type Pick } from './pick';
+import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import { Queries } from './queries';
 import { SceneView } from './scene_view';
 
@@ -65,13 +65,13 @@ const down = (x: number, z: number) =>
 describe('in the drawing', () => {
   it('meets a height field but not its hole', () => {
     const view = fieldAndCone();
-    const hit = pickDrawn(view, down(-0.5, -0.5))!;
+    const hit = pickRendered(view, down(-0.5, -0.5))!;
     expect([hit.entity, hit.distance, hit.normal.y]).toEqual([1, 10, 1]);
-    expect(pickDrawn(view, down(0.5, -0.5))).toBeUndefined();
+    expect(pickRendered(view, down(0.5, -0.5))).toBeUndefined();
   });
 
   it('meets the side of a cone, and names the second of the shapes', () => {
-    const hit = pickDrawn(fieldAndCone(), down(5.5, 0))!;
+    const hit = pickRendered(fieldAndCone(), down(5.5, 0))!;
     expect([hit.entity, hit.shape]).toEqual([2, 1]);
     expect(hit.distance).toBeCloseTo(10, 1); // at half of its radius it is at half of its height
     expect(hit.normal.y).toBeCloseTo(1 / Math.sqrt(5), 1); // two up for one out
@@ -84,13 +84,13 @@ describe('by the server', () => {
 
   it('is the first hit, as far away as its share of the ray', async () => {
     const json = '{"rays":[{"hits":[{"entity":9,"shape":2,"fraction":0.02,"point":{"x":1},"normal":{"y":1}}]}]}';
-    const { hit } = (await pickAsked(queries(json), ray))!;
+    const { hit } = (await pickFromServer(queries(json), ray))!;
     expect([hit!.entity, hit!.shape, hit!.distance, hit!.point.x, hit!.normal.y]).toEqual([9, 2, 10, 1, 1]);
   });
 
   it('tells nothing there from no answer', async () => {
-    expect(await pickAsked(queries('{"rays":[{}]}'), ray)).toEqual({ hit: undefined });
-    expect(await pickAsked(queries('no'), ray)).toBeUndefined();
+    expect(await pickFromServer(queries('{"rays":[{}]}'), ray)).toEqual({ hit: undefined });
+    expect(await pickFromServer(queries('no'), ray)).toBeUndefined();
   });
 });
 
@@ -99,19 +99,19 @@ describe('which of the two counts', () => {
   const moves = () => true;
 
   it('the server, when it answers', () => {
-    expect(settle(pick(1), { hit: pick(2) }, rest)?.entity).toBe(2);
-    expect(settle(undefined, { hit: pick(2) }, rest)?.entity).toBe(2);
-    expect(settle(pick(1), { hit: undefined }, rest)).toBeUndefined();
+    expect(choosePick(pick(1), { hit: pick(2) }, rest)?.entity).toBe(2);
+    expect(choosePick(undefined, { hit: pick(2) }, rest)?.entity).toBe(2);
+    expect(choosePick(pick(1), { hit: undefined }, rest)).toBeUndefined();
   });
 
   it('the drawing, when the server does not answer or the body seen is moving', () => {
-    expect(settle(pick(1), undefined, rest)?.entity).toBe(1);
-    expect(settle(pick(1), { hit: undefined }, moves)?.entity).toBe(1);
-    expect(settle(pick(1), { hit: pick(2) }, moves)?.entity).toBe(1);
+    expect(choosePick(pick(1), undefined, rest)?.entity).toBe(1);
+    expect(choosePick(pick(1), { hit: undefined }, moves)?.entity).toBe(1);
+    expect(choosePick(pick(1), { hit: pick(2) }, moves)?.entity).toBe(1);
   });
 
   it("the server's point, when both mean the same body", () => {
     const exact = { ...pick(1), distance: 3.001 };
-    expect(settle(pick(1), { hit: exact }, moves)).toBe(exact);
+    expect(choosePick(pick(1), { hit: exact }, moves)).toBe(exact);
   });
 });

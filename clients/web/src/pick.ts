@@ -15,7 +15,7 @@ export interface Pick {
 const REACH = 500; // m: as far as the camera sees
 
 /** Among what is drawn. */
-export function pickDrawn(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
+export function pickRendered(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
     if (hit.instanceId === undefined) continue;
     const { entity, shape } = view.ownerAt(hit.object, hit.instanceId);
@@ -34,7 +34,7 @@ const CLOSEST = 1.2; // m
 const OFF_WALL = 0.25; // m
 
 /** How far one can go from a place towards another until something stands in the way that stays where it is. `but`: no matter. */
-export function clearWay(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, but: number): number {
+export function unobstructedDistance(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, but: number): number {
   const way = to.clone().sub(from);
   const raycaster = new THREE.Raycaster(from, way.clone().normalize(), 0, way.length());
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
@@ -48,11 +48,11 @@ export function clearWay(view: SceneView, from: THREE.Vector3, to: THREE.Vector3
 /** How high what is drawn reaches at a place; undefined: nothing is there. */
 export function topAt(view: SceneView, x: number, z: number): number | undefined {
   const down = new THREE.Raycaster(new THREE.Vector3(x, REACH, z), new THREE.Vector3(0, -1, 0), 0, 2 * REACH);
-  return pickDrawn(view, down)?.point.y;
+  return pickRendered(view, down)?.point.y;
 }
 
 /** In the server's world, as it was in the picture if that is given; undefined when the server does not say. */
-export async function pickAsked(
+export async function pickFromServer(
   queries: Queries,
   { origin, direction }: THREE.Ray,
   viewTime?: { tick: number; fraction: number },
@@ -71,12 +71,12 @@ export async function pickAsked(
 
 /** Which of the two counts. The picture is some tens of milliseconds behind the server: of a body that moves, the server's answer
  * is about another moment than the one in which the person aimed, so there what was seen counts. */
-export function settle(
+export function choosePick(
   drawn: Pick | undefined,
-  asked: { hit: Pick | undefined } | undefined,
+  fromServer: { hit: Pick | undefined } | undefined,
   moves: (entity: number) => boolean,
 ): Pick | undefined {
-  if (!asked) return drawn;
-  if (drawn && drawn.entity !== asked.hit?.entity && moves(drawn.entity)) return drawn;
-  return asked.hit;
+  if (!fromServer) return drawn;
+  if (drawn && drawn.entity !== fromServer.hit?.entity && moves(drawn.entity)) return drawn;
+  return fromServer.hit;
 }

@@ -5,7 +5,7 @@ import * as THREE from 'three';
 import type { Camera } from './camera';
 import type { Connection, Input } from './connection';
 import { Throttle } from './paced';
-import { pickAsked, pickDrawn, settle, type Pick } from './pick';
+import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
 
@@ -25,13 +25,13 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
 const THROW_SPEED = 18; // m/s
 const BLAST_RADIUS = 6; // m
 const CLICK_PIXELS = 6; // a pointer that moved less was a click
-const WAITS_MS = 150; // for the server's answer, after a click and while hovering; then what is drawn counts
+const SERVER_TIMEOUT_MS = 150; // for the server's answer, after a click and while hovering; then what is drawn counts
 const HOVER_MS = 100;
 
 const xyz = (v: THREE.Vector3) => ({ x: v.x, y: v.y, z: v.z });
 
-function inTime<T>(asked: Promise<T>): Promise<T | undefined> {
-  return Promise.race([asked, new Promise<undefined>((done) => setTimeout(() => done(undefined), WAITS_MS))]);
+function withTimeout<T>(fromServer: Promise<T>): Promise<T | undefined> {
+  return Promise.race([fromServer, new Promise<undefined>((done) => setTimeout(() => done(undefined), SERVER_TIMEOUT_MS))]);
 }
 
 interface Press {
@@ -39,7 +39,7 @@ interface Press {
   readonly y: number;
   readonly raycaster: THREE.Raycaster;
   readonly drawn: Pick | undefined;
-  readonly asked: ReturnType<typeof pickAsked>;
+  readonly fromServer: ReturnType<typeof pickFromServer>;
   movedAway?: boolean;
 }
 
@@ -95,15 +95,15 @@ export class Tools {
     const { x, y } = { x: event.clientX, y: event.clientY };
     const raycaster = this.ray(event);
     if (this.tool === 'throw') {
-      this.pressed = { x, y, raycaster, drawn: undefined, asked: Promise.resolve(undefined) };
+      this.pressed = { x, y, raycaster, drawn: undefined, fromServer: Promise.resolve(undefined) };
       return;
     }
-    const drawn = pickDrawn(this.view, raycaster);
-    const press: Press = { x, y, raycaster, drawn, asked: pickAsked(this.queries, raycaster.ray, this.connection.renderedTime()) };
+    const drawn = pickRendered(this.view, raycaster);
+    const press: Press = { x, y, raycaster, drawn, fromServer: pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime()) };
     this.pressed = press;
     if (this.tool !== 'drag') return;
     if (this.isLoose(drawn)) this.take(drawn, event.pointerId);
-    void press.asked.then((asked) => this.putRight(press, settle(drawn, asked, this.moves), event.pointerId));
+    void press.fromServer.then((fromServer) => this.replacePick(press, choosePick(drawn, fromServer, this.moves), event.pointerId));
   }
 
   private take(hit: Pick, pointerId: number): void {
@@ -119,7 +119,7 @@ export class Tools {
   }
 
   /** The server answered; most often what the drawing said. */
-  private putRight(press: Press, hit: Pick | undefined, pointerId: number): void {
+  private replacePick(press: Press, hit: Pick | undefined, pointerId: number): void {
     if (this.pressed !== press || this.held?.entity === hit?.entity) return;
     if (this.held) this.dropGrab();
     // Who is looking around by now is not given a body.
@@ -146,8 +146,8 @@ export class Tools {
     const event = this.hovering;
     if (!event) return;
     const raycaster = this.ray(event);
-    const drawn = pickDrawn(this.view, raycaster);
-    const hit = settle(drawn, await inTime(pickAsked(this.queries, raycaster.ray, this.connection.renderedTime())), this.moves);
+    const drawn = pickRendered(this.view, raycaster);
+    const hit = choosePick(drawn, await withTimeout(pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime())), this.moves);
     if (!this.hovering) return; // the pointer left in the meantime
     if (this.tool === 'drag') this.canvas.style.cursor = this.isLoose(hit) ? 'grab' : '';
     this.over(hit);
@@ -174,7 +174,7 @@ export class Tools {
   }
 
   private async click(press: Press, tool: Tool): Promise<void> {
-    const hit = settle(press.drawn, await inTime(press.asked), this.moves);
+    const hit = choosePick(press.drawn, await withTimeout(press.fromServer), this.moves);
     if (!hit) return;
     switch (tool) {
       case 'box':

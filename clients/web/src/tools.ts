@@ -34,7 +34,7 @@ function withTimeout<T>(fromServer: Promise<T>): Promise<T | undefined> {
   return Promise.race([fromServer, new Promise<undefined>((done) => setTimeout(() => done(undefined), SERVER_TIMEOUT_MS))]);
 }
 
-interface Press {
+interface PointerPress {
   readonly x: number;
   readonly y: number;
   readonly raycaster: THREE.Raycaster;
@@ -48,7 +48,7 @@ export class Tools {
   /** False: it only tells what is under the pointer. */
   enabled = true;
   private held: { entity: number; plane: THREE.Plane } | undefined;
-  private pressed: Press | undefined;
+  private pressed: PointerPress | undefined;
   private hovering: PointerEvent | undefined;
   private readonly hover = new Throttle(HOVER_MS, () => this.lookUnderPointer());
 
@@ -99,7 +99,7 @@ export class Tools {
       return;
     }
     const drawn = pickRendered(this.view, raycaster);
-    const press: Press = { x, y, raycaster, drawn, fromServer: pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime()) };
+    const press: PointerPress = { x, y, raycaster, drawn, fromServer: pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime()) };
     this.pressed = press;
     if (this.tool !== 'drag') return;
     if (this.isLoose(drawn)) this.take(drawn, event.pointerId);
@@ -119,7 +119,7 @@ export class Tools {
   }
 
   /** The server answered; most often what the drawing said. */
-  private replacePick(press: Press, hit: Pick | undefined, pointerId: number): void {
+  private replacePick(press: PointerPress, hit: Pick | undefined, pointerId: number): void {
     if (this.pressed !== press || this.held?.entity === hit?.entity) return;
     if (this.held) this.dropGrab();
     // Who is looking around by now is not given a body.
@@ -173,7 +173,7 @@ export class Tools {
     this.send({ case: 'release', value: {} });
   }
 
-  private async click(press: Press, tool: Tool): Promise<void> {
+  private async click(press: PointerPress, tool: Tool): Promise<void> {
     const hit = choosePick(press.drawn, await withTimeout(press.fromServer), this.moves);
     if (!hit) return;
     switch (tool) {

@@ -3,13 +3,13 @@
 
 const KEY = 'jostle-token';
 
-export interface Place {
+export interface UrlLocation {
   readonly hash: string;
   /** Puts another hash in the address without a trace of the old one. */
   replaceHash(hash: string): void;
 }
 
-export function takeToken(place: Place, store: Pick<Storage, 'getItem' | 'setItem'>): string {
+export function takeToken(place: UrlLocation, store: Pick<Storage, 'getItem' | 'setItem'>): string {
   const fields = new URLSearchParams(place.hash.replace(/^#/, ''));
   const given = fields.get('token');
   if (given === null) return store.getItem(KEY) ?? '';

@@ -5,16 +5,16 @@ import * as THREE from 'three';
 import { isOfModule, type ModuleRenderer } from './drawer';
 import { ValueReader } from './value_reader';
 
-export interface Whole {
+export interface DestructibleState {
   pieces: number;
   bonds: number; // that hold
   bondsAtFirst: number;
 }
 
 /** Nothing unless the numbers are exactly what destructibles tell. */
-export function readWholes(values: Int32Array): Whole[] | undefined {
+export function readWholes(values: Int32Array): DestructibleState[] | undefined {
   const reader = new ValueReader(values);
-  const wholes: Whole[] = [];
+  const wholes: DestructibleState[] = [];
   while (reader.left > 0) wholes.push({ pieces: reader.value(), bonds: reader.value(), bondsAtFirst: reader.value() });
   return reader.failed ? undefined : wholes;
 }
@@ -38,7 +38,7 @@ export const destructibles: ModuleRenderer = {
   statusText(data) {
     const wholes = data.flatMap(({ values }) => readWholes(values) ?? []);
     if (wholes.length === 0) return '';
-    const sum = (of: keyof Whole) => wholes.reduce((total, whole) => total + whole[of], 0);
+    const sum = (of: keyof DestructibleState) => wholes.reduce((total, whole) => total + whole[of], 0);
     const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;
     return `${wholes.length} ${wholes.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
   },

@@ -7,7 +7,7 @@ it('a blast shows for half a second, and once however often its tick is drawn', 
   for (const now of [1000, 1016, 1033]) marks.add(1, 2, 3, 6, now);
   const lit = (now: number) => {
     marks.update(now);
-    return marks.litNow;
+    return marks.activeCount;
   };
   expect([lit(1000), lit(1500), lit(1560)]).toEqual([1, 1, 0]);
   marks.add(1, 2, 3, 6, 2000);

@@ -36,7 +36,7 @@ export class BlastMarks {
     mark.bornMs = nowMs;
   }
 
-  get litNow(): number {
+  get activeCount(): number {
     return this.lit;
   }
 

@@ -23,7 +23,7 @@ it('a hundred hits at once are 64 marks', () => {
   const marks = new HitMarks(new THREE.Scene());
   for (let i = 0; i < 100; i++) marks.add(i, 0, 0, 1, 0);
   marks.update(10);
-  expect(marks.litNow).toBe(64);
+  expect(marks.activeCount).toBe(64);
 });
 
 function currentMatrix(marks: HitMarks): THREE.Matrix4 {

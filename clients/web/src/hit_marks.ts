@@ -36,7 +36,7 @@ export class HitMarks {
     mark.bornMs = fromMs;
   }
 
-  get litNow(): number {
+  get activeCount(): number {
     return this.lit;
   }
 

@@ -17,7 +17,7 @@ import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './mod
 import type { PredictionController } from './prediction/foreseen';
 import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
-import { drawArrows, DriverPanel, offerWords } from './panels/driver';
+import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { EventsPanel } from './panels/events';
 import { TimelinePanel } from './panels/timeline';
 import { StatsPanel } from './panels/stats';
@@ -328,7 +328,7 @@ function updateDriverPanel(): void {
       driven: connection.entities.get(driving.entity),
       keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
       words: moduleView.controlledStatusText(driving.entity),
-      general: moduleView.words() || offerWords(controllable),
+      general: moduleView.words() || offerText(controllable),
     },
     controllable,
   );
@@ -362,7 +362,7 @@ renderer.setAnimationLoop(() => {
   hitMarks.update(performance.now());
   drive();
   connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
-  view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
+  view.updateSun(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
   statsPanel.frameRendered();
 });

@@ -70,7 +70,7 @@ export class SceneView {
     this.sun.shadow.normalBias = 0.03;
     this.scene.add(this.sun, this.sun.target);
     for (const kind of UNIT_KINDS) this.addInstances(kind, kind, UNIT_GEOMETRIES[kind]());
-    this.lightUp(new THREE.Vector3(), 25);
+    this.updateSun(new THREE.Vector3(), 25);
   }
 
   private addInstances(key: string, kind: Kind, geometry: THREE.BufferGeometry, room?: number): Instances {
@@ -106,7 +106,7 @@ export class SceneView {
   }
 
   /** Shadows fall where one looks, as sharp as the distance allows. */
-  lightUp(target: THREE.Vector3, distance: number): void {
+  updateSun(target: THREE.Vector3, distance: number): void {
     const reach = Math.min(112, 14 * 2 ** Math.max(0, Math.ceil(Math.log2(distance / 14))));
     if (reach !== this.shadowReach) {
       this.shadowReach = reach;

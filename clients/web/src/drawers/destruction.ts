@@ -12,11 +12,11 @@ export interface DestructibleState {
 }
 
 /** Nothing unless the numbers are exactly what destructibles tell. */
-export function readWholes(values: Int32Array): DestructibleState[] | undefined {
+export function readDestructibles(values: Int32Array): DestructibleState[] | undefined {
   const reader = new ValueReader(values);
-  const wholes: DestructibleState[] = [];
-  while (reader.left > 0) wholes.push({ pieces: reader.value(), bonds: reader.value(), bondsAtFirst: reader.value() });
-  return reader.failed ? undefined : wholes;
+  const states: DestructibleState[] = [];
+  while (reader.left > 0) states.push({ pieces: reader.value(), bonds: reader.value(), bondsAtFirst: reader.value() });
+  return reader.failed ? undefined : states;
 }
 
 const GOLDEN = 0.618034; // neighbours in number are far apart in shade
@@ -36,10 +36,10 @@ export const destructibles: ModuleRenderer = {
     return colors;
   },
   statusText(data) {
-    const wholes = data.flatMap(({ values }) => readWholes(values) ?? []);
-    if (wholes.length === 0) return '';
-    const sum = (of: keyof DestructibleState) => wholes.reduce((total, whole) => total + whole[of], 0);
+    const states = data.flatMap(({ values }) => readDestructibles(values) ?? []);
+    if (states.length === 0) return '';
+    const sum = (of: keyof DestructibleState) => states.reduce((total, whole) => total + whole[of], 0);
     const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;
-    return `${wholes.length} ${wholes.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
+    return `${states.length} ${states.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
   },
 };

@@ -8,7 +8,7 @@ import { testRenderContext } from '../testing/test_drawing';
 import { heightAt } from '../water';
 import { boats, readBoat } from './boat';
 import { characters, readCharacter } from './character';
-import { destructibles, readWholes } from './destruction';
+import { destructibles, readDestructibles } from './destruction';
 import { fields, waterSurface, readFields, readWaters, waves } from './fields';
 import { bonesOf, ragdolls, readMode } from './ragdoll';
 import { readCar, vehicles } from './vehicle';
@@ -62,12 +62,12 @@ describe('golden channels', () => {
     const data = goldenModule('destruction');
     expect(data.map(({ entity }) => entity)).toEqual([0]);
     const { values } = data[0]!;
-    const [whole, hit] = readWholes(values)!;
+    const [whole, hit] = readDestructibles(values)!;
     expect(whole).toEqual({ pieces: 1, bonds: 69, bondsAtFirst: 69 });
     expect(hit!.pieces).toBeGreaterThan(1);
     expect(hit!.bonds).toBeLessThan(69);
     // Two walls are also one, or none.
-    for (const part of broken(values)) if (part.length % 3 !== 0) expect(readWholes(part)).toBeUndefined();
+    for (const part of broken(values)) if (part.length % 3 !== 0) expect(readDestructibles(part)).toBeUndefined();
     expect(destructibles.statusText!(data)).toBe('2 walls in 4 pieces · 84 % of the bonds hold');
   });
 

@@ -3,14 +3,14 @@ import * as THREE from 'three';
 import { expect, it } from 'vitest';
 import { EntitySchema } from '../gen/jostle/v1/play_pb';
 import { Solids } from '../solids';
-import { drawArrows, offerWords } from './driver';
+import { drawArrows, offerText } from './driver';
 
 const car = (id: number, name: string) => create(EntitySchema, { id, name, controllable: true });
 
 it('says what can be driven', () => {
-  expect(offerWords([])).toBe('');
-  expect(offerWords([car(3, 'digger')])).toBe('Press 8 to drive digger');
-  expect(offerWords([car(3, 'car'), car(4, 'car2')])).toBe('Press 8 to drive one of 2');
+  expect(offerText([])).toBe('');
+  expect(offerText([car(3, 'digger')])).toBe('Press 8 to drive digger');
+  expect(offerText([car(3, 'car'), car(4, 'car2')])).toBe('Press 8 to drive one of 2');
 });
 
 it('puts an arrow over each that is there', () => {

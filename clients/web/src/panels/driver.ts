@@ -78,7 +78,7 @@ export class DriverPanel {
 }
 
 /** An invitation. */
-export function offerWords(controllable: readonly Entity[]): string {
+export function offerText(controllable: readonly Entity[]): string {
   if (controllable.length === 0) return '';
   return controllable.length === 1 ? `Press 8 to drive ${entityName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length}`;
 }

@@ -81,7 +81,7 @@ export class WorldsPanel {
     this.panel.replaceChildren(element('h2', 'Worlds'));
     for (const world of worlds) {
       this.panel.append(this.worldRow(world));
-      if (world.oldestRestorableTick > 0) this.panel.append(this.pastRow(world, worlds));
+      if (world.oldestRestorableTick > 0) this.panel.append(this.restoreRow(world, worlds));
     }
     this.panel.append(element('h2', 'New world from a scene'));
     for (const scene of scenes) {
@@ -124,7 +124,7 @@ export class WorldsPanel {
   }
 
   /** What if: a slider over the ticks that are kept, and a button that opens one as a world of its own. */
-  private pastRow(world: WorldInfo, worlds: WorldInfo[]): HTMLElement {
+  private restoreRow(world: WorldInfo, worlds: WorldInfo[]): HTMLElement {
     const row = element('div', '', 'past');
     // What nobody did anything in is kept a second later.
     const newest = Math.max(world.oldestRestorableTick, world.tick - Math.ceil(world.hz));

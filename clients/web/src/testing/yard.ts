@@ -43,7 +43,7 @@ const BODIES: readonly { entity: Entity; at: Point }[] = [
 ];
 
 /** A picture of all bodies, at first as they stand. */
-class Everybody implements RenderedScene {
+class AllPoses implements RenderedScene {
   readonly poses = new Float64Array(BODIES.length * POSE_FLOATS);
   constructor() {
     BODIES.forEach(({ at }, i) => this.poses.set([...at, 0, 0, 0, 1], i * POSE_FLOATS));
@@ -79,7 +79,7 @@ const distance = (a: Point, b: Point) => Math.hypot(a[0] - b[0], a[1] - b[1], a[
 export class Yard {
   // --- the server ---
   serverTick = 0;
-  private readonly truth: Everybody[] = [new Everybody()]; // by tick
+  private readonly truth: AllPoses[] = [new AllPoses()]; // by tick
   private serverSequence = 0;
   private applied = 0;
   private marginUs = 0;
@@ -139,7 +139,7 @@ export class Yard {
     return new Yard(await Predictor.create(module), await Predictor.create(module), { ...IDEAL_NETWORK, ...link });
   }
 
-  private statesOf(all: Everybody): EntityState[] {
+  private statesOf(all: AllPoses): EntityState[] {
     return BODIES.map(({ entity }) => quantize(entity.id, all.poseOf(entity.id), false));
   }
 
@@ -157,7 +157,7 @@ export class Yard {
     }
     const other = this.pushesOfOthers.get(tick);
     if (other) this.server.addInput(++this.serverSequence, tick, pushOf(other));
-    const now = new Everybody();
+    const now = new AllPoses();
     for (const id of [OWN, OTHER]) now.poseOf(id)[0] = 1e6; // so far away that nothing is walked: it shows the solver's poses
     this.server.draw(now, tick, tick * 1e6);
     this.truth[tick] = now;

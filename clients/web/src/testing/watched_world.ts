@@ -53,7 +53,7 @@ export interface Seen {
   behindMs: number; // mean: shown behind the server
 }
 
-class Watcher {
+class Observer {
   readonly seen: Seen = {
     pictures: 0,
     backwardSteps: 0,
@@ -120,7 +120,7 @@ export function watch(settings: NetworkConditions, picturesHz: number, seconds =
   const clock = new RenderClock();
   const frames = new FrameBuffer();
   const drawn = new RenderedPoses();
-  const watcher = new Watcher();
+  const watcher = new Observer();
   let next = 1;
   let arrivalUs = link.arrivalUs(0);
   for (let picture = 0; picture < seconds * picturesHz; picture++) {

@@ -38,7 +38,7 @@ function entitiesAt(s: number): EntityState[] {
 }
 
 /** What is watched of a viewer. */
-export interface Seen {
+export interface Observation {
   pictures: number;
   backwardSteps: number;
   halfwayLeaps: number;
@@ -54,7 +54,7 @@ export interface Seen {
 }
 
 class Observer {
-  readonly seen: Seen = {
+  readonly seen: Observation = {
     pictures: 0,
     backwardSteps: 0,
     halfwayLeaps: 0,
@@ -113,7 +113,7 @@ class Observer {
 }
 
 /** So many seconds of frames, 60 a second, over a link, drawn so many times a second. */
-export function watch(settings: NetworkConditions, picturesHz: number, seconds = 60): Seen {
+export function watch(settings: NetworkConditions, picturesHz: number, seconds = 60): Observation {
   const epochUs = 7e9; // of the server's clock
   const oursUs = 1e6; // of ours, at the same time
   const link = new NetworkSimulator(settings);

@@ -3,7 +3,7 @@
 
 import { describe, expect, it } from 'vitest';
 import { IDEAL_NETWORK, type NetworkConditions } from './link_conditioner';
-import { watch } from './testing/watched_world';
+import { observe } from './testing/watched_world';
 
 // What each link is allowed to cost; measured figures are a little below. Errors are those of who guesses: a bounce is cut by 23 mm
 // between two frames, and who holds while a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.
@@ -19,7 +19,7 @@ const LINKS: { name: string; link: Partial<NetworkConditions>; usualErrorMm: num
 
 describe.each(LINKS)('over a link with $name', ({ link, ...most }) => {
   it.each([144, 60])('the clock never goes back and no body steps, at %d pictures a second', (picturesHz) => {
-    const seen = watch({ ...IDEAL_NETWORK, ...link }, picturesHz);
+    const seen = observe({ ...IDEAL_NETWORK, ...link }, picturesHz);
     expect(seen.pictures).toBeGreaterThan(58 * picturesHz);
     expect(seen.backwardSteps).toBe(0);
     expect(seen.leastSpeed).toBeGreaterThan(0.9);

@@ -113,7 +113,7 @@ class Observer {
 }
 
 /** So many seconds of frames, 60 a second, over a link, drawn so many times a second. */
-export function watch(settings: NetworkConditions, picturesHz: number, seconds = 60): Observation {
+export function observe(settings: NetworkConditions, picturesHz: number, seconds = 60): Observation {
   const epochUs = 7e9; // of the server's clock
   const oursUs = 1e6; // of ours, at the same time
   const link = new NetworkSimulator(settings);

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "tests/clients/cpp/core/watched_world.h"
+#include "tests/clients/cpp/core/observed_world.h"
 
 namespace jostle::client {
 namespace {

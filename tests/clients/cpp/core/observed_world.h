@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A world whose motion is known by formula, seen through a bad link: what pictures do to it. The
-// same in the browser's tests (clients/web/src/testing/watched_world.ts).
+// same in the browser's tests (clients/web/src/testing/observed_world.ts).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // A world whose motion is known by formula, seen through a bad link: what pictures do to it. The same as in the tests of the C++
-// client library (tests/clients/cpp/core/watched_world.h).
+// client library (tests/clients/cpp/core/observed_world.h).
 
 import type { EntityState } from '../decode_frame';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';

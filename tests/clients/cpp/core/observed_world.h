@@ -55,7 +55,7 @@ inline wire::QuantizedFrame frame_at(std::uint32_t number, double s) {
 }
 
 // What is watched of a viewer.
-struct Seen {
+struct Observation {
     int pictures = 0, backward_steps = 0, halfway_leaps = 0, ghosts = 0;
     double least_speed = 1, greatest_speed = 1;  // of the clock
     // mm: how much further a body came in one picture than 1.1 times its top speed explains, and
@@ -82,9 +82,9 @@ public:
         last_ = poses;
         last_shown_ = shown_s;
     }
-    Seen seen() {
+    Observation seen() {
         std::sort(errors_.begin(), errors_.end());
-        Seen all = seen_;
+        Observation all = seen_;
         all.pictures = static_cast<int>(errors_.size());
         all.error_mm = 1000 * errors_.back();
         all.usual_error_mm = 1000 * errors_[errors_.size() * 95 / 100];
@@ -115,14 +115,14 @@ private:
         return between(now.pose, pose_at(now.entity, shown_s));
     }
 
-    Seen seen_;
+    Observation seen_;
     std::vector<double> errors_;
     std::vector<SmoothPose> last_;
     double last_shown_ = 0;
 };
 
 // So many seconds of frames, 60 a second, over a link, drawn so many times a second.
-inline Seen watch(const NetworkConditions& link_settings, double pictures_hz, double seconds = 60) {
+inline Observation watch(const NetworkConditions& link_settings, double pictures_hz, double seconds = 60) {
     constexpr std::int64_t epoch_us = 7'000'000'000;  // of the server's clock
     constexpr std::int64_t ours_us = 1'000'000;       // of ours, at the same time
     NetworkSimulator link(link_settings);

@@ -129,7 +129,7 @@ int train(const std::string& folder) {
     write(folder + "/start_models.ts", tables,
           "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, \"How "
           "models "
-          "begin\").\n\nexport const START_LETTERS = [\n  [\n",
+          "begin\").\n\nexport const INITIAL_MODELS = [\n  [\n",
           "    '%s',\n", "  ].join(''),\n  [\n", "  ].join(''),\n] as const;\n");
     return 0;
 }

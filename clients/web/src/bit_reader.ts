@@ -4,7 +4,7 @@
 const RICE_ESCAPE = 15;
 const RICE_ESCAPE_BITS = 33;
 const ALL_ONES = 2 ** RICE_ESCAPE - 1;
-const PIECE = 24; // bits that one look can always give, whatever bit it begins at
+const BITS_PER_READ = 24; // bits that one look can always give, whatever bit it begins at
 
 export class BitReader {
   private at = 0; // bit
@@ -18,7 +18,7 @@ export class BitReader {
   }
 
   /** The next 24 bits at least, and some more above them. */
-  private look(): number {
+  private peek(): number {
     if (this.at > this.end) return 0;
     const { bytes } = this;
     const i = this.at >> 3;
@@ -28,17 +28,17 @@ export class BitReader {
 
   /** The next `count` bits, least significant first; count at most 40. */
   bits(count: number): number {
-    if (count > PIECE) {
-      const low = this.bits(PIECE);
-      return low + this.bits(count - PIECE) * 2 ** PIECE;
+    if (count > BITS_PER_READ) {
+      const low = this.bits(BITS_PER_READ);
+      return low + this.bits(count - BITS_PER_READ) * 2 ** BITS_PER_READ;
     }
-    const value = this.look() & ((1 << count) - 1);
+    const value = this.peek() & ((1 << count) - 1);
     this.at += count;
     return value;
   }
 
   rice(k: number): number {
-    const zeros = ~this.look() & ALL_ONES; // where the ones end
+    const zeros = ~this.peek() & ALL_ONES; // where the ones end
     if (zeros === 0) {
       this.at += RICE_ESCAPE;
       return this.bits(RICE_ESCAPE_BITS);
@@ -59,7 +59,7 @@ export class BitReader {
 
   /** Takes the next 15 bits when they are all ones. */
   takeEscape(): boolean {
-    if ((this.look() & ALL_ONES) !== ALL_ONES) return false;
+    if ((this.peek() & ALL_ONES) !== ALL_ONES) return false;
     this.at += RICE_ESCAPE;
     return true;
   }

@@ -8,7 +8,7 @@ import {
   NEWEST_CODEC,
   decodeFrame,
   frameCrc,
-  isSound,
+  isValidSpec,
   type Baselines,
   type QuantSpec,
   type QuantizedFrame,
@@ -316,7 +316,7 @@ export class Connection {
     const { unitsPerMeter, rotationComponent } = welcome.quant ?? { unitsPerMeter: 512, rotationComponent: 511 };
     this.spec = { unitsPerMeter, rotationComponent };
     this.codec = welcome.codec || 1;
-    if (!isSound(this.spec) || this.codec > NEWEST_CODEC) {
+    if (!isValidSpec(this.spec) || this.codec > NEWEST_CODEC) {
       this.dropSocket();
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }

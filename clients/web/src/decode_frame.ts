@@ -9,7 +9,7 @@ import {
   INT32_MAX,
   INT32_MIN,
   isRotation,
-  isSound,
+  isValidSpec,
   merge,
   samePose,
   survivorsOf,
@@ -25,7 +25,7 @@ import {
 import { predict } from './predict';
 import { RangeFrameReader } from './range_frame';
 
-export { DecodeError, isSound, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
+export { DecodeError, isValidSpec, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
 
 /** The highest codec that decodeFrame() knows. */
 export const NEWEST_CODEC = 2;
@@ -189,7 +189,7 @@ export function decodeFrame(
   maxEntities = 1 << 20,
   codec = 1,
 ): QuantizedFrame {
-  if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
+  if (!isValidSpec(spec)) throw new DecodeError('a quantisation out of range');
   if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
   const baseline2 = baselines.base ? baselines.baseline2 : undefined;
   const baseline3 = baseline2 ? baselines.baseline3 : undefined;

@@ -1,7 +1,7 @@
 // Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/snapshot/include/jostle/snapshot/frame_models.h.
 
 import type { Models } from './range_decoder';
-import { START_LETTERS } from './start_models';
+import { INITIAL_MODELS } from './start_models';
 
 export const MAGNITUDE = 5; // models of a number: not 0, negative, above 1, above 3, odd
 export const FIRST_WIDTH = 2; // of a number above 3: bits below its leading one
@@ -53,11 +53,11 @@ function read(letters: string): Models {
   return { one, seen };
 }
 
-const start = START_LETTERS.map(read);
+const start = INITIAL_MODELS.map(read);
 const working: Models = { one: new Uint16Array(MODEL_COUNT), seen: new Uint8Array(MODEL_COUNT) };
 
 /** As a frame begins whose base is so many ticks old. Good until the next call. */
-export function freshModels(baseAge: number): Models {
+export function initialModels(baseAge: number): Models {
   const { one, seen } = start[baseAge > 2 ? 1 : 0]!;
   working.one.set(one);
   working.seen.set(seen);

@@ -31,7 +31,7 @@ export interface Baselines {
 export class DecodeError extends Error {}
 
 /** Whether the arithmetic below is exact with this quantisation (WIRE.md). */
-export function isSound({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
+export function isValidSpec({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
   return Number.isInteger(u) && u >= 1 && u <= 65536 && Number.isInteger(m) && m >= 1 && m <= 16383;
 }
 

@@ -25,7 +25,7 @@ const MOTIONLESS = 0;
 const MOVING = 1;
 const STOPPED = 2;
 
-function paceOf(s: Survivor): number {
+function motionClassOf(s: Survivor): number {
   if (!s.b2 || s.b2.atRest || !samePose(s.b1, s.b2)) return MOVING;
   return s.b3 && samePose(s.b1, s.b3) ? MOTIONLESS : STOPPED;
 }
@@ -47,7 +47,7 @@ const r: Three = [0, 0, 0];
 const step: Three = [0, 0, 0];
 const bend: Three = [0, 0, 0];
 
-const NOBODY: EntityState = { id: 0, position: [0, 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false };
+const NO_ENTITY: EntityState = { id: 0, position: [0, 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false };
 
 export class RangeFrameReader {
   private in!: RangeDecoder;
@@ -58,7 +58,7 @@ export class RangeFrameReader {
   ) {}
 
   decode(baselines: Baselines, t: Spacing, maxEntities: number): EntityState[] {
-    this.in = new RangeDecoder(this.packed, M.freshModels(t.dt1));
+    this.in = new RangeDecoder(this.packed, M.initialModels(t.dt1));
     const inBase = baselines.base?.entities.length ?? 0;
     const changes = this.in.bit(M.CHANGES_ENTITIES);
     const removed = changes ? this.readRemoved(inBase) : new Set<number>();
@@ -131,9 +131,9 @@ export class RangeFrameReader {
     if (total > limit) this.fail('spawned: more entities than the limit');
     const known = new Finder(baselines.base);
     const out: EntityState[] = [];
-    let before = NOBODY;
+    let before = NO_ENTITY;
     for (let i = 0; i < total; i++) {
-      before = this.readNewcomer(before);
+      before = this.readSpawnedEntity(before);
       this.checkEnd();
       if (known.find(before.id)) this.fail('spawned: an id that the base has');
       out.push(before);
@@ -141,7 +141,7 @@ export class RangeFrameReader {
     return out;
   }
 
-  private readNewcomer(before: EntityState): EntityState {
+  private readSpawnedEntity(before: EntityState): EntityState {
     const id = before.id + 1 + this.count(M.ID_GAP);
     if (id > 0xffffffff) this.fail('spawned: an id beyond 32 bits');
     const position: Three = [0, 0, 0];
@@ -209,7 +209,7 @@ export class RangeFrameReader {
   }
 
   private readAwake(s: Survivor, t: Spacing): EntityState {
-    const pace = paceOf(s);
+    const pace = motionClassOf(s);
     const changed = this.in.bit(M.CHANGES + pace);
     const atRest = this.in.bit(M.FALLS_ASLEEP + 2 * pace + (changed ? 1 : 0));
     if (changed) return this.readPose(s, t, atRest);

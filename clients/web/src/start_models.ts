@@ -1,6 +1,6 @@
 // Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, "How models begin").
 
-export const START_LETTERS = [
+export const INITIAL_MODELS = [
   [
     'Rn%nb,9eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee.(%x1eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee',
     'e(plb%PvdpTeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeh(%xFlFeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee',

@@ -50,7 +50,7 @@ describe('predictor', () => {
     const yard = await Yard.make();
     yard.run(3);
     yard.speed = 3;
-    yard.pushesOfOthers.set(yard.serverTick + 20, [0, 0, 3]);
+    yard.otherClientPushes.set(yard.serverTick + 20, [0, 0, 3]);
     yard.run(0.4);
     expect(yard.predictor.stats.corrections).toBeGreaterThan(0);
     yard.run(1.6);
@@ -63,7 +63,7 @@ describe('predictor', () => {
     const yard = await Yard.make();
     yard.run(3);
     yard.speed = 5;
-    yard.pushesOfOthers.set(yard.serverTick + 12, [0, 0, 3]);
+    yard.otherClientPushes.set(yard.serverTick + 12, [0, 0, 3]);
     yard.push([-3, 0, 0]);
     yard.run(2);
     expect(yard.stepMm).toBeLessThan(20);

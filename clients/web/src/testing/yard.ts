@@ -83,7 +83,7 @@ export class Yard {
   private serverSequence = 0;
   private applied = 0;
   private marginUs = 0;
-  readonly pushesOfOthers = new Map<number, Point>(); // by tick, m/s, of our body
+  readonly otherClientPushes = new Map<number, Point>(); // by tick, m/s, of our body
   refuses = false;
 
   // --- on the way ---
@@ -155,7 +155,7 @@ export class Yard {
       this.marginUs = Math.round((sent.tick - tick) * TICK_US + dueUs - sent.atUs);
       if (!this.refuses) this.server.addInput(++this.serverSequence, tick, sent.input);
     }
-    const other = this.pushesOfOthers.get(tick);
+    const other = this.otherClientPushes.get(tick);
     if (other) this.server.addInput(++this.serverSequence, tick, pushOf(other));
     const now = new AllPoses();
     for (const id of [OWN, OTHER]) now.poseOf(id)[0] = 1e6; // so far away that nothing is walked: it shows the solver's poses

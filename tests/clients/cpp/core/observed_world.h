@@ -122,7 +122,7 @@ private:
 };
 
 // So many seconds of frames, 60 a second, over a link, drawn so many times a second.
-inline Observation watch(const NetworkConditions& link_settings, double pictures_hz, double seconds = 60) {
+inline Observation observe(const NetworkConditions& link_settings, double pictures_hz, double seconds = 60) {
     constexpr std::int64_t epoch_us = 7'000'000'000;  // of the server's clock
     constexpr std::int64_t ours_us = 1'000'000;       // of ours, at the same time
     NetworkSimulator link(link_settings);

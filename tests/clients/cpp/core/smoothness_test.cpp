@@ -49,7 +49,7 @@ class Smoothness : public testing::TestWithParam<PathEmulator> {};
 
 TEST_P(Smoothness, the_clock_never_goes_back_and_no_body_steps) {
     for (const double pictures_hz : {144.0, 60.0}) {
-        const Observation seen = watch(GetParam().link, pictures_hz);
+        const Observation seen = observe(GetParam().link, pictures_hz);
         SCOPED_TRACE(std::to_string(pictures_hz) + " pictures a second");
         const auto record = [&](const char* name, double value) {
             RecordProperty(name + std::to_string(static_cast<int>(pictures_hz)),

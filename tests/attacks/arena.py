@@ -23,8 +23,8 @@ MESSAGES_MIN = 60          # a second, to each honest player, in the worst full 
 RSS_MAX_MB = 300
 SHUTDOWN_MAX = DRAIN_SECONDS + 3
 WARM_UP = 1.5              # s that honest players play before the attack begins
-JUDGED_AT_LEAST = 3        # s, however short the attack was
-PATIENCE = 15              # s beyond its own time before an attack is ended
+MEASURED_SECONDS_MIN = 3        # s, however short the attack was
+TIMEOUT = 15              # s beyond its own time before an attack is ended
 NICE = 10                  # of attackers: they stand for other machines, and may not starve the server by the scheduler
 
 CONTEXT = multiprocessing.get_context("fork")
@@ -68,7 +68,7 @@ class Arena:
     def note(self, what):
         self.pipe.send(("note", what))
 
-    def fork(self, count, function, *arguments, patience=PATIENCE):
+    def fork(self, count, function, *arguments, patience=TIMEOUT):
         """function(i, *arguments) in `count` processes at once; what they return, None for who failed or took too long."""
         pipes = []
         for i in range(count):
@@ -175,7 +175,7 @@ def _attack(spec, server, honest, verdict):
         began = _listen(spec, ours, began, verdict)
     finally:
         _end_group(process)
-    time.sleep(max(0.0, began + JUDGED_AT_LEAST - time.monotonic()))
+    time.sleep(max(0.0, began + MEASURED_SECONDS_MIN - time.monotonic()))
     ended = time.monotonic()
     verdict.seconds = ended - began
     verdict.others_cpu = busy.others()
@@ -185,7 +185,7 @@ def _attack(spec, server, honest, verdict):
 
 def _listen(spec, pipe, began, verdict):
     """Collects what the attack says until it is done; returns when judging began."""
-    until = began + spec.seconds + PATIENCE
+    until = began + spec.seconds + TIMEOUT
     while True:
         if not pipe.poll(max(0, until - time.monotonic())):
             verdict.notes.append("the attack was ended by the clock")
@@ -196,7 +196,7 @@ def _listen(spec, pipe, began, verdict):
             return began
         if kind == "begin":
             began = what[0]
-            until = began + spec.seconds + PATIENCE
+            until = began + spec.seconds + TIMEOUT
         elif kind == "check":
             (verdict.notes if what[0] else verdict.faults).append(what[1])
         elif kind == "note":

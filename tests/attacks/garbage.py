@@ -7,7 +7,7 @@ import time
 from . import http2, messages, websocket
 from .arena import attack
 from .net import SERVER, Closed, connect
-from .player import TRANSPORTS, Player, open_link
+from .player import TRANSPORTS, Player, open_stream
 from .protobuf import double, nested, text, uint, varint
 from .server import http_answers
 
@@ -60,7 +60,7 @@ def _garble(number, ports, seconds):
                 if rng.random() < 0.5:
                     link = Player(ports, TRANSPORTS[done % 2]).link
                 else:
-                    link = open_link(ports, TRANSPORTS[done % 2], timeout=1.0)
+                    link = open_stream(ports, TRANSPORTS[done % 2], timeout=1.0)
                 link.send(message)
                 link.receive(time.monotonic() + 0.005)
                 link.close()

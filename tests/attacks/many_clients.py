@@ -26,7 +26,7 @@ ONE_BALL = {"name": "target", "bodies": [
     {"name": "ball", "gravity_scale": 0, "position": {"x": 0, "y": 5, "z": 0}, "shapes": [{"sphere": {"radius": 0.5}}]}]}
 
 
-def crowd_of(number, ports, seconds, count, act=None, every=0.1, hello={}):
+def run_clients(number, ports, seconds, count, act=None, every=0.1, hello={}):
     """One process of a crowd, half of it over each transport: (how many are still in, codes of results, ends, snapshots)."""
     crowd = Crowd().add(count, lambda i: Player(ports, TRANSPORTS[i % 2], **hello))
     crowd.play(seconds, act, every)
@@ -39,7 +39,7 @@ def crowd_of(number, ports, seconds, count, act=None, every=0.1, hello={}):
 
 
 def storm(arena, count, act=None, every=0.1, processes=4, **hello):
-    results = [each for each in arena.fork(processes, crowd_of, arena.ports, arena.seconds, count // processes, act, every, hello) if each]
+    results = [each for each in arena.fork(processes, run_clients, arena.ports, arena.seconds, count // processes, act, every, hello) if each]
     codes, ends = {}, {}
     for _, some, reasons, _ in results:
         for into, these in ((codes, some), (ends, reasons)):
@@ -95,7 +95,7 @@ def keyframes_for_all(arena):
 
 
 def _many_cadences(number, ports, seconds, count):
-    return crowd_of(number, ports, seconds, count, hello={"snapshot_hz": 60 // (number + 1)})
+    return run_clients(number, ports, seconds, count, hello={"snapshot_hz": 60 // (number + 1)})
 
 
 @attack("cadences", seconds=8, target=BOUNCERS)

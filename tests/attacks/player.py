@@ -43,7 +43,7 @@ class GrpcStream:
 TRANSPORTS = ("websocket", "grpc")
 
 
-def open_link(ports, transport, source=None, **options):
+def open_stream(ports, transport, source=None, **options):
     if transport == "grpc":
         return GrpcStream(ports.grpc, source, **options)
     return WebSocket(ports.http, source, **options)
@@ -54,7 +54,7 @@ class Player:
 
     def __init__(self, ports, transport="websocket", source=None, world="target", link=None, keyframes=False,
                  receive_buffer=None, **hello):
-        self.link = link or open_link(ports, transport, source, receive_buffer=receive_buffer)
+        self.link = link or open_stream(ports, transport, source, receive_buffer=receive_buffer)
         self.keyframes, self.counts, self.bytes, self.largest = keyframes, {}, 0, 0
         self.frame, self.sequence, self.codes, self.notice = 0, 1, {}, ""
         self.link.send(messages.hello(world, **hello))

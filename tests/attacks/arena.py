@@ -164,7 +164,7 @@ def run(spec, binary):
 
 
 def _attack(spec, server, honest, verdict):
-    busy = _Busy(server, honest)
+    busy = _CpuMonitor(server, honest)
     server.begin_attack()
     ours, theirs = CONTEXT.Pipe()
     began = time.monotonic()
@@ -259,7 +259,7 @@ def _judge_shutdown(server, verdict):
         verdict.require(status == 0, f"SIGTERM: exit status {status}")
 
 
-class _Busy:
+class _CpuMonitor:
     """Cores that others on this machine used meanwhile: whether a slow second was ours."""
 
     def __init__(self, server, honest):

@@ -17,7 +17,7 @@ import traceback
 
 from .net import Closed
 from .player import TRANSPORTS, HonestPlayer
-from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, newcomer_joins
+from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, new_player_joins
 
 MESSAGES_MIN = 60          # a second, to each honest player, in the worst full second
 RSS_MAX_MB = 300
@@ -148,8 +148,8 @@ def run(spec, binary):
         honest = [HonestPlayer(server.ports, transport, "sandbox") for transport in TRANSPORTS]
         time.sleep(WARM_UP)
         _attack(spec, server, honest, verdict)
-        _judge_what_works(server, verdict)
-        _judge_shutdown(server, verdict)
+        _check_health(server, verdict)
+        _check_shutdown(server, verdict)
         verdict.rss_mb, verdict.threads = server.max_rss_mb, server.max_threads
         verdict.require(verdict.rss_mb < RSS_MAX_MB,
                         f"{verdict.rss_mb:.0f} MB of memory" + (", and was killed by us" if server.killed else ""))
@@ -180,7 +180,7 @@ def _attack(spec, server, honest, verdict):
     verdict.seconds = ended - began
     verdict.others_cpu = busy.others()
     for player in honest:
-        _judge_honest(spec, player, began, ended, verdict)
+        _check_honest_player(spec, player, began, ended, verdict)
 
 
 def _listen(spec, pipe, began, verdict):
@@ -218,7 +218,7 @@ def _end_group(process):
     process.join()
 
 
-def _judge_honest(spec, player, began, ended, verdict):
+def _check_honest_player(spec, player, began, ended, verdict):
     report = player.report()
     if report is None:
         return verdict.faults.append(f"the honest player ({player.transport}) does not answer")
@@ -236,17 +236,17 @@ def _judge_honest(spec, player, began, ended, verdict):
                     f"{report['asked'] - report['applied']} of {report['asked']} honest inputs were not applied ({player.transport})")
 
 
-def _judge_what_works(server, verdict):
+def _check_health(server, verdict):
     if not server.alive():
         if not server.killed:
             verdict.faults.append(f"the server is dead: it ended with status {server.process.returncode}")
         return
     for holds, what in (http_answers(server.ports), http_answers(server.ports, "/readyz"), grpc_answers(server.ports),
-                        newcomer_joins(server.ports)):
+                        new_player_joins(server.ports)):
         verdict.require(holds, what)
 
 
-def _judge_shutdown(server, verdict):
+def _check_shutdown(server, verdict):
     if not server.alive():
         return
     took, status = server.shutdown(SHUTDOWN_MAX + 5)

@@ -11,7 +11,7 @@ from .http2 import Connection, call, grpc_message
 from .net import ATTACKER, PROBE, Closed
 from .player import TRANSPORTS, Player
 from .protobuf import field, nested, uint
-from .server import DEFAULT_TARGET, grpc_answers, newcomer_joins
+from .server import DEFAULT_TARGET, grpc_answers, new_player_joins
 
 # 10,000 boxes at rest: an answer of Debug about them has some 3 MB.
 MANY_BOXES = {"name": "target", "bodies": [DEFAULT_TARGET["bodies"][0], {
@@ -19,7 +19,7 @@ MANY_BOXES = {"name": "target", "bodies": [DEFAULT_TARGET["bodies"][0], {
     "repeat": [{"count": 100, "offset": {"x": 2}}, {"count": 100, "offset": {"z": 2}}]}]}
 
 
-def call_again_and_again(number, ports, seconds, path, request, connections=1, at_once=100):
+def call_repeatedly(number, ports, seconds, path, request, connections=1, at_once=100):
     """Keeps so many calls in flight for so long; how they ended, by status. `number`: which process this is."""
     ends, until = collections.Counter(), time.monotonic() + seconds
     open_ones = []
@@ -48,7 +48,7 @@ def call_again_and_again(number, ports, seconds, path, request, connections=1, a
 
 def flood(arena, processes, path, request, connections=1, at_once=100):
     ends = collections.Counter()
-    for each in arena.fork(processes, call_again_and_again, arena.ports, arena.seconds, path, request, connections, at_once):
+    for each in arena.fork(processes, call_repeatedly, arena.ports, arena.seconds, path, request, connections, at_once):
         ends.update(each or {"process failed": 1})
     arena.note("statuses: " + ", ".join(f"{status}: {count:,}" for status, count in ends.most_common(6)))
 
@@ -204,7 +204,7 @@ def hold_streams(arena, path, first, connections=10, streams=100):
                 pass
         except (OSError, Closed):
             pass
-    for probe in (grpc_answers, newcomer_joins):
+    for probe in (grpc_answers, new_player_joins):
         holds, what = probe(arena.ports)
         arena.check(holds, f"while they are held: {what}")
     ended = collections.Counter(stream.status for connection in held for stream in connection.streams.values())
@@ -244,5 +244,5 @@ def _fill(ports, transport, count):
 def fill_the_server(arena):
     """1,100 players from one address: people from elsewhere must still get in."""
     players = _fill(arena.ports, TRANSPORTS[0], 550) + _fill(arena.ports, TRANSPORTS[1], 550)
-    holds, what = newcomer_joins(arena.ports)
+    holds, what = new_player_joins(arena.ports)
     arena.check(holds, f"with {len(players)} players from one address: {what}")

@@ -11,7 +11,7 @@ from .http2 import (CONTINUATION, DATA, END_HEADERS, HEADERS, PING, PREFACE, PRI
                     literal, request_headers, settings)
 from .net import connect
 
-GREETING = PREFACE + settings(header_table_size=4096, initial_window=2**31 - 1)
+CLIENT_PREFACE = PREFACE + settings(header_table_size=4096, initial_window=2**31 - 1)
 
 
 def _pour(number, ports, seconds, chunks, reads):
@@ -20,7 +20,7 @@ def _pour(number, ports, seconds, chunks, reads):
     while time.monotonic() < until:
         try:
             sock = connect(ports.grpc, timeout=1.0)
-            sock.sendall(GREETING)
+            sock.sendall(CLIENT_PREFACE)
             sock.setblocking(False)
             pending = b""
             source = chunks()
@@ -155,7 +155,7 @@ def _connect_and_leave(number, ports, seconds):
     while time.monotonic() < until:
         try:
             sock = connect(ports.grpc, timeout=1.0)
-            sock.sendall(GREETING + frame(SETTINGS, 1, 0))
+            sock.sendall(CLIENT_PREFACE + frame(SETTINGS, 1, 0))
             sock.close()
             done += 1
         except OSError:

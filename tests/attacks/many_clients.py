@@ -105,7 +105,7 @@ def cadences(arena):
     arena.note(f"{sum(each[0] for each in results if each)} of 120 were in to the end")
 
 
-def _come_and_go(number, ports, seconds):
+def _join_and_leave(number, ports, seconds):
     until, done = time.monotonic() + seconds, 0
     while time.monotonic() < until:
         try:
@@ -121,18 +121,18 @@ def _come_and_go(number, ports, seconds):
 
 
 @attack("come-and-go", seconds=8)
-def come_and_go(arena):
+def join_and_leave(arena):
     """Eight processes join and leave in a loop, politely and not."""
-    done = arena.fork(8, _come_and_go, arena.ports, arena.seconds)
+    done = arena.fork(8, _join_and_leave, arena.ports, arena.seconds)
     arena.note(f"{sum(each or 0 for each in done):,} joins")
 
 
 # --- those who do not read ---
 
-NON_READER_SILENCE = 4
+NON_READER_TIMEOUT = 4
 
 
-@attack("non-readers", seconds=12, target=BOUNCERS, settings=f"[stream]\nsilence_seconds = {NON_READER_SILENCE}")
+@attack("non-readers", seconds=12, target=BOUNCERS, settings=f"[stream]\nsilence_seconds = {NON_READER_TIMEOUT}")
 def non_readers(arena):
     """60 clients that never read: mute ones, ones that ping, ones that acknowledge blindly. All must be cut."""
     def link(i):
@@ -146,7 +146,7 @@ def non_readers(arena):
     time.sleep(0.5)
     tick = field(world_info(arena.ports, "target"), 8, 0)
     began, at, left = time.monotonic(), 0.0, -1
-    limit = NON_READER_SILENCE + 2
+    limit = NON_READER_TIMEOUT + 2
     while left != 0 and at < limit + 3:
         tick += 3  # 20 rounds a second of a world at 60 Hz
         for i, each in enumerate(links):

@@ -102,7 +102,7 @@ def compound(children):
     return nested(15, b"".join(nested(1, child) for child in children))
 
 
-def never_meets_its_like():
+def no_self_collision():
     """A field of Shape: bodies with it do not collide with each other."""
     return nested(22, uint(3, 1))  # group -1
 

@@ -21,7 +21,7 @@ from .protobuf import field
 Ports = collections.namedtuple("Ports", "grpc http")
 
 DRAIN_SECONDS = 2
-SILENCE_SECONDS = 10
+CLIENT_TIMEOUT_SECONDS = 10
 SOFT_FILES = 1024              # what a login or a unit file gives a process that does not ask for more
 RSS_KILL_MB = 3000             # the machine is not the server's alone
 
@@ -164,7 +164,7 @@ def grpc_answers(ports, seconds=2.0, source=PROBE):
     return serving, f"gRPC health: {'serving' if serving else f'{status} {message}'} in {time.monotonic() - began:.2f} s"
 
 
-def newcomer_joins(ports, world="sandbox", seconds=3.0):
+def new_player_joins(ports, world="sandbox", seconds=3.0):
     """A new player of each transport gets a snapshot in time."""
     for transport in TRANSPORTS:
         began = time.monotonic()

@@ -147,7 +147,7 @@ def triangle_soup(arena):
     """40,000 triangles within a metre and 1,500 boxes around all of them, which ignore each other: few pairs, 60 million touches."""
     vertices = [((i * 7919 % 1000) / 1000, (i * 104729 % 1009) / 1000, (i * 1299709 % 1013) / 1000) for i in range(40000)]
     soup = messages.mesh(vertices, [index for i in range(39998) for index in (i, i + 1, i + 2)])
-    boxes = body(box(2, 2, 2) + messages.never_meets_its_like(), repeat=[(1500, (0, 0.0001, 0))])
+    boxes = body(box(2, 2, 2) + messages.no_self_collision(), repeat=[(1500, (0, 0.0001, 0))])
     stuck_world(arena, "t", scene([body(soup, kind=messages.STATIC), boxes]))
 
 

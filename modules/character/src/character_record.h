@@ -17,7 +17,7 @@ inline physics::Vec3 horizontal(physics::Vec3 v) {
     return {v.x, 0, v.z};
 }
 
-struct Record {
+struct CharacterData {
     std::uint32_t generation = 0;
     bool alive = false;
 
@@ -46,20 +46,20 @@ struct Record {
 };
 
 struct Store {
-    std::vector<Record> records;
+    std::vector<CharacterData> records;
 
-    Record* find(CharacterId id) {
+    CharacterData* find(CharacterId id) {
         if (id.index >= records.size()) return nullptr;
-        Record& record = records[id.index];
+        CharacterData& record = records[id.index];
         return record.alive && record.generation == id.generation ? &record : nullptr;
     }
 };
 
-inline double current_height(const Record& record) {
+inline double current_height(const CharacterData& record) {
     return record.crouched ? record.crouched_height : record.height;
 }
 // What the world sees of one that sweeps, and what is swept; of a rigid one it has no skin.
-inline physics::Capsule capsule_of(const Record& record, double height) {
+inline physics::Capsule capsule_of(const CharacterData& record, double height) {
     return {record.radius - record.skin, 0.5 * height - record.radius};
 }
 

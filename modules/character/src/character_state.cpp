@@ -12,13 +12,13 @@
 namespace jostle::modules {
 
 using namespace physics;
-using character_detail::Record;
+using character_detail::CharacterData;
 
 namespace {
 
 constexpr double driven_speed = 5;  // m/s at full stick
 
-void visit_size(StateVisitor& v, Record& r) {
+void visit_size(StateVisitor& v, CharacterData& r) {
     using namespace character_detail;
     bounded(v, "radius", r.radius, radius_least, radius_most);
     const double least = 2 * r.radius + 1.9 * min_shape_size;
@@ -30,7 +30,7 @@ void visit_size(StateVisitor& v, Record& r) {
     for (const Ability& a : abilities_list) bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
 }
 
-void visit_controls(StateVisitor& v, Record& r) {
+void visit_controls(StateVisitor& v, CharacterData& r) {
     bounded(v, "walk", r.controls.walk, character_detail::walk_most);
     v.field("jump", r.controls.jump);
     v.field("crouch", r.controls.crouch);
@@ -40,7 +40,7 @@ void visit_controls(StateVisitor& v, Record& r) {
     bounded(v, "stroll_angle", r.stroll_angle, -4, 4);
 }
 
-void visit_ground(StateVisitor& v, Record& r) {
+void visit_ground(StateVisitor& v, CharacterData& r) {
     v.field("ground", r.ground, GroundKind::in_air);
     v.field("ground_body", r.ground_body);
     v.field("ground_shape", r.ground_shape);
@@ -51,12 +51,12 @@ void visit_ground(StateVisitor& v, Record& r) {
     v.field("pushed", r.pushed);
 }
 
-void visit_record(StateVisitor& v, Record& r) {
+void visit_record(StateVisitor& v, CharacterData& r) {
     v.field("generation", r.generation);
     v.field("alive", r.alive);
     if (!r.alive) {
         const std::uint32_t generation = r.generation;
-        if (v.loading()) r = Record{}, r.generation = generation;
+        if (v.loading()) r = CharacterData{}, r.generation = generation;
         return;
     }
     v.field("kind", r.kind, CharacterKind::rigid);
@@ -95,7 +95,7 @@ Status read(const ModuleSettings& given, SceneNumbers& numbers) {
     return settings.finish();
 }
 
-Result<Record> record_for(World& world, const std::string& name, BodyId id,
+Result<CharacterData> record_for(World& world, const std::string& name, BodyId id,
                           const SceneNumbers& numbers) {
     const Result<BodyState> body = world.body(id);
     if (!body.ok()) return no_character(name, "is no body");
@@ -107,7 +107,7 @@ Result<Record> record_for(World& world, const std::string& name, BodyId id,
     const auto* capsule = std::get_if<Capsule>(&shape->geometry);
     if (capsule == nullptr || absolute(rotate(shape->pose.rotation, {0, 1, 0}).y) < 0.999999)
         return no_character(name, "has another first shape than an upright capsule");
-    Record r;
+    CharacterData r;
     r.kind = body->type == BodyType::dynamic ? CharacterKind::rigid : CharacterKind::sweeping;
     r.skin = r.kind == CharacterKind::rigid ? 0 : numbers.skin;
     r.body = id;
@@ -128,7 +128,7 @@ Result<Record> record_for(World& world, const std::string& name, BodyId id,
     return r;
 }
 
-Status check_record(const std::string& name, const Record& r) {
+Status check_record(const std::string& name, const CharacterData& r) {
     CharacterDef def{.kind = r.kind,
                      .feet = r.feet,
                      .velocity = r.velocity,
@@ -145,20 +145,20 @@ Status check_record(const std::string& name, const Record& r) {
 }  // namespace
 
 void Characters::visit(StateVisitor& v) {
-    std::vector<Record>& records = store_->records;
-    v.all("characters", records, [&](Record& record) { visit_record(v, record); });
+    std::vector<CharacterData>& records = store_->records;
+    v.all("characters", records, [&](CharacterData& record) { visit_record(v, record); });
     if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
 }
 
 bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
-    std::vector<Record>& records = store_->records;
+    std::vector<CharacterData>& records = store_->records;
     const CharacterId id = character_of(body);
-    Record* known = store_->find(id);
+    CharacterData* known = store_->find(id);
     if (!v.loading()) {
         if (known != nullptr) visit_record(v, *known);
         return known != nullptr;
     }
-    Record read;
+    CharacterData read;
     visit_record(v, read);
     const Result<BodyState> state = world.body(body);
     if (v.failed() || !state.ok() || !read.alive || read.body != body) return false;
@@ -183,7 +183,7 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     if (Status s = read(settings, numbers); !s.ok()) return s;
     for (const auto& [name, body] : settings.bodies) {
         if (is_controllable(body)) return no_character(name, "is a character already");
-        Result<Record> record = record_for(world, name, body, numbers);
+        Result<CharacterData> record = record_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_record(name, *record); !s.ok()) return s;
         if (store_->records.size() == most) return no_character(name, "is one more than 4096");

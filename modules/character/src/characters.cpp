@@ -12,7 +12,7 @@
 namespace jostle::modules {
 
 using namespace physics;
-using character_detail::Record;
+using character_detail::CharacterData;
 using character_detail::Store;
 
 namespace {
@@ -23,8 +23,8 @@ Error unknown(CharacterId id) {
                                       "} does not exist (any more)"};
 }
 
-Record record_of(const CharacterDef& def) {
-    Record record;
+CharacterData record_of(const CharacterDef& def) {
+    CharacterData record;
     record.kind = def.kind;
     record.radius = def.radius;
     record.height = def.height;
@@ -39,7 +39,7 @@ Record record_of(const CharacterDef& def) {
 }
 
 // Its origin is at the feet: what crouches changes its shape, not its place.
-Result<BodyId> make_body(World& world, const Record& record, const CharacterDef& def) {
+Result<BodyId> make_body(World& world, const CharacterData& record, const CharacterDef& def) {
     const bool sweeps = def.kind == CharacterKind::sweeping;
     const BodyDef body{.type = sweeps ? BodyType::kinematic : BodyType::dynamic,
                        .pose = {record.feet, attitude(record)},
@@ -62,13 +62,13 @@ Characters::~Characters() = default;
 
 Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {
     if (Status s = character_detail::check_def(def); !s.ok()) return s.error();
-    std::vector<Record>& records = store_->records;
+    std::vector<CharacterData>& records = store_->records;
     std::size_t index = 0;
     while (index < records.size() && records[index].alive) index++;
     if (index == most)
         return Error{ErrorCode::resource_exhausted,
                      "there are " + std::to_string(most) + " characters; remove one first"};
-    Record record = record_of(def);
+    CharacterData record = record_of(def);
     const Result<BodyId> body = make_body(world, record, def);
     if (!body.ok()) return body.error();
     if (index == records.size()) records.emplace_back();
@@ -80,7 +80,7 @@ Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {
 }
 
 Status Characters::remove(World& world, CharacterId id) {
-    Record* record = store_->find(id);
+    CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     record->alive = false;
     if (world.contains(record->body)) return world.destroy_body(record->body);
@@ -94,20 +94,20 @@ bool Characters::contains(CharacterId id) const {
 std::vector<CharacterId> Characters::ids() const {
     std::vector<CharacterId> ids;
     for (std::uint32_t k = 0; k < store_->records.size(); k++)
-        if (const Record& record = store_->records[k]; record.alive)
+        if (const CharacterData& record = store_->records[k]; record.alive)
             ids.push_back({k, record.generation});
     return ids;
 }
 
 CharacterId Characters::character_of(BodyId body) const {
     for (std::uint32_t k = 0; k < store_->records.size(); k++)
-        if (const Record& record = store_->records[k]; record.alive && record.body == body)
+        if (const CharacterData& record = store_->records[k]; record.alive && record.body == body)
             return {k, record.generation};
     return {};
 }
 
 Status Characters::set_controls(CharacterId id, const CharacterControls& controls) {
-    Record* record = store_->find(id);
+    CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     if (Status s = character_detail::check_walk(controls.walk); !s.ok()) return s;
     record->controls = controls;
@@ -117,13 +117,13 @@ Status Characters::set_controls(CharacterId id, const CharacterControls& control
 }
 
 Result<CharacterControls> Characters::controls(CharacterId id) const {
-    const Record* record = store_->find(id);
+    const CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     return record->controls;
 }
 
 Status Characters::set_abilities(CharacterId id, const CharacterAbilities& abilities) {
-    Record* record = store_->find(id);
+    CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     if (Status s = character_detail::check_abilities(abilities); !s.ok()) return s;
     record->abilities = abilities;
@@ -131,13 +131,13 @@ Status Characters::set_abilities(CharacterId id, const CharacterAbilities& abili
 }
 
 Result<CharacterAbilities> Characters::abilities(CharacterId id) const {
-    const Record* record = store_->find(id);
+    const CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     return record->abilities;
 }
 
 Status Characters::set_feet(World& world, CharacterId id, Vec3 feet) {
-    Record* record = store_->find(id);
+    CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     if (Status s = character_detail::check_feet(feet); !s.ok()) return s;
     const Transform pose{feet + character_detail::up * record->foot_height, attitude(*record)};
@@ -149,7 +149,7 @@ Status Characters::set_feet(World& world, CharacterId id, Vec3 feet) {
 }
 
 Status Characters::set_velocity(World& world, CharacterId id, Vec3 velocity) {
-    Record* record = store_->find(id);
+    CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     if (Status s = character_detail::check_velocity(velocity); !s.ok()) return s;
     if (record->kind == CharacterKind::rigid)
@@ -160,7 +160,7 @@ Status Characters::set_velocity(World& world, CharacterId id, Vec3 velocity) {
 }
 
 Result<CharacterState> Characters::state(const World& world, CharacterId id) const {
-    const Record* record = store_->find(id);
+    const CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     CharacterState state{.id = id,
                          .kind = record->kind,
@@ -183,7 +183,7 @@ Result<CharacterState> Characters::state(const World& world, CharacterId id) con
 }
 
 void Characters::before_step(World& world, double dt) {
-    for (Record& record : store_->records) {
+    for (CharacterData& record : store_->records) {
         if (!record.alive) continue;
         if (!world.contains(record.body))
             record.alive = false;  // somebody destroyed it

@@ -12,7 +12,7 @@ constexpr double clearance = 0.0002;  // m between what is swept here and what t
 
 // The capsule with most of its skin: what comes to stand on an edge does so at once where the skin
 // does.
-Capsule with_skin(const Record& record) {
+Capsule with_skin(const CharacterData& record) {
     Capsule capsule = capsule_of(record, current_height(record));
     capsule.radius += record.skin - minimum(clearance, 0.5 * record.skin);
     return capsule;
@@ -27,7 +27,7 @@ double free_part(const Surroundings& near, const Capsule& capsule, Vec3 from, Ve
 
 }  // namespace
 
-std::optional<Vec3> put_down(const Surroundings& near, const Record& record, Vec3 from, double drop,
+std::optional<Vec3> put_down(const Surroundings& near, const CharacterData& record, Vec3 from, double drop,
                              double floor_most) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
@@ -42,7 +42,7 @@ std::optional<Vec3> put_down(const Surroundings& near, const Record& record, Vec
     return stands ? std::optional(there) : std::nullopt;
 }
 
-std::optional<Vec3> climb(const Surroundings& near, const Record& record, Vec3 from, Vec3 way,
+std::optional<Vec3> climb(const Surroundings& near, const CharacterData& record, Vec3 from, Vec3 way,
                           double least) {
     const Capsule capsule = with_skin(record);
     const double step = record.abilities.step_height;

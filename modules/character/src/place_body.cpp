@@ -7,7 +7,7 @@ namespace jostle::modules::character_detail {
 
 using namespace physics;
 
-void place_body(World& world, const Record& record, double rise, double speed, double dt) {
+void place_body(World& world, const CharacterData& record, double rise, double speed, double dt) {
     const Transform pose{record.feet + up * record.foot_height, attitude(record)};
     const Result<BodyState> body = world.body(record.body);
     if (!body.ok()) return;

@@ -14,7 +14,7 @@ constexpr double footing_reach = 0.03;  // m
 constexpr double lift_off_speed = 0.5;  // m/s: a lift may brake by so much in a step
 constexpr double least_change = 1e-9;   // m/s: less does not keep it awake
 
-Footing stand(const World& world, Record& self, const BodyState& body) {
+Footing stand(const World& world, CharacterData& self, const BodyState& body) {
     const Surroundings near = surroundings_of(world, self);
     const Vec3 center = self.feet + up * (0.5 * current_height(self));
     const auto contacts =
@@ -26,7 +26,7 @@ Footing stand(const World& world, Record& self, const BodyState& body) {
     return footing;
 }
 
-void know_ground(const World& world, Record& self, const Footing& footing, double dt) {
+void know_ground(const World& world, CharacterData& self, const Footing& footing, double dt) {
     self.ground = footing.kind;
     self.ground_body = footing.body;
     self.ground_shape = footing.shape;
@@ -39,7 +39,7 @@ void know_ground(const World& world, Record& self, const Footing& footing, doubl
 }
 
 // m/s: along the floor with all of the horizontal velocity that is wanted.
-Vec3 change_on_ground(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
+Vec3 change_on_ground(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
     Vec3 change = effort(over, walk, self.abilities.ground_acceleration, dt);
     const Vec3 next = horizontal(over + change);
@@ -49,14 +49,14 @@ Vec3 change_on_ground(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
 }
 
 // Its feet hold it against what gravity does along the floor, all through the step.
-void hold(World& world, Record& self, const BodyState& body, double dt) {
+void hold(World& world, CharacterData& self, const BodyState& body, double dt) {
     const Vec3 n = self.ground_normal, gravity = world.gravity();
     const Vec3 along = gravity - n * dot(gravity, n);
     if (length(along) * dt < least_change) return;
     static_cast<void>(world.apply_force(self.body, along * -body.mass, body.center));
 }
 
-Vec3 change_in_air(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
+Vec3 change_in_air(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     if (horizontal(walk) == Vec3{}) return {};
     Vec3 change = effort(velocity, walk, self.abilities.air_acceleration, dt);
     if (self.ground == GroundKind::on_steep_ground) {
@@ -66,14 +66,14 @@ Vec3 change_in_air(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
     return change;
 }
 
-void turn_along(const World& world, Record& self, double dt) {
+void turn_along(const World& world, CharacterData& self, double dt) {
     const Result<BodyState> ground = world.body(self.ground_body);
     if (ground.ok()) turn_by(self, ground->angular_velocity.y * dt);
 }
 
 }  // namespace
 
-void rigid_step(World& world, Record& self, double dt) {
+void rigid_step(World& world, CharacterData& self, double dt) {
     self.given = {};
     const Result<BodyState> body = world.body(self.body);
     if (!body.ok()) return;

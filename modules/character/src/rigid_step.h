@@ -7,6 +7,6 @@
 
 namespace jostle::modules::character_detail {
 
-void rigid_step(physics::World& world, Record& record, double dt);
+void rigid_step(physics::World& world, CharacterData& record, double dt);
 
 }  // namespace jostle::modules::character_detail

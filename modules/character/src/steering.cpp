@@ -17,7 +17,7 @@ double wrapped(double angle) {
 
 }  // namespace
 
-CharacterControls controls_of(Record& record, double dt) {
+CharacterControls controls_of(CharacterData& record, double dt) {
     CharacterControls controls = record.controls;
     if (record.stroll <= 0) return controls;
     record.stroll_angle = wrapped(record.stroll_angle + record.stroll_turn * dt);
@@ -32,25 +32,25 @@ Vec3 effort(Vec3 velocity, Vec3 wanted, double acceleration, double dt) {
     return size > most ? change * (most / size) : change;
 }
 
-bool takes_off(Record& record, bool jump) {
+bool takes_off(CharacterData& record, bool jump) {
     const bool off = jump && record.jump_armed && record.ground == GroundKind::on_ground;
     record.jump_armed = !jump || (record.jump_armed && !off);
     return off;
 }
 
-void face(Record& record, Vec3 walk, double dt) {
+void face(CharacterData& record, Vec3 walk, double dt) {
     if (length_squared(horizontal(walk)) < 1e-6) return;
     const double off = wrapped(arc_tangent(-walk.x, -walk.z) - record.heading);
     const double most = turn_speed * dt;
     turn_by(record, clamp(off, -most, most));
 }
 
-void turn_by(Record& record, double angle) {
+void turn_by(CharacterData& record, double angle) {
     record.heading = wrapped(record.heading + angle);
 }
 
 // The first shape becomes the capsule that goes with the height; feet stay where they are.
-void reshape(World& world, const Record& record) {
+void reshape(World& world, const CharacterData& record) {
     std::vector<ShapeDef> shapes;
     for (const ShapeId id : world.shapes_of(record.body))
         if (const auto shape = world.shape(id); shape.ok()) shapes.push_back(def_of(*shape));
@@ -63,7 +63,7 @@ void reshape(World& world, const Record& record) {
     static_cast<void>(world.set_shapes(record.body, shapes));
 }
 
-void stand_or_crouch(World& world, Record& record, bool crouch) {
+void stand_or_crouch(World& world, CharacterData& record, bool crouch) {
     if (crouch == record.crouched) return;
     if (!crouch) {
         const Capsule tall = capsule_of(record, record.height);
@@ -85,7 +85,7 @@ Vec3 carried_velocity(const World& world, const BodyState& ground, ShapeId shape
     return ground.linear_velocity + belt + (turned - arm) * (1 / dt);
 }
 
-void press_ground(World& world, Record& record, Vec3 impulse) {
+void press_ground(World& world, CharacterData& record, Vec3 impulse) {
     const Result<BodyState> ground = world.body(record.ground_body);
     if (!ground.ok() || ground->type != BodyType::dynamic) return;
     if (world.apply_impulse(record.ground_body, impulse, record.ground_point).ok())
@@ -93,7 +93,7 @@ void press_ground(World& world, Record& record, Vec3 impulse) {
 }
 
 // What the ground stands on holds it against tilting: its mass alone counts.
-Vec3 push_off(World& world, Record& record, Vec3 change) {
+Vec3 push_off(World& world, CharacterData& record, Vec3 change) {
     const double mass = record.abilities.mass;
     const Result<BodyState> ground = world.body(record.ground_body);
     if (!ground.ok() || ground->type != BodyType::dynamic) return change;
@@ -102,7 +102,7 @@ Vec3 push_off(World& world, Record& record, Vec3 change) {
     return change * (give / mass);
 }
 
-Quat attitude(const Record& record) {
+Quat attitude(const CharacterData& record) {
     return from_rotation_vector(up * record.heading);
 }
 

@@ -121,7 +121,7 @@ std::optional<Vec3> Surroundings::floor_behind(Vec3 edge, Vec3 normal) const {
     return hit->normal;
 }
 
-Surroundings surroundings_of(const World& world, const Record& record) {
+Surroundings surroundings_of(const World& world, const CharacterData& record) {
     return {world, {.categories = record.mask, .triggers = false, .ignore = record.body}};
 }
 

@@ -26,7 +26,7 @@ constexpr int slides_most = 6;
 // keeps to a platform exactly, whatever that does.
 class SweepStep {
 public:
-    SweepStep(World& world, Record& record, double dt)
+    SweepStep(World& world, CharacterData& record, double dt)
         : world_(world),
           self_(record),
           near_(surroundings_of(world, record)),
@@ -397,7 +397,7 @@ private:
     }
 
     World& world_;
-    Record& self_;
+    CharacterData& self_;
     Surroundings near_;
     double dt_, walkable_;
     double effort_;  // N s that it can still push with
@@ -418,7 +418,7 @@ private:
 
 }  // namespace
 
-void sweep_step(World& world, Record& record, double dt) {
+void sweep_step(World& world, CharacterData& record, double dt) {
     SweepStep(world, record, dt).run();
 }
 

@@ -45,7 +45,7 @@ struct CharacterData {
     physics::BodyId pushed;  // in the last step
 };
 
-struct Store {
+struct CharacterStore {
     std::vector<CharacterData> records;
 
     CharacterData* find(CharacterId id) {

@@ -13,7 +13,7 @@ namespace jostle::modules {
 
 using namespace physics;
 using character_detail::CharacterData;
-using character_detail::Store;
+using character_detail::CharacterStore;
 
 namespace {
 
@@ -57,7 +57,7 @@ Result<BodyId> make_body(World& world, const CharacterData& record, const Charac
 
 }  // namespace
 
-Characters::Characters() : store_(std::make_unique<Store>()) {}
+Characters::Characters() : store_(std::make_unique<CharacterStore>()) {}
 Characters::~Characters() = default;
 
 Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {

@@ -102,7 +102,7 @@ struct CharacterState {
 };
 
 namespace character_detail {
-struct Store;
+struct CharacterStore;
 }
 
 class Characters : public physics::Module {
@@ -155,7 +155,7 @@ public:
     void before_step(physics::World& world, double dt) override;
 
 private:
-    std::unique_ptr<character_detail::Store> store_;
+    std::unique_ptr<character_detail::CharacterStore> store_;
 };
 
 }  // namespace jostle::modules

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/character/src/sweep_step.h"
 
-#include "modules/character/src/bodies_before.h"
+#include "modules/character/src/pre_push_states.h"
 #include "modules/character/src/climb.h"
 #include "modules/character/src/footing.h"
 #include "modules/character/src/nearest_velocity.h"
@@ -412,7 +412,7 @@ private:
     Vec3 looked_at_;
     bool looked_ = false;
     Footing footing_;
-    BodiesBefore before_push_;
+    PrePushStates before_push_;
     BodyId pushed_;  // the first of this step
 };
 

@@ -10,7 +10,7 @@
 
 namespace jostle::modules::character_detail {
 
-class BodiesBefore {
+class PrePushStates {
 public:
     // Before the first push.
     void remember(const physics::World& world, physics::BodyId id);

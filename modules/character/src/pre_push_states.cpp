@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/bodies_before.h"
+#include "modules/character/src/pre_push_states.h"
 
 namespace jostle::modules::character_detail {
 
 using namespace physics;
 
-void BodiesBefore::remember(const World& world, BodyId id) {
+void PrePushStates::remember(const World& world, BodyId id) {
     for (const BodyState& body : bodies_)
         if (body.id == id) return;
     const Result<BodyState> body = world.body(id);
     if (body.ok() && body->type == BodyType::dynamic) bodies_.push_back(*body);
 }
 
-Result<BodyState> BodiesBefore::of(const World& world, BodyId id) const {
+Result<BodyState> PrePushStates::of(const World& world, BodyId id) const {
     for (const BodyState& body : bodies_)
         if (body.id == id) return body;
     return world.body(id);

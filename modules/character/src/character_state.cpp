@@ -5,7 +5,7 @@
 
 #include "jostle/modules/character.h"
 #include "jostle/modules/settings.h"
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 #include "modules/character/src/check_character.h"
 #include "modules/character/src/steering.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 #include "modules/character/src/check_character.h"
 #include "modules/character/src/rigid_step.h"
 #include "modules/character/src/steering.h"

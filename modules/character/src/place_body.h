@@ -3,7 +3,7 @@
 // How the body of a sweeping character follows it.
 #pragma once
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 

@@ -3,7 +3,7 @@
 // One step of a rigid character: impulses that give its body the velocity that is wanted.
 #pragma once
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 

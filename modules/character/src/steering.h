@@ -3,7 +3,7 @@
 // What both kinds of characters do with what they are asked to do.
 #pragma once
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 

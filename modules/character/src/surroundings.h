@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 

@@ -3,7 +3,7 @@
 // One step of a sweeping character.
 #pragma once
 
-#include "modules/character/src/character_record.h"
+#include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 

@@ -47,11 +47,11 @@ void visit_ground(StateVisitor& v, CharacterData& r) {
     bounded(v, "ground_normal", r.ground_normal, 1.001);
     bounded(v, "ground_point", r.ground_point, 1e8);
     bounded(v, "ground_velocity", r.ground_velocity, 1e9);
-    bounded(v, "given", r.given, 1e15);
+    bounded(v, "given", r.applied_impulse, 1e15);
     v.field("pushed", r.pushed);
 }
 
-void visit_record(StateVisitor& v, CharacterData& r) {
+void visit_character_data(StateVisitor& v, CharacterData& r) {
     v.field("generation", r.generation);
     v.field("alive", r.alive);
     if (!r.alive) {
@@ -95,7 +95,7 @@ Status read(const ModuleSettings& given, SceneNumbers& numbers) {
     return settings.finish();
 }
 
-Result<CharacterData> record_for(World& world, const std::string& name, BodyId id,
+Result<CharacterData> character_data_for(World& world, const std::string& name, BodyId id,
                           const SceneNumbers& numbers) {
     const Result<BodyState> body = world.body(id);
     if (!body.ok()) return no_character(name, "is no body");
@@ -128,7 +128,7 @@ Result<CharacterData> record_for(World& world, const std::string& name, BodyId i
     return r;
 }
 
-Status check_record(const std::string& name, const CharacterData& r) {
+Status check_character_data(const std::string& name, const CharacterData& r) {
     CharacterDef def{.kind = r.kind,
                      .feet = r.feet,
                      .velocity = r.velocity,
@@ -145,21 +145,21 @@ Status check_record(const std::string& name, const CharacterData& r) {
 }  // namespace
 
 void Characters::visit(StateVisitor& v) {
-    std::vector<CharacterData>& records = store_->records;
-    v.all("characters", records, [&](CharacterData& record) { visit_record(v, record); });
+    std::vector<CharacterData>& records = store_->characters;
+    v.all("characters", records, [&](CharacterData& record) { visit_character_data(v, record); });
     if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
 }
 
 bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
-    std::vector<CharacterData>& records = store_->records;
+    std::vector<CharacterData>& records = store_->characters;
     const CharacterId id = character_of(body);
     CharacterData* known = store_->find(id);
     if (!v.loading()) {
-        if (known != nullptr) visit_record(v, *known);
+        if (known != nullptr) visit_character_data(v, *known);
         return known != nullptr;
     }
     CharacterData read;
-    visit_record(v, read);
+    visit_character_data(v, read);
     const Result<BodyState> state = world.body(body);
     if (v.failed() || !state.ok() || !read.alive || read.body != body) return false;
     const bool rigid = read.kind == CharacterKind::rigid;
@@ -183,16 +183,16 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     if (Status s = read(settings, numbers); !s.ok()) return s;
     for (const auto& [name, body] : settings.bodies) {
         if (is_controllable(body)) return no_character(name, "is a character already");
-        Result<CharacterData> record = record_for(world, name, body, numbers);
+        Result<CharacterData> record = character_data_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
-        if (Status s = check_record(name, *record); !s.ok()) return s;
-        if (store_->records.size() == most) return no_character(name, "is one more than 4096");
+        if (Status s = check_character_data(name, *record); !s.ok()) return s;
+        if (store_->characters.size() == most) return no_character(name, "is one more than 4096");
         if (record->kind == CharacterKind::rigid) {
             if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;
         }
         record->alive = true;
         record->generation = 1;
-        store_->records.push_back(*record);
+        store_->characters.push_back(*record);
     }
     if (settings.bodies.empty())
         return Error{ErrorCode::invalid_argument, "has no body; name those that are to walk"};

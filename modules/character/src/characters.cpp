@@ -23,7 +23,7 @@ Error unknown(CharacterId id) {
                                       "} does not exist (any more)"};
 }
 
-CharacterData record_of(const CharacterDef& def) {
+CharacterData character_data_of(const CharacterDef& def) {
     CharacterData record;
     record.kind = def.kind;
     record.radius = def.radius;
@@ -62,13 +62,13 @@ Characters::~Characters() = default;
 
 Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {
     if (Status s = character_detail::check_def(def); !s.ok()) return s.error();
-    std::vector<CharacterData>& records = store_->records;
+    std::vector<CharacterData>& records = store_->characters;
     std::size_t index = 0;
     while (index < records.size() && records[index].alive) index++;
     if (index == most)
         return Error{ErrorCode::resource_exhausted,
                      "there are " + std::to_string(most) + " characters; remove one first"};
-    CharacterData record = record_of(def);
+    CharacterData record = character_data_of(def);
     const Result<BodyId> body = make_body(world, record, def);
     if (!body.ok()) return body.error();
     if (index == records.size()) records.emplace_back();
@@ -93,15 +93,15 @@ bool Characters::contains(CharacterId id) const {
 
 std::vector<CharacterId> Characters::ids() const {
     std::vector<CharacterId> ids;
-    for (std::uint32_t k = 0; k < store_->records.size(); k++)
-        if (const CharacterData& record = store_->records[k]; record.alive)
+    for (std::uint32_t k = 0; k < store_->characters.size(); k++)
+        if (const CharacterData& record = store_->characters[k]; record.alive)
             ids.push_back({k, record.generation});
     return ids;
 }
 
 CharacterId Characters::character_of(BodyId body) const {
-    for (std::uint32_t k = 0; k < store_->records.size(); k++)
-        if (const CharacterData& record = store_->records[k]; record.alive && record.body == body)
+    for (std::uint32_t k = 0; k < store_->characters.size(); k++)
+        if (const CharacterData& record = store_->characters[k]; record.alive && record.body == body)
             return {k, record.generation};
     return {};
 }
@@ -173,7 +173,7 @@ Result<CharacterState> Characters::state(const World& world, CharacterId id) con
                          .ground_body = record->ground_body,
                          .ground_normal = record->ground_normal,
                          .ground_velocity = record->ground_velocity,
-                         .given = record->given};
+                         .applied_impulse = record->applied_impulse};
     if (record->kind == CharacterKind::sweeping) return state;
     const Result<BodyState> body = world.body(record->body);
     if (!body.ok()) return body.error();
@@ -183,7 +183,7 @@ Result<CharacterState> Characters::state(const World& world, CharacterId id) con
 }
 
 void Characters::before_step(World& world, double dt) {
-    for (CharacterData& record : store_->records) {
+    for (CharacterData& record : store_->characters) {
         if (!record.alive) continue;
         if (!world.contains(record.body))
             record.alive = false;  // somebody destroyed it

@@ -5,7 +5,7 @@ namespace jostle::modules::character_detail {
 
 using namespace physics;
 
-void PrePushStates::remember(const World& world, BodyId id) {
+void PrePushStates::store(const World& world, BodyId id) {
     for (const BodyState& body : bodies_)
         if (body.id == id) return;
     const Result<BodyState> body = world.body(id);

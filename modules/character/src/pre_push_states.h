@@ -13,7 +13,7 @@ namespace jostle::modules::character_detail {
 class PrePushStates {
 public:
     // Before the first push.
-    void remember(const physics::World& world, physics::BodyId id);
+    void store(const physics::World& world, physics::BodyId id);
     // As remembered; of others as they are.
     physics::Result<physics::BodyState> of(const physics::World& world, physics::BodyId id) const;
 

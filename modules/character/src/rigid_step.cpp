@@ -74,7 +74,7 @@ void turn_along(const World& world, CharacterData& self, double dt) {
 }  // namespace
 
 void rigid_step(World& world, CharacterData& self, double dt) {
-    self.given = {};
+    self.applied_impulse = {};
     const Result<BodyState> body = world.body(self.body);
     if (!body.ok()) return;
     const CharacterControls controls = controls_of(self, dt);

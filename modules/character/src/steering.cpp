@@ -89,7 +89,7 @@ void press_ground(World& world, CharacterData& record, Vec3 impulse) {
     const Result<BodyState> ground = world.body(record.ground_body);
     if (!ground.ok() || ground->type != BodyType::dynamic) return;
     if (world.apply_impulse(record.ground_body, impulse, record.ground_point).ok())
-        record.given += impulse;
+        record.applied_impulse += impulse;
 }
 
 // What the ground stands on holds it against tilting: its mass alone counts.

@@ -35,7 +35,7 @@ public:
           effort_(record.abilities.strength * dt) {}
 
     void run() {
-        self_.given = {};
+        self_.applied_impulse = {};
         const CharacterControls controls = controls_of(self_, dt_);
         stand_or_crouch(world_, self_, controls.crouch);
         core_ = capsule_of(self_, current_height(self_));
@@ -88,7 +88,7 @@ private:
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
-        before_push_.remember(world_, self_.ground_body);
+        before_push_.store(world_, self_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
         carried_ = ground_motion(self_.feet);
@@ -97,7 +97,7 @@ private:
         walk_ = horizontal(walk);
     }
     void jump() {
-        before_push_.remember(world_, self_.ground_body);
+        before_push_.store(world_, self_.ground_body);
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
         before_ = now_;
         carried_ = {};
@@ -254,7 +254,7 @@ private:
             if (!contact.dynamic) continue;
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
             if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
-            before_push_.remember(world_, contact.body);
+            before_push_.store(world_, contact.body);
             Push push{before_ + carried_,
                       last_ + carried_,
                       effort_,
@@ -266,7 +266,7 @@ private:
             if (impulse <= 0) continue;
             contact.pushed = true;
             if (is_null(pushed_)) pushed_ = contact.body;
-            self_.given -= contact.normal * impulse;
+            self_.applied_impulse -= contact.normal * impulse;
             if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
             feel(push);
             refresh(contacts, contact.body);

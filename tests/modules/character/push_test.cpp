@@ -52,7 +52,7 @@ TEST(Push, a_crate_has_what_it_was_given) {
     double given = 0, worst = 0;
     for (int k = 0; k < 240; k++) {
         stage.run(1 / hz);
-        given += stage.of(hero).given.x;
+        given += stage.of(hero).applied_impulse.x;
         const double has = 60 * test::velocity_of(stage.world, crate).x;
         if (given > 0) worst = maximum(worst, absolute(has / given - 1));
     }

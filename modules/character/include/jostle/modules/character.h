@@ -98,7 +98,7 @@ struct CharacterState {
     physics::BodyId ground_body;
     physics::Vec3 ground_normal;    // unit
     physics::Vec3 ground_velocity;  // m/s, of the ground under the feet
-    physics::Vec3 given;            // N s that it gave to others in the last step
+    physics::Vec3 applied_impulse;            // N s that it gave to others in the last step
 };
 
 namespace character_detail {

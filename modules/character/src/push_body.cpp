@@ -20,7 +20,7 @@ double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
 }
 
 // Legs push all through the step, so that friction may hold against them; all else is at once.
-bool apply(World& world, const Contact& contact, const Given& given, const Push& push) {
+bool apply(World& world, const Contact& contact, const PushResult& given, const Push& push) {
     const double at_once = given.impact + (push.footed ? 0 : given.effort);
     const Vec3 n = contact.normal;
     if (push.footed && given.effort > 0 &&
@@ -31,14 +31,14 @@ bool apply(World& world, const Contact& contact, const Given& given, const Push&
 
 }  // namespace
 
-Given push_body(World& world, const Contact& contact, double mass, Push& push) {
+PushResult push_body(World& world, const Contact& contact, double mass, Push& push) {
     const Vec3 n = contact.normal;
     const Result<BodyState> body = world.body(contact.body);
     if (!body.ok() || !(body->mass > 0)) return {};
     const double closing = dot(n, contact.velocity - push.now);
     const double soft = compliance(*body, contact.point, n);
     if (closing <= 0 || !(soft > 0)) return {};
-    Given given;
+    PushResult given;
     if (push.meets)
         given.impact =
             clamp(dot(n, contact.velocity - push.before), 0, closing) / (1 / mass + soft);

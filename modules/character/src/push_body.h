@@ -17,13 +17,13 @@ struct Push {
     bool footed = false;
     bool meets = true;  // false: they were together before, and there is no impact
 };
-struct Given {
+struct PushResult {
     double impact = 0, effort = 0;  // N s along -normal
     // m/s along -normal that the effort will have given, if nothing else holds the body.
     double gained = 0;
 };
 
 // Pushes the body, and takes what that costs off `push`.
-Given push_body(physics::World& world, const Contact& contact, double mass, Push& push);
+PushResult push_body(physics::World& world, const Contact& contact, double mass, Push& push);
 
 }  // namespace jostle::modules::character_detail

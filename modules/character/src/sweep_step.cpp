@@ -261,7 +261,7 @@ private:
                       dt_,
                       grounded_,
                       !grounded_ || contact.body != self_.pushed};
-            const Given given = push_body(world_, contact, self_.abilities.mass, push);
+            const PushResult given = push_body(world_, contact, self_.abilities.mass, push);
             const double impulse = given.impact + given.effort;
             if (impulse <= 0) continue;
             contact.pushed = true;

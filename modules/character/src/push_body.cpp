@@ -21,9 +21,9 @@ double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
 
 // Legs push all through the step, so that friction may hold against them; all else is at once.
 bool apply(World& world, const Contact& contact, const PushResult& given, const Push& push) {
-    const double at_once = given.impact + (push.footed ? 0 : given.effort);
+    const double at_once = given.impact + (push.on_ground ? 0 : given.effort);
     const Vec3 n = contact.normal;
-    if (push.footed && given.effort > 0 &&
+    if (push.on_ground && given.effort > 0 &&
         !world.apply_force(contact.body, n * (-given.effort / push.dt), contact.point).ok())
         return false;
     return at_once <= 0 || world.apply_impulse(contact.body, n * -at_once, contact.point).ok();
@@ -35,21 +35,21 @@ PushResult push_body(World& world, const Contact& contact, double mass, Push& pu
     const Vec3 n = contact.normal;
     const Result<BodyState> body = world.body(contact.body);
     if (!body.ok() || !(body->mass > 0)) return {};
-    const double closing = dot(n, contact.velocity - push.now);
+    const double closing = dot(n, contact.velocity - push.velocity);
     const double soft = compliance(*body, contact.point, n);
     if (closing <= 0 || !(soft > 0)) return {};
     PushResult given;
-    if (push.meets)
+    if (push.is_new_contact)
         given.impact =
-            clamp(dot(n, contact.velocity - push.before), 0, closing) / (1 / mass + soft);
+            clamp(dot(n, contact.velocity - push.initial_velocity), 0, closing) / (1 / mass + soft);
     const double left = closing - given.impact * (1 / mass + soft);
-    given.effort = minimum(left / (push.footed ? soft : 1 / mass + soft), push.effort);
+    given.effort = minimum(left / (push.on_ground ? soft : 1 / mass + soft), push.effort);
     if (!apply(world, contact, given, push)) return {};
-    if (push.footed) given.gained = given.effort * soft;
+    if (push.on_ground) given.velocity_change = given.effort * soft;
     push.effort -= given.effort;
-    const double felt = given.impact + (push.footed ? 0 : given.effort);
-    push.before += n * (felt / mass);
-    push.now += n * (felt / mass);
+    const double felt = given.impact + (push.on_ground ? 0 : given.effort);
+    push.initial_velocity += n * (felt / mass);
+    push.velocity += n * (felt / mass);
     return given;
 }
 

@@ -10,17 +10,17 @@
 namespace jostle::modules::character_detail {
 
 struct Push {
-    physics::Vec3 before;  // m/s of the character before it made an effort, as the body's
-    physics::Vec3 now;     // m/s with the effort
+    physics::Vec3 initial_velocity;  // m/s of the character before it made an effort, as the body's
+    physics::Vec3 velocity;     // m/s with the effort
     double effort = 0;     // N s that are left of it
     double dt = 0;         // s of the step
-    bool footed = false;
-    bool meets = true;  // false: they were together before, and there is no impact
+    bool on_ground = false;
+    bool is_new_contact = true;  // false: they were together before, and there is no impact
 };
 struct PushResult {
     double impact = 0, effort = 0;  // N s along -normal
     // m/s along -normal that the effort will have given, if nothing else holds the body.
-    double gained = 0;
+    double velocity_change = 0;
 };
 
 // Pushes the body, and takes what that costs off `push`.

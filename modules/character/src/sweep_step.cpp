@@ -270,11 +270,11 @@ private:
             if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
             feel(push);
             refresh(contacts, contact.body);
-            contact.velocity -= contact.normal * given.gained;
+            contact.velocity -= contact.normal * given.velocity_change;
         }
     }
     void feel(const Push& push) {
-        const Vec3 change = push.now - carried_ - last_;
+        const Vec3 change = push.velocity - carried_ - last_;
         effort_ = push.effort;
         before_ += change;
         now_ += change;

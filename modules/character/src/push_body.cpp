@@ -20,7 +20,7 @@ double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
 }
 
 // Legs push all through the step, so that friction may hold against them; all else is at once.
-bool apply(World& world, const Contact& contact, const PushResult& given, const Push& push) {
+bool apply(World& world, const Contact& contact, const PushResult& given, const PushState& push) {
     const double at_once = given.impact + (push.on_ground ? 0 : given.effort);
     const Vec3 n = contact.normal;
     if (push.on_ground && given.effort > 0 &&
@@ -31,7 +31,7 @@ bool apply(World& world, const Contact& contact, const PushResult& given, const 
 
 }  // namespace
 
-PushResult push_body(World& world, const Contact& contact, double mass, Push& push) {
+PushResult push_body(World& world, const Contact& contact, double mass, PushState& push) {
     const Vec3 n = contact.normal;
     const Result<BodyState> body = world.body(contact.body);
     if (!body.ok() || !(body->mass > 0)) return {};

@@ -9,7 +9,7 @@
 
 namespace jostle::modules::character_detail {
 
-struct Push {
+struct PushState {
     physics::Vec3 initial_velocity;  // m/s of the character before it made an effort, as the body's
     physics::Vec3 velocity;     // m/s with the effort
     double effort = 0;     // N s that are left of it
@@ -24,6 +24,6 @@ struct PushResult {
 };
 
 // Pushes the body, and takes what that costs off `push`.
-PushResult push_body(physics::World& world, const Contact& contact, double mass, Push& push);
+PushResult push_body(physics::World& world, const Contact& contact, double mass, PushState& push);
 
 }  // namespace jostle::modules::character_detail

@@ -255,7 +255,7 @@ private:
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
             if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
             before_push_.store(world_, contact.body);
-            Push push{before_ + carried_,
+            PushState push{before_ + carried_,
                       last_ + carried_,
                       effort_,
                       dt_,
@@ -273,7 +273,7 @@ private:
             contact.velocity -= contact.normal * given.velocity_change;
         }
     }
-    void feel(const Push& push) {
+    void feel(const PushState& push) {
         const Vec3 change = push.velocity - carried_ - last_;
         effort_ = push.effort;
         before_ += change;

@@ -174,7 +174,7 @@ bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor
     if (rigid) static_cast<void>(world.set_locks(body, character_detail::upright));
     const bool other_shape = known->crouched != read.crouched;
     *known = read;
-    if (other_shape) character_detail::reshape(world, *known);
+    if (other_shape) character_detail::update_shape(world, *known);
     return true;
 }
 

@@ -42,7 +42,7 @@ CharacterData character_data_of(const CharacterDef& def) {
 Result<BodyId> make_body(World& world, const CharacterData& record, const CharacterDef& def) {
     const bool sweeps = def.kind == CharacterKind::sweeping;
     const BodyDef body{.type = sweeps ? BodyType::kinematic : BodyType::dynamic,
-                       .pose = {record.feet, attitude(record)},
+                       .pose = {record.feet, orientation(record)},
                        .linear_velocity = sweeps ? Vec3{} : def.velocity,
                        .locks = sweeps ? AxisLocks{0} : character_detail::upright,
                        .user_data = def.user_data};
@@ -140,7 +140,7 @@ Status Characters::set_feet(World& world, CharacterId id, Vec3 feet) {
     CharacterData* record = store_->find(id);
     if (record == nullptr) return unknown(id);
     if (Status s = character_detail::check_feet(feet); !s.ok()) return s;
-    const Transform pose{feet + character_detail::up * record->foot_height, attitude(*record)};
+    const Transform pose{feet + character_detail::up * record->foot_height, orientation(*record)};
     if (Status s = world.set_pose(record->body, pose); !s.ok()) return s;
     if (record->ground == GroundKind::on_ground) record->velocity += record->ground_velocity;
     record->feet = feet;

@@ -8,7 +8,7 @@ namespace jostle::modules::character_detail {
 using namespace physics;
 
 void place_body(World& world, const CharacterData& record, double rise, double speed, double dt) {
-    const Transform pose{record.feet + up * record.foot_height, attitude(record)};
+    const Transform pose{record.feet + up * record.foot_height, orientation(record)};
     const Result<BodyState> body = world.body(record.body);
     if (!body.ok()) return;
     const bool rests = body->linear_velocity == Vec3{} && body->angular_velocity == Vec3{};

@@ -35,13 +35,13 @@ void know_ground(const World& world, CharacterData& self, const Footing& footing
     self.ground_velocity = {};
     const Result<BodyState> ground = world.body(footing.body);
     if (footing.kind == GroundKind::on_ground && ground.ok())
-        self.ground_velocity = carried_velocity(world, *ground, footing.shape, self.feet, dt);
+        self.ground_velocity = ground_velocity_at(world, *ground, footing.shape, self.feet, dt);
 }
 
 // m/s: along the floor with all of the horizontal velocity that is wanted.
 Vec3 change_on_ground(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
-    Vec3 change = effort(over, walk, self.abilities.ground_acceleration, dt);
+    Vec3 change = acceleration_step(over, walk, self.abilities.ground_acceleration, dt);
     const Vec3 next = horizontal(over + change);
     const double most = self.abilities.ground_acceleration * dt;
     change.y = clamp(-dot(horizontal(n), next) / n.y - over.y, -most, most);
@@ -58,7 +58,7 @@ void hold(World& world, CharacterData& self, const BodyState& body, double dt) {
 
 Vec3 change_in_air(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     if (horizontal(walk) == Vec3{}) return {};
-    Vec3 change = effort(velocity, walk, self.abilities.air_acceleration, dt);
+    Vec3 change = acceleration_step(velocity, walk, self.abilities.air_acceleration, dt);
     if (self.ground == GroundKind::on_steep_ground) {
         const Vec3 wall = normalized(horizontal(self.ground_normal), Vec3{});
         change -= wall * minimum(dot(change, wall), 0);
@@ -77,13 +77,13 @@ void rigid_step(World& world, CharacterData& self, double dt) {
     self.applied_impulse = {};
     const Result<BodyState> body = world.body(self.body);
     if (!body.ok()) return;
-    const CharacterControls controls = controls_of(self, dt);
+    const CharacterControls controls = current_controls(self, dt);
     self.feet = body->pose.position - up * self.foot_height;
-    stand_or_crouch(world, self, controls.crouch);
+    update_crouch(world, self, controls.crouch);
     const Vec3 velocity = body->linear_velocity;
     know_ground(world, self, stand(world, self, *body), dt);
     Vec3 change;
-    if (takes_off(self, controls.jump)) {
+    if (should_jump(self, controls.jump)) {
         // Off the ground as it moves, but not off what is knocked away under it.
         const double from = clamp(self.ground_velocity.y - velocity.y, -1, 1);
         change.y = self.abilities.jump_speed + from;
@@ -95,11 +95,11 @@ void rigid_step(World& world, CharacterData& self, double dt) {
     } else {
         change = change_in_air(self, velocity, controls.walk, dt);
     }
-    face(self, controls.walk, dt);
+    turn_to_walk_direction(self, controls.walk, dt);
     if (length(change) < least_change) return;
     const Vec3 impulse = change * body->mass;
     static_cast<void>(world.apply_impulse(self.body, impulse, body->center));
-    press_ground(world, self, -impulse);
+    apply_ground_impulse(world, self, -impulse);
 }
 
 }  // namespace jostle::modules::character_detail

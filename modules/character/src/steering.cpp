@@ -17,7 +17,7 @@ double wrapped(double angle) {
 
 }  // namespace
 
-CharacterControls controls_of(CharacterData& record, double dt) {
+CharacterControls current_controls(CharacterData& record, double dt) {
     CharacterControls controls = record.controls;
     if (record.stroll <= 0) return controls;
     record.stroll_angle = wrapped(record.stroll_angle + record.stroll_turn * dt);
@@ -26,19 +26,19 @@ CharacterControls controls_of(CharacterData& record, double dt) {
     return controls;
 }
 
-Vec3 effort(Vec3 velocity, Vec3 wanted, double acceleration, double dt) {
+Vec3 acceleration_step(Vec3 velocity, Vec3 wanted, double acceleration, double dt) {
     const Vec3 change = horizontal(wanted - velocity);
     const double size = length(change), most = acceleration * dt;
     return size > most ? change * (most / size) : change;
 }
 
-bool takes_off(CharacterData& record, bool jump) {
+bool should_jump(CharacterData& record, bool jump) {
     const bool off = jump && record.jump_armed && record.ground == GroundKind::on_ground;
     record.jump_armed = !jump || (record.jump_armed && !off);
     return off;
 }
 
-void face(CharacterData& record, Vec3 walk, double dt) {
+void turn_to_walk_direction(CharacterData& record, Vec3 walk, double dt) {
     if (length_squared(horizontal(walk)) < 1e-6) return;
     const double off = wrapped(arc_tangent(-walk.x, -walk.z) - record.heading);
     const double most = turn_speed * dt;
@@ -50,7 +50,7 @@ void turn_by(CharacterData& record, double angle) {
 }
 
 // The first shape becomes the capsule that goes with the height; feet stay where they are.
-void reshape(World& world, const CharacterData& record) {
+void update_shape(World& world, const CharacterData& record) {
     std::vector<ShapeDef> shapes;
     for (const ShapeId id : world.shapes_of(record.body))
         if (const auto shape = world.shape(id); shape.ok()) shapes.push_back(def_of(*shape));
@@ -63,7 +63,7 @@ void reshape(World& world, const CharacterData& record) {
     static_cast<void>(world.set_shapes(record.body, shapes));
 }
 
-void stand_or_crouch(World& world, CharacterData& record, bool crouch) {
+void update_crouch(World& world, CharacterData& record, bool crouch) {
     if (crouch == record.crouched) return;
     if (!crouch) {
         const Capsule tall = capsule_of(record, record.height);
@@ -72,10 +72,10 @@ void stand_or_crouch(World& world, CharacterData& record, bool crouch) {
         if (!surroundings_of(world, record).is_free(tall, center)) return;
     }
     record.crouched = crouch;
-    reshape(world, record);
+    update_shape(world, record);
 }
 
-Vec3 carried_velocity(const World& world, const BodyState& ground, ShapeId shape, Vec3 point,
+Vec3 ground_velocity_at(const World& world, const BodyState& ground, ShapeId shape, Vec3 point,
                       double dt) {
     Vec3 belt;
     if (const auto surface = world.shape(shape); surface.ok())
@@ -85,7 +85,7 @@ Vec3 carried_velocity(const World& world, const BodyState& ground, ShapeId shape
     return ground.linear_velocity + belt + (turned - arm) * (1 / dt);
 }
 
-void press_ground(World& world, CharacterData& record, Vec3 impulse) {
+void apply_ground_impulse(World& world, CharacterData& record, Vec3 impulse) {
     const Result<BodyState> ground = world.body(record.ground_body);
     if (!ground.ok() || ground->type != BodyType::dynamic) return;
     if (world.apply_impulse(record.ground_body, impulse, record.ground_point).ok())
@@ -98,11 +98,11 @@ Vec3 push_off(World& world, CharacterData& record, Vec3 change) {
     const Result<BodyState> ground = world.body(record.ground_body);
     if (!ground.ok() || ground->type != BodyType::dynamic) return change;
     const double give = 1 / (1 / mass + 1 / ground->mass);
-    press_ground(world, record, change * -give);
+    apply_ground_impulse(world, record, change * -give);
     return change * (give / mass);
 }
 
-Quat attitude(const CharacterData& record) {
+Quat orientation(const CharacterData& record) {
     return from_rotation_vector(up * record.heading);
 }
 

@@ -36,8 +36,8 @@ public:
 
     void run() {
         self_.applied_impulse = {};
-        const CharacterControls controls = controls_of(self_, dt_);
-        stand_or_crouch(world_, self_, controls.crouch);
+        const CharacterControls controls = current_controls(self_, dt_);
+        update_crouch(world_, self_, controls.crouch);
         core_ = capsule_of(self_, current_height(self_));
         center_ = self_.feet + up * (0.5 * current_height(self_));
         steer(controls);
@@ -55,12 +55,12 @@ private:
         before_ = now_ = self_.velocity;
         if (grounded_) carried_ = ground_motion(self_.feet);
         if (grounded_ && slips()) lose_ground();
-        if (takes_off(self_, controls.jump))
+        if (should_jump(self_, controls.jump))
             jump();
         else if (grounded_)
             stride(controls.walk);
         if (!grounded_) fly(controls.walk);
-        face(self_, controls.walk, dt_);
+        turn_to_walk_direction(self_, controls.walk, dt_);
     }
     // A floor may have come up to it since the last step.
     void meet_ground() {
@@ -87,7 +87,7 @@ private:
         grounded_ = false;
     }
     void stride(Vec3 walk) {
-        const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
+        const Vec3 change = acceleration_step(now_, walk, self_.abilities.ground_acceleration, dt_);
         before_push_.store(world_, self_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
@@ -107,7 +107,7 @@ private:
     // now_ becomes the mean velocity of a parabola, last_ the one at its end: no error in the step.
     void fly(Vec3 walk) {
         if (horizontal(walk) != Vec3{}) {
-            Vec3 change = effort(now_, walk, self_.abilities.air_acceleration, dt_);
+            Vec3 change = acceleration_step(now_, walk, self_.abilities.air_acceleration, dt_);
             const Vec3 wall = normalized(horizontal(self_.ground_normal), Vec3{});
             if (self_.ground == GroundKind::on_steep_ground)
                 change -= wall * minimum(dot(change, wall), 0);
@@ -262,12 +262,12 @@ private:
                       grounded_,
                       !grounded_ || contact.body != self_.pushed};
             const PushResult given = push_body(world_, contact, self_.abilities.mass, push);
-            const double impulse = given.impact + given.effort;
+            const double impulse = given.impact + given.acceleration_step;
             if (impulse <= 0) continue;
             contact.pushed = true;
             if (is_null(pushed_)) pushed_ = contact.body;
             self_.applied_impulse -= contact.normal * impulse;
-            if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
+            if (grounded_) apply_ground_impulse(world_, self_, contact.normal * given.acceleration_step);
             feel(push);
             refresh(contacts, contact.body);
             contact.velocity -= contact.normal * given.velocity_change;
@@ -275,7 +275,7 @@ private:
     }
     void feel(const PushState& push) {
         const Vec3 change = push.velocity - carried_ - last_;
-        effort_ = push.effort;
+        effort_ = push.acceleration_step;
         before_ += change;
         now_ += change;
         last_ += change;
@@ -288,7 +288,7 @@ private:
         if (!was.ok() || !now.ok()) return {};
         BodyState ground = *was;
         ground.linear_velocity = horizontal(now->linear_velocity) + up * was->linear_velocity.y;
-        return carried_velocity(world_, ground, self_.ground_shape, point, dt_);
+        return ground_velocity_at(world_, ground, self_.ground_shape, point, dt_);
     }
     void refresh(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
@@ -327,7 +327,7 @@ private:
     bool leaves(const Footing& footing) const {
         const Result<BodyState> body = before_push_.of(world_, footing.body);
         if (!body.ok()) return false;
-        const Vec3 ground = carried_velocity(world_, *body, footing.shape, footing.point, dt_);
+        const Vec3 ground = ground_velocity_at(world_, *body, footing.shape, footing.point, dt_);
         return dot(footing.normal, last_ - ground) > rising_speed;
     }
     // Takes off what rounding and bent floors leave between the skin and the floor.
@@ -365,7 +365,7 @@ private:
             ride(by * dt_);
         }
         if (stands && !grounded_) last_ -= by;  // it landed
-        if (stands) press_ground(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
+        if (stands) apply_ground_impulse(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
         know_ground();
         self_.velocity = stands ? horizontal(last_) : last_;
         self_.ground_velocity = stands ? by : Vec3{};

@@ -19,7 +19,7 @@ Capsule with_skin(const CharacterData& record) {
 }
 
 // The part of the motion that is free, less the clearance.
-double free_part(const Surroundings& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
+double free_part(const EnvironmentQuery& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
     const auto hit = near.sweep(capsule, from, motion);
     if (!hit) return 1;
     return maximum(0, hit->fraction - 1e-5 / length(motion));
@@ -27,7 +27,7 @@ double free_part(const Surroundings& near, const Capsule& capsule, Vec3 from, Ve
 
 }  // namespace
 
-std::optional<Vec3> put_down(const Surroundings& near, const CharacterData& record, Vec3 from, double drop,
+std::optional<Vec3> put_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, double drop,
                              double floor_most) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
@@ -42,7 +42,7 @@ std::optional<Vec3> put_down(const Surroundings& near, const CharacterData& reco
     return stands ? std::optional(there) : std::nullopt;
 }
 
-std::optional<Vec3> climb(const Surroundings& near, const CharacterData& record, Vec3 from, Vec3 way,
+std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, Vec3 way,
                           double least) {
     const Capsule capsule = with_skin(record);
     const double step = record.abilities.step_height;

@@ -27,7 +27,7 @@ double walkable_least(const CharacterData& record) {
     return sin_cos(record.abilities.slope_limit).cos - 1e-9;
 }
 
-bool is_step_edge(const Surroundings& near, const CharacterData& record, Vec3 feet, Vec3 point,
+bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet, Vec3 point,
                   Vec3 normal) {
     constexpr double slack = 0.002;  // m
     const double step = record.abilities.step_height;
@@ -38,7 +38,7 @@ bool is_step_edge(const Surroundings& near, const CharacterData& record, Vec3 fe
     return near.look(feet + up * waist, -up * (waist + step + 10 * slack)).has_value();
 }
 
-Footing footing_of(const Surroundings& near, const CharacterData& record, Vec3 feet,
+Footing footing_of(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
                    std::span<const Contact> contacts, double close) {
     std::size_t touching = 0;  // they are sorted by gap
     const Contact* best = nullptr;

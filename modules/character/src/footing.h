@@ -23,12 +23,12 @@ struct Footing {
 double walkable_least(const CharacterData& record);
 
 // Of contacts that are no further than `close`. `feet`: m, of the character where they were found.
-Footing footing_of(const Surroundings& near, const CharacterData& record, physics::Vec3 feet,
+Footing footing_of(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
                    std::span<const Contact> contacts, double close);
 
 // Whether a steep contact is the edge of a step: there is floor behind it, no higher than a step,
 // and floor no more than a step below. On the edge of a cliff nobody stands by his side.
-bool is_step_edge(const Surroundings& near, const CharacterData& record, physics::Vec3 feet,
+bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
                   physics::Vec3 point, physics::Vec3 normal);
 
 }  // namespace jostle::modules::character_detail

@@ -63,7 +63,7 @@ void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 c
 
 }  // namespace
 
-std::vector<Contact> Surroundings::contacts(const Capsule& capsule, Vec3 center,
+std::vector<Contact> EnvironmentQuery::contacts(const Capsule& capsule, Vec3 center,
                                             double reach) const {
     std::vector<Contact> found;
     const auto shapes = world.queries().overlap_box(box_around(capsule, center, reach), filter);
@@ -74,14 +74,14 @@ std::vector<Contact> Surroundings::contacts(const Capsule& capsule, Vec3 center,
     return found;
 }
 
-std::optional<ShapeCastHit> Surroundings::sweep(const Capsule& capsule, Vec3 center,
+std::optional<ShapeCastHit> EnvironmentQuery::sweep(const Capsule& capsule, Vec3 center,
                                                 Vec3 motion) const {
     const auto hit = world.queries().cast_shape(
         {.geometry = capsule, .pose = {center, {}}, .motion = motion}, filter);
     return hit.ok() ? *hit : std::nullopt;
 }
 
-std::optional<ShapeCastHit> Surroundings::sweep_past(const Capsule& capsule, Vec3 center,
+std::optional<ShapeCastHit> EnvironmentQuery::sweep_past(const Capsule& capsule, Vec3 center,
                                                      Vec3 motion, BodyId body) const {
     const auto hits = world.queries().cast_shape_all(
         {.geometry = capsule, .pose = {center, {}}, .motion = motion}, filter);
@@ -91,7 +91,7 @@ std::optional<ShapeCastHit> Surroundings::sweep_past(const Capsule& capsule, Vec
     return std::nullopt;
 }
 
-Contact Surroundings::contact_at(const ShapeCastHit& hit, double gap) const {
+Contact EnvironmentQuery::contact_at(const ShapeCastHit& hit, double gap) const {
     const Result<BodyState> body = world.body(hit.body);
     return {.normal = hit.normal,
             .gap = gap,
@@ -103,17 +103,17 @@ Contact Surroundings::contact_at(const ShapeCastHit& hit, double gap) const {
             .pushed = false};
 }
 
-bool Surroundings::is_free(const Capsule& capsule, Vec3 center) const {
+bool EnvironmentQuery::is_free(const Capsule& capsule, Vec3 center) const {
     const auto shapes = world.queries().overlap_shape(capsule, {center, {}}, filter);
     return shapes.ok() && shapes->empty();
 }
 
-std::optional<RayHit> Surroundings::look(Vec3 from, Vec3 motion) const {
+std::optional<RayHit> EnvironmentQuery::look(Vec3 from, Vec3 motion) const {
     const auto hit = world.queries().cast_ray({from, motion}, filter);
     return hit.ok() ? *hit : std::nullopt;
 }
 
-std::optional<Vec3> Surroundings::floor_behind(Vec3 edge, Vec3 normal) const {
+std::optional<Vec3> EnvironmentQuery::floor_behind(Vec3 edge, Vec3 normal) const {
     constexpr double behind = 0.01, above = 0.05;  // m
     const Vec3 inward = normalized(-horizontal(normal), Vec3{});
     const auto hit = look(edge + inward * behind + up * above, up * (-2 * above));
@@ -121,7 +121,7 @@ std::optional<Vec3> Surroundings::floor_behind(Vec3 edge, Vec3 normal) const {
     return hit->normal;
 }
 
-Surroundings surroundings_of(const World& world, const CharacterData& record) {
+EnvironmentQuery surroundings_of(const World& world, const CharacterData& record) {
     return {world, {.categories = record.mask, .triggers = false, .ignore = record.body}};
 }
 

@@ -23,7 +23,7 @@ struct Contact {
     bool pushed = false;  // in this step
 };
 
-struct Surroundings {
+struct EnvironmentQuery {
     const physics::World& world;
     physics::QueryFilter filter;
 
@@ -45,7 +45,7 @@ struct Surroundings {
     std::optional<physics::Vec3> floor_behind(physics::Vec3 edge, physics::Vec3 normal) const;
 };
 
-Surroundings surroundings_of(const physics::World& world, const CharacterData& record);
+EnvironmentQuery surroundings_of(const physics::World& world, const CharacterData& record);
 
 // m/s of a body's point, and of the belt that the shape is there.
 physics::Vec3 surface_velocity(const physics::World& world, physics::BodyId body,

@@ -398,7 +398,7 @@ private:
 
     World& world_;
     CharacterData& self_;
-    Surroundings near_;
+    EnvironmentQuery near_;
     double dt_, walkable_;
     double effort_;  // N s that it can still push with
     Capsule core_;

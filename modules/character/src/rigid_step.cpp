@@ -15,7 +15,7 @@ constexpr double lift_off_speed = 0.5;  // m/s: a lift may brake by so much in a
 constexpr double least_change = 1e-9;   // m/s: less does not keep it awake
 
 Footing stand(const World& world, CharacterData& self, const BodyState& body) {
-    const EnvironmentQuery near = surroundings_of(world, self);
+    const EnvironmentQuery near = make_environment_query(world, self);
     const Vec3 center = self.feet + up * (0.5 * current_height(self));
     const auto contacts =
         near.contacts(capsule_of(self, current_height(self)), center, footing_reach);

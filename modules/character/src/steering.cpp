@@ -69,7 +69,7 @@ void update_crouch(World& world, CharacterData& record, bool crouch) {
         const Capsule tall = capsule_of(record, record.height);
         // A little off the floor, which a rigid one touches.
         const Vec3 center = record.feet + up * (0.5 * record.height + 0.005);
-        if (!surroundings_of(world, record).is_free(tall, center)) return;
+        if (!make_environment_query(world, record).is_free(tall, center)) return;
     }
     record.crouched = crouch;
     update_shape(world, record);

@@ -121,7 +121,7 @@ std::optional<Vec3> EnvironmentQuery::floor_behind(Vec3 edge, Vec3 normal) const
     return hit->normal;
 }
 
-EnvironmentQuery surroundings_of(const World& world, const CharacterData& record) {
+EnvironmentQuery make_environment_query(const World& world, const CharacterData& record) {
     return {world, {.categories = record.mask, .triggers = false, .ignore = record.body}};
 }
 

@@ -45,7 +45,7 @@ struct EnvironmentQuery {
     std::optional<physics::Vec3> floor_behind(physics::Vec3 edge, physics::Vec3 normal) const;
 };
 
-EnvironmentQuery surroundings_of(const physics::World& world, const CharacterData& record);
+EnvironmentQuery make_environment_query(const physics::World& world, const CharacterData& record);
 
 // m/s of a body's point, and of the belt that the shape is there.
 physics::Vec3 surface_velocity(const physics::World& world, physics::BodyId body,

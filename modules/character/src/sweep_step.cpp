@@ -29,7 +29,7 @@ public:
     SweepStep(World& world, CharacterData& record, double dt)
         : world_(world),
           self_(record),
-          near_(surroundings_of(world, record)),
+          near_(make_environment_query(world, record)),
           dt_(dt),
           walkable_(walkable_least(record)),
           effort_(record.abilities.strength * dt) {}

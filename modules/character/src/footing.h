@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "modules/character/src/surroundings.h"
+#include "modules/character/src/environment_query.h"
 
 namespace jostle::modules::character_detail {
 

@@ -5,7 +5,7 @@
 // ground bears that, else its own mass.
 #pragma once
 
-#include "modules/character/src/surroundings.h"
+#include "modules/character/src/environment_query.h"
 
 namespace jostle::modules::character_detail {
 

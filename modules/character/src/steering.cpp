@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/character/src/steering.h"
 
-#include "modules/character/src/surroundings.h"
+#include "modules/character/src/environment_query.h"
 
 namespace jostle::modules::character_detail {
 

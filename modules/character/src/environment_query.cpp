@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/surroundings.h"
+#include "modules/character/src/environment_query.h"
 
 #include <algorithm>
 

@@ -20,18 +20,18 @@ constexpr double driven_speed = 5;  // m/s at full stick
 
 void visit_size(StateVisitor& v, CharacterData& r) {
     using namespace character_detail;
-    bounded(v, "radius", r.radius, radius_least, radius_most);
+    bounded(v, "radius", r.radius, radius_min, radius_max);
     const double least = 2 * r.radius + 1.9 * min_shape_size;
-    bounded(v, "height", r.height, least, height_most);
+    bounded(v, "height", r.height, least, height_max);
     bounded(v, "crouched_height", r.crouched_height, least, r.height);
-    bounded(v, "skin", r.skin, r.kind == CharacterKind::rigid ? 0 : skin_least, 0.5 * r.radius);
+    bounded(v, "skin", r.skin, r.kind == CharacterKind::rigid ? 0 : skin_min, 0.5 * r.radius);
     bounded(v, "foot_height", r.foot_height, -1e4, 1e4);
     v.field("mask", r.mask);
-    for (const Ability& a : abilities_list) bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
+    for (const Ability& a : ability_ranges) bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
 }
 
 void visit_controls(StateVisitor& v, CharacterData& r) {
-    bounded(v, "walk", r.controls.walk, character_detail::walk_most);
+    bounded(v, "walk", r.controls.walk, character_detail::walk_speed_max);
     v.field("jump", r.controls.jump);
     v.field("crouch", r.controls.crouch);
     v.field("jump_armed", r.jump_armed);
@@ -64,7 +64,7 @@ void visit_character_data(StateVisitor& v, CharacterData& r) {
     visit_size(v, r);
     visit_controls(v, r);
     bounded(v, "heading", r.heading, -4, 4);
-    bounded(v, "feet", r.feet, character_detail::coordinate_most);
+    bounded(v, "feet", r.feet, character_detail::coordinate_max);
     bounded(v, "velocity", r.velocity, 1e9);
     v.field("crouched", r.crouched);
     visit_ground(v, r);
@@ -84,10 +84,10 @@ struct SceneNumbers {
 Status read(const ModuleSettings& given, SceneNumbers& numbers) {
     using namespace character_detail;
     SettingsReader settings(given);
-    for (const Ability& a : abilities_list)
+    for (const Ability& a : ability_ranges)
         settings.number(a.name, numbers.abilities.*a.value, a.low, a.high);
-    settings.number("skin", numbers.skin, skin_least, 0.5 * radius_most);
-    settings.number("crouched_height", numbers.crouched_height, 0, height_most);
+    settings.number("skin", numbers.skin, skin_min, 0.5 * radius_max);
+    settings.number("crouched_height", numbers.crouched_height, 0, height_max);
     settings.number("stroll", numbers.stroll, 0, 20);
     settings.number("stroll_turn", numbers.stroll_turn, -10, 10);
     BodyId any;

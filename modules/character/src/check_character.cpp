@@ -23,14 +23,14 @@ Status check(const char* name, Vec3 value, double most) {
 }
 
 Status check_size(const CharacterDef& def) {
-    if (Status s = check("radius", def.radius, radius_least, radius_most); !s.ok()) return s;
+    if (Status s = check("radius", def.radius, radius_min, radius_max); !s.ok()) return s;
     // A capsule with a cylinder of its own, however short.
     const double least = 2 * def.radius + 2 * min_shape_size;
-    if (Status s = check("height", def.height, least, height_most); !s.ok()) return s;
+    if (Status s = check("height", def.height, least, height_max); !s.ok()) return s;
     if (Status s = check("crouched_height", def.crouched_height, least, def.height); !s.ok())
         return s;
     if (def.kind == CharacterKind::rigid) return {};
-    return check("skin", def.skin, skin_least, 0.5 * def.radius);
+    return check("skin", def.skin, skin_min, 0.5 * def.radius);
 }
 
 }  // namespace
@@ -46,19 +46,19 @@ Status check_def(const CharacterDef& def) {
 }
 
 Status check_abilities(const CharacterAbilities& abilities) {
-    for (const Ability& a : abilities_list)
+    for (const Ability& a : ability_ranges)
         if (Status s = check(a.name, abilities.*a.value, a.low, a.high); !s.ok()) return s;
     return {};
 }
 
 Status check_walk(Vec3 walk) {
-    return check("walk", walk, walk_most);
+    return check("walk", walk, walk_speed_max);
 }
 Status check_feet(Vec3 feet) {
-    return check("feet", feet, coordinate_most);
+    return check("feet", feet, coordinate_max);
 }
 Status check_velocity(Vec3 velocity) {
-    return check("velocity", velocity, speed_most);
+    return check("velocity", velocity, speed_max);
 }
 
 }  // namespace jostle::modules::character_detail

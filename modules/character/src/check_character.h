@@ -21,7 +21,7 @@ struct Ability {
     double CharacterAbilities::*value;
     double low, high;
 };
-inline constexpr Ability abilities_list[] = {
+inline constexpr Ability ability_ranges[] = {
     {"mass", &CharacterAbilities::mass, 1, 1e4},
     {"slope_limit", &CharacterAbilities::slope_limit, 0, 1.5},
     {"step_height", &CharacterAbilities::step_height, 0, 2},
@@ -32,10 +32,10 @@ inline constexpr Ability abilities_list[] = {
     {"strength", &CharacterAbilities::strength, 0, 1e6},
 };
 
-inline constexpr double radius_least = 0.05, radius_most = 5;  // m
-inline constexpr double height_most = 20;                      // m
-inline constexpr double skin_least = 0.002;                    // m
-inline constexpr double walk_most = 1000, speed_most = 5000;   // m/s
-inline constexpr double coordinate_most = 9e6;                 // m
+inline constexpr double radius_min = 0.05, radius_max = 5;  // m
+inline constexpr double height_max = 20;                      // m
+inline constexpr double skin_min = 0.002;                    // m
+inline constexpr double walk_speed_max = 1000, speed_max = 5000;   // m/s
+inline constexpr double coordinate_max = 9e6;                 // m
 
 }  // namespace jostle::modules::character_detail

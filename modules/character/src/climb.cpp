@@ -19,7 +19,7 @@ Capsule with_skin(const CharacterData& record) {
 }
 
 // The part of the motion that is free, less the clearance.
-double free_part(const EnvironmentQuery& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
+double free_fraction(const EnvironmentQuery& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
     const auto hit = near.sweep(capsule, from, motion);
     if (!hit) return 1;
     return maximum(0, hit->fraction - 1e-5 / length(motion));
@@ -27,7 +27,7 @@ double free_part(const EnvironmentQuery& near, const Capsule& capsule, Vec3 from
 
 }  // namespace
 
-std::optional<Vec3> put_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, double drop,
+std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, double drop,
                              double floor_most) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
@@ -37,7 +37,7 @@ std::optional<Vec3> put_down(const EnvironmentQuery& near, const CharacterData& 
     const Vec3 there =
         from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
     const Vec3 feet = there - up * (0.5 * current_height(record));
-    const bool stands = hit->normal.y >= walkable_least(record) ||
+    const bool stands = hit->normal.y >= min_walkable_normal_y(record) ||
                         is_step_edge(near, record, feet, hit->point, hit->normal);
     return stands ? std::optional(there) : std::nullopt;
 }
@@ -46,14 +46,14 @@ std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& rec
                           double least) {
     const Capsule capsule = with_skin(record);
     const double step = record.abilities.step_height;
-    const double rise = step * free_part(near, capsule, from, up * step);
+    const double rise = step * free_fraction(near, capsule, from, up * step);
     if (rise < clearance) return std::nullopt;
     const Vec3 above = from + up * rise;
-    const double part = free_part(near, capsule, above, way);
+    const double part = free_fraction(near, capsule, above, way);
     if (part * length(way) <= least) return std::nullopt;
     const double floor = from.y - 0.5 * current_height(record);
     const auto there =
-        put_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
+        step_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
     // A step rises: on level floor what is left of the way is the clearance to a wall.
     if (!there || there->y - from.y < 0.1 * part * length(way)) return std::nullopt;
     return there;

@@ -16,7 +16,7 @@ std::optional<physics::Vec3> climb(const EnvironmentQuery& near, const Character
 
 // Where it stands when it is put down from `from` by at most `drop`: on floor that can be walked
 // on, or on the edge of a step.
-std::optional<physics::Vec3> put_down(const EnvironmentQuery& near, const CharacterData& record,
+std::optional<physics::Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record,
                                       physics::Vec3 from, double drop, double floor_most);
 
 }  // namespace jostle::modules::character_detail

@@ -81,7 +81,7 @@ std::optional<ShapeCastHit> EnvironmentQuery::sweep(const Capsule& capsule, Vec3
     return hit.ok() ? *hit : std::nullopt;
 }
 
-std::optional<ShapeCastHit> EnvironmentQuery::sweep_past(const Capsule& capsule, Vec3 center,
+std::optional<ShapeCastHit> EnvironmentQuery::sweep_ignoring(const Capsule& capsule, Vec3 center,
                                                      Vec3 motion, BodyId body) const {
     const auto hits = world.queries().cast_shape_all(
         {.geometry = capsule, .pose = {center, {}}, .motion = motion}, filter);

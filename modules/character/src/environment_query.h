@@ -34,7 +34,7 @@ struct EnvironmentQuery {
     std::optional<physics::ShapeCastHit> sweep(const physics::Capsule& capsule,
                                                physics::Vec3 center, physics::Vec3 motion) const;
     // ... that is no part of the body.
-    std::optional<physics::ShapeCastHit> sweep_past(const physics::Capsule& capsule,
+    std::optional<physics::ShapeCastHit> sweep_ignoring(const physics::Capsule& capsule,
                                                     physics::Vec3 center, physics::Vec3 motion,
                                                     physics::BodyId body) const;
     // What a sweep met, at so far a gap.

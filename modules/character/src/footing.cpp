@@ -10,7 +10,7 @@ using namespace physics;
 
 constexpr double least_lift = 0.02;  // of a normal: below, it is a wall
 
-Footing footing_on(const Contact& contact, GroundKind kind, Vec3 normal) {
+Footing make_footing(const Contact& contact, GroundKind kind, Vec3 normal) {
     return {kind, contact.body, contact.shape, normal, contact.normal, contact.point, contact.gap};
 }
 
@@ -23,7 +23,7 @@ bool is_wedged(std::span<const Contact> touching) {
 
 }  // namespace
 
-double walkable_least(const CharacterData& record) {
+double min_walkable_normal_y(const CharacterData& record) {
     return sin_cos(record.abilities.slope_limit).cos - 1e-9;
 }
 
@@ -33,12 +33,12 @@ bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, Vec
     const double step = record.abilities.step_height;
     if (normal.y < least_lift || point.y - feet.y > step + slack) return false;
     const auto tread = near.floor_behind(point, normal);
-    if (!tread || tread->y < walkable_least(record)) return false;
+    if (!tread || tread->y < min_walkable_normal_y(record)) return false;
     const double waist = record.radius;
     return near.look(feet + up * waist, -up * (waist + step + 10 * slack)).has_value();
 }
 
-Footing footing_of(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
+Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
                    std::span<const Contact> contacts, double close) {
     std::size_t touching = 0;  // they are sorted by gap
     const Contact* best = nullptr;
@@ -48,13 +48,13 @@ Footing footing_of(const EnvironmentQuery& near, const CharacterData& record, Ve
         if (best == nullptr || contact.normal.y > best->normal.y) best = &contact;
     }
     if (best == nullptr) return {};
-    if (best->normal.y >= walkable_least(record))
-        return footing_on(*best, GroundKind::on_ground, best->normal);
+    if (best->normal.y >= min_walkable_normal_y(record))
+        return make_footing(*best, GroundKind::on_ground, best->normal);
     for (const Contact& contact : contacts.first(touching))
         if (is_step_edge(near, record, feet, contact.point, contact.normal))
-            return footing_on(contact, GroundKind::on_ground, up);
-    if (is_wedged(contacts.first(touching))) return footing_on(*best, GroundKind::on_ground, up);
-    return footing_on(*best, GroundKind::on_steep_ground, best->normal);
+            return make_footing(contact, GroundKind::on_ground, up);
+    if (is_wedged(contacts.first(touching))) return make_footing(*best, GroundKind::on_ground, up);
+    return make_footing(*best, GroundKind::on_steep_ground, best->normal);
 }
 
 }  // namespace jostle::modules::character_detail

@@ -20,10 +20,10 @@ struct Footing {
 };
 
 // The least upward part of a normal that can be walked on.
-double walkable_least(const CharacterData& record);
+double min_walkable_normal_y(const CharacterData& record);
 
 // Of contacts that are no further than `close`. `feet`: m, of the character where they were found.
-Footing footing_of(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
+Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
                    std::span<const Contact> contacts, double close);
 
 // Whether a steep contact is the edge of a step: there is floor behind it, no higher than a step,

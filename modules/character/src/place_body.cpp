@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/place_body.h"
+#include "modules/character/src/move_kinematic_body.h"
 
 #include "modules/character/src/steering.h"
 
@@ -7,7 +7,7 @@ namespace jostle::modules::character_detail {
 
 using namespace physics;
 
-void place_body(World& world, const CharacterData& record, double rise, double speed, double dt) {
+void move_kinematic_body(World& world, const CharacterData& record, double rise, double speed, double dt) {
     const Transform pose{record.feet + up * record.foot_height, orientation(record)};
     const Result<BodyState> body = world.body(record.body);
     if (!body.ok()) return;

@@ -19,7 +19,7 @@ Footing stand(const World& world, CharacterData& self, const BodyState& body) {
     const Vec3 center = self.feet + up * (0.5 * current_height(self));
     const auto contacts =
         near.contacts(capsule_of(self, current_height(self)), center, footing_reach);
-    Footing footing = footing_of(near, self, self.feet, contacts, standing_gap);
+    Footing footing = find_footing(near, self, self.feet, contacts, standing_gap);
     if (footing.kind == GroundKind::in_air) return footing;
     const Vec3 ground = surface_velocity(world, footing.body, footing.shape, footing.point);
     if (dot(footing.normal, body.linear_velocity - ground) > lift_off_speed) return {};

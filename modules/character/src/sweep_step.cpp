@@ -5,7 +5,7 @@
 #include "modules/character/src/climb.h"
 #include "modules/character/src/footing.h"
 #include "modules/character/src/nearest_velocity.h"
-#include "modules/character/src/place_body.h"
+#include "modules/character/src/move_kinematic_body.h"
 #include "modules/character/src/push_body.h"
 #include "modules/character/src/steering.h"
 
@@ -31,7 +31,7 @@ public:
           self_(record),
           near_(make_environment_query(world, record)),
           dt_(dt),
-          walkable_(walkable_least(record)),
+          walkable_(min_walkable_normal_y(record)),
           effort_(record.abilities.strength * dt) {}
 
     void run() {
@@ -181,7 +181,7 @@ private:
         const Result<BodyState> body = world_.body(overlap.body);
         if (!body.ok() || body->type == BodyType::static_body)
             return go(motion, minimum(1, self_.skin / size));
-        const auto hit = near_.sweep_past(core_, center_, motion, overlap.body);
+        const auto hit = near_.sweep_ignoring(core_, center_, motion, overlap.body);
         return go(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
     }
     double go(Vec3 motion, double part) {
@@ -306,14 +306,14 @@ private:
         return contacts_;
     }
     Footing look_down() {
-        return footing_of(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
+        return find_footing(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
                           self_.skin + touching_gap);
     }
     void find_ground() {
         Footing footing = look_down();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
             if (const auto there =
-                    put_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
+                    step_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
                 leap_ += there->y - center_.y;
                 center_ = *there;
                 footing = look_down();
@@ -377,7 +377,7 @@ private:
     void ride(Vec3 motion) {
         const double size = length(motion);
         if (size < 1e-12) return;
-        const auto hit = near_.sweep_past(core_, center_, motion, self_.ground_body);
+        const auto hit = near_.sweep_ignoring(core_, center_, motion, self_.ground_body);
         if (!hit) {
             center_ += motion;
             return;
@@ -393,7 +393,7 @@ private:
             self_.velocity = {};  // at the end of the world
         else
             self_.feet = feet;
-        place_body(world_, self_, leap_, length(now_ + carried_) + 1, dt_);
+        move_kinematic_body(world_, self_, leap_, length(now_ + carried_) + 1, dt_);
     }
 
     World& world_;

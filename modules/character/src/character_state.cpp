@@ -16,7 +16,7 @@ using character_detail::CharacterData;
 
 namespace {
 
-constexpr double driven_speed = 5;  // m/s at full stick
+constexpr double controlled_walk_speed = 5;  // m/s at full stick
 
 void visit_size(StateVisitor& v, CharacterData& r) {
     using namespace character_detail;
@@ -70,7 +70,7 @@ void visit_character_data(StateVisitor& v, CharacterData& r) {
     visit_ground(v, r);
 }
 
-Error no_character(const std::string& name, const std::string& why) {
+Error unknown_character(const std::string& name, const std::string& why) {
     return {ErrorCode::invalid_argument, name + " " + why};
 }
 
@@ -98,15 +98,15 @@ Status read(const ModuleSettings& given, SceneNumbers& numbers) {
 Result<CharacterData> character_data_for(World& world, const std::string& name, BodyId id,
                           const SceneNumbers& numbers) {
     const Result<BodyState> body = world.body(id);
-    if (!body.ok()) return no_character(name, "is no body");
+    if (!body.ok()) return unknown_character(name, "is no body");
     if (body->type == BodyType::static_body)
-        return no_character(name, "is static; a character is kinematic or dynamic");
+        return unknown_character(name, "is static; a character is kinematic or dynamic");
     const std::vector<ShapeId> shapes = world.shapes_of(id);
-    if (shapes.empty()) return no_character(name, "has no shape; give it a capsule");
+    if (shapes.empty()) return unknown_character(name, "has no shape; give it a capsule");
     const Result<ShapeState> shape = world.shape(shapes.front());
     const auto* capsule = std::get_if<Capsule>(&shape->geometry);
     if (capsule == nullptr || absolute(rotate(shape->pose.rotation, {0, 1, 0}).y) < 0.999999)
-        return no_character(name, "has another first shape than an upright capsule");
+        return unknown_character(name, "has another first shape than an upright capsule");
     CharacterData r;
     r.kind = body->type == BodyType::dynamic ? CharacterKind::rigid : CharacterKind::sweeping;
     r.skin = r.kind == CharacterKind::rigid ? 0 : numbers.skin;
@@ -138,7 +138,7 @@ Status check_character_data(const std::string& name, const CharacterData& r) {
                      .skin = r.skin,
                      .abilities = r.abilities};
     if (Status s = character_detail::check_def(def); !s.ok())
-        return no_character(name, "cannot be a character: " + s.error().message);
+        return unknown_character(name, "cannot be a character: " + s.error().message);
     return {};
 }
 
@@ -182,11 +182,11 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     SceneNumbers numbers;
     if (Status s = read(settings, numbers); !s.ok()) return s;
     for (const auto& [name, body] : settings.bodies) {
-        if (is_controllable(body)) return no_character(name, "is a character already");
+        if (is_controllable(body)) return unknown_character(name, "is a character already");
         Result<CharacterData> record = character_data_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_character_data(name, *record); !s.ok()) return s;
-        if (store_->characters.size() == most) return no_character(name, "is one more than 4096");
+        if (store_->characters.size() == most) return unknown_character(name, "is one more than 4096");
         if (record->kind == CharacterKind::rigid) {
             if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;
         }
@@ -208,7 +208,7 @@ void Characters::control(World&, BodyId body, const Controls& controls) {
     const Vec3 ahead{-turn.sin, 0, -turn.cos}, right{turn.cos, 0, -turn.sin};
     Vec3 walk = ahead * controls.axes[1] + right * controls.axes[0];
     const double size = length(walk);
-    walk = walk * (driven_speed / maximum(size, 1));
+    walk = walk * (controlled_walk_speed / maximum(size, 1));
     static_cast<void>(set_controls(character_of(body), {.walk = walk,
                                                         .jump = (controls.buttons & 1) != 0,
                                                         .crouch = (controls.buttons & 2) != 0}));

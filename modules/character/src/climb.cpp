@@ -28,11 +28,11 @@ double free_fraction(const EnvironmentQuery& near, const Capsule& capsule, Vec3 
 }  // namespace
 
 std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, double drop,
-                             double floor_most) {
+                             double floor_height_max) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
     const auto hit = near.sweep(capsule, from, motion);
-    if (!hit || hit->fraction <= 0 || hit->point.y > floor_most) return std::nullopt;
+    if (!hit || hit->fraction <= 0 || hit->point.y > floor_height_max) return std::nullopt;
     const double lift = clearance / maximum(hit->normal.y, 0.5);  // back to the full skin
     const Vec3 there =
         from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
@@ -42,20 +42,20 @@ std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData&
     return stands ? std::optional(there) : std::nullopt;
 }
 
-std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, Vec3 way,
-                          double least) {
+std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, Vec3 displacement,
+                          double min_progress) {
     const Capsule capsule = with_skin(record);
     const double step = record.abilities.step_height;
     const double rise = step * free_fraction(near, capsule, from, up * step);
     if (rise < clearance) return std::nullopt;
     const Vec3 above = from + up * rise;
-    const double part = free_fraction(near, capsule, above, way);
-    if (part * length(way) <= least) return std::nullopt;
+    const double fraction = free_fraction(near, capsule, above, displacement);
+    if (fraction * length(displacement) <= min_progress) return std::nullopt;
     const double floor = from.y - 0.5 * current_height(record);
     const auto there =
-        step_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
+        step_down(near, record, above + displacement * fraction, rise + clearance, floor + step + 0.002);
     // A step rises: on level floor what is left of the way is the clearance to a wall.
-    if (!there || there->y - from.y < 0.1 * part * length(way)) return std::nullopt;
+    if (!there || there->y - from.y < 0.1 * fraction * length(displacement)) return std::nullopt;
     return there;
 }
 

@@ -108,7 +108,7 @@ bool EnvironmentQuery::is_free(const Capsule& capsule, Vec3 center) const {
     return shapes.ok() && shapes->empty();
 }
 
-std::optional<RayHit> EnvironmentQuery::look(Vec3 from, Vec3 motion) const {
+std::optional<RayHit> EnvironmentQuery::cast_ray(Vec3 from, Vec3 motion) const {
     const auto hit = world.queries().cast_ray({from, motion}, filter);
     return hit.ok() ? *hit : std::nullopt;
 }
@@ -116,7 +116,7 @@ std::optional<RayHit> EnvironmentQuery::look(Vec3 from, Vec3 motion) const {
 std::optional<Vec3> EnvironmentQuery::floor_behind(Vec3 edge, Vec3 normal) const {
     constexpr double behind = 0.01, above = 0.05;  // m
     const Vec3 inward = normalized(-horizontal(normal), Vec3{});
-    const auto hit = look(edge + inward * behind + up * above, up * (-2 * above));
+    const auto hit = cast_ray(edge + inward * behind + up * above, up * (-2 * above));
     if (!hit || hit->fraction <= 0) return std::nullopt;
     return hit->normal;
 }

@@ -40,7 +40,7 @@ struct EnvironmentQuery {
     // What a sweep met, at so far a gap.
     Contact contact_at(const physics::ShapeCastHit& hit, double gap) const;
     bool is_free(const physics::Capsule& capsule, physics::Vec3 center) const;
-    std::optional<physics::RayHit> look(physics::Vec3 from, physics::Vec3 motion) const;
+    std::optional<physics::RayHit> cast_ray(physics::Vec3 from, physics::Vec3 motion) const;
     // The normal of the floor that ends at an edge: that of what is a little way behind it.
     std::optional<physics::Vec3> floor_behind(physics::Vec3 edge, physics::Vec3 normal) const;
 };

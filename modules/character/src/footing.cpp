@@ -8,7 +8,7 @@ namespace {
 
 using namespace physics;
 
-constexpr double least_lift = 0.02;  // of a normal: below, it is a wall
+constexpr double lift_min = 0.02;  // of a normal: below, it is a wall
 
 Footing make_footing(const Contact& contact, GroundKind kind, Vec3 normal) {
     return {kind, contact.body, contact.shape, normal, contact.normal, contact.point, contact.gap};
@@ -31,11 +31,11 @@ bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, Vec
                   Vec3 normal) {
     constexpr double slack = 0.002;  // m
     const double step = record.abilities.step_height;
-    if (normal.y < least_lift || point.y - feet.y > step + slack) return false;
+    if (normal.y < lift_min || point.y - feet.y > step + slack) return false;
     const auto tread = near.floor_behind(point, normal);
     if (!tread || tread->y < min_walkable_normal_y(record)) return false;
     const double waist = record.radius;
-    return near.look(feet + up * waist, -up * (waist + step + 10 * slack)).has_value();
+    return near.cast_ray(feet + up * waist, -up * (waist + step + 10 * slack)).has_value();
 }
 
 Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
@@ -44,7 +44,7 @@ Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, 
     const Contact* best = nullptr;
     for (; touching < contacts.size() && contacts[touching].gap <= close; touching++) {
         const Contact& contact = contacts[touching];
-        if (contact.normal.y < least_lift) continue;
+        if (contact.normal.y < lift_min) continue;
         if (best == nullptr || contact.normal.y > best->normal.y) best = &contact;
     }
     if (best == nullptr) return {};

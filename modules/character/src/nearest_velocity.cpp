@@ -11,61 +11,61 @@ namespace {
 using namespace physics;
 
 constexpr double tolerance = 1e-9;      // m/s
-constexpr double one_normal = 0.99985;  // cosine of a degree: normals that are taken as one
+constexpr double same_normal_tolerance = 0.99985;  // cosine of a degree: normals that are taken as one
 
 using Planes = std::span<const VelocityPlane>;
 
 bool allowed(Vec3 v, Planes planes) {
     for (const VelocityPlane& plane : planes)
-        if (dot(plane.normal, v) < plane.least - tolerance * (1 + absolute(plane.least)))
+        if (dot(plane.normal, v) < plane.min_speed - tolerance * (1 + absolute(plane.min_speed)))
             return false;
     return true;
 }
 
 // Nearest to `wanted` on one plane, if the plane pushes.
-std::optional<Vec3> on_one(Vec3 wanted, const VelocityPlane& a) {
-    const double push = a.least - dot(a.normal, wanted);
+std::optional<Vec3> project_on_one(Vec3 desired, const VelocityPlane& a) {
+    const double push = a.min_speed - dot(a.normal, desired);
     if (push <= 0) return std::nullopt;
-    return wanted + a.normal * push;
+    return desired + a.normal * push;
 }
 
 // ... on the line of two, if both push.
-std::optional<Vec3> on_two(Vec3 wanted, const VelocityPlane& a, const VelocityPlane& b) {
+std::optional<Vec3> project_on_two(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b) {
     const double c = dot(a.normal, b.normal), det = 1 - c * c;
     if (det < 1e-9) return std::nullopt;
-    const double ra = a.least - dot(a.normal, wanted), rb = b.least - dot(b.normal, wanted);
+    const double ra = a.min_speed - dot(a.normal, desired), rb = b.min_speed - dot(b.normal, desired);
     const double pa = (ra - c * rb) / det, pb = (rb - c * ra) / det;
     if (pa < 0 || pb < 0) return std::nullopt;
-    return wanted + a.normal * pa + b.normal * pb;
+    return desired + a.normal * pa + b.normal * pb;
 }
 
 // ... in the corner of three, if all push.
-std::optional<Vec3> in_corner(Vec3 wanted, const VelocityPlane& a, const VelocityPlane& b,
+std::optional<Vec3> intersect_three(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b,
                               const VelocityPlane& c) {
     // v solves N v = least, where N has the normals as rows; the pushes p solve N^T p = v - wanted.
     const Mat3 normals{a.normal, b.normal, c.normal};  // as columns
     if (absolute(determinant(normals)) < 1e-6) return std::nullopt;
-    const Vec3 v = inverse(transpose(normals)) * Vec3{a.least, b.least, c.least};
-    const Vec3 push = inverse(normals) * (v - wanted);
+    const Vec3 v = inverse(transpose(normals)) * Vec3{a.min_speed, b.min_speed, c.min_speed};
+    const Vec3 push = inverse(normals) * (v - desired);
     if (push.x < 0 || push.y < 0 || push.z < 0) return std::nullopt;
     return v;
 }
 
 // Where the planes contradict each other: each in turn, a few times.
-Vec3 compromise(Vec3 v, Planes planes, double most) {
+Vec3 least_violating_velocity(Vec3 v, Planes planes, double most) {
     for (int round = 0; round < 8; round++)
         for (const VelocityPlane& plane : planes)
-            v += plane.normal * maximum(0, plane.least - dot(plane.normal, v));
+            v += plane.normal * maximum(0, plane.min_speed - dot(plane.normal, v));
     const double speed = length(v);
     return speed > most ? v * (most / speed) : v;
 }
 
 // What slides along planes that stand still gets no faster; three that move and are square to each
 // other add three of their speeds.
-double most_speed(Vec3 wanted, Planes planes) {
+double max_plane_speed(Vec3 desired, Planes planes) {
     double fastest = 0;
-    for (const VelocityPlane& plane : planes) fastest = maximum(fastest, plane.least);
-    return square_root(length_squared(wanted) + 3 * fastest * fastest) * (1 + 1e-9) + tolerance;
+    for (const VelocityPlane& plane : planes) fastest = maximum(fastest, plane.min_speed);
+    return square_root(length_squared(desired) + 3 * fastest * fastest) * (1 + 1e-9) + tolerance;
 }
 
 }  // namespace
@@ -73,32 +73,32 @@ double most_speed(Vec3 wanted, Planes planes) {
 // By convexity the first that is allowed and that all its planes push is the nearest of all
 // (Karush, Kuhn, Tucker). Planes that rounding made of one, or that close on each other like a
 // wedge, meet far away: nobody is thrown there.
-Vec3 nearest_velocity(Vec3 wanted, Planes planes) {
+Vec3 nearest_velocity(Vec3 desired, Planes planes) {
     planes =
         planes.first(planes.size() < velocity_planes_max ? planes.size() : velocity_planes_max);
-    if (allowed(wanted, planes)) return wanted;
-    const double most = most_speed(wanted, planes);
+    if (allowed(desired, planes)) return desired;
+    const double most = max_plane_speed(desired, planes);
     const auto good = [&](const std::optional<Vec3>& v) {
         return v && length(*v) <= most && allowed(*v, planes);
     };
     const std::size_t n = planes.size();
     for (std::size_t a = 0; a < n; a++)
-        if (const auto v = on_one(wanted, planes[a]); good(v)) return *v;
+        if (const auto v = project_on_one(desired, planes[a]); good(v)) return *v;
     for (std::size_t a = 0; a < n; a++)
         for (std::size_t b = a + 1; b < n; b++)
-            if (const auto v = on_two(wanted, planes[a], planes[b]); good(v)) return *v;
+            if (const auto v = project_on_two(desired, planes[a], planes[b]); good(v)) return *v;
     for (std::size_t a = 0; a < n; a++)
         for (std::size_t b = a + 1; b < n; b++)
             for (std::size_t c = b + 1; c < n; c++)
-                if (const auto v = in_corner(wanted, planes[a], planes[b], planes[c]); good(v))
+                if (const auto v = intersect_three(desired, planes[a], planes[b], planes[c]); good(v))
                     return *v;
-    return compromise(wanted, planes, most);
+    return least_violating_velocity(desired, planes, most);
 }
 
 void VelocityPlanes::add(Vec3 normal, double least) {
     for (std::size_t k = 0; k < count_; k++)
-        if (dot(planes_[k].normal, normal) > one_normal) {
-            planes_[k].least = maximum(planes_[k].least, least);
+        if (dot(planes_[k].normal, normal) > same_normal_tolerance) {
+            planes_[k].min_speed = maximum(planes_[k].min_speed, least);
             return;
         }
     if (count_ < planes_.size()) planes_[count_++] = {normal, least};

@@ -13,21 +13,21 @@ namespace jostle::modules::character_detail {
 
 struct VelocityPlane {
     physics::Vec3 normal;  // unit
-    double least = 0;      // m/s along the normal
+    double min_speed = 0;      // m/s along the normal
 };
 
 // More planes than this are not looked at.
 inline constexpr std::size_t velocity_planes_max = 16;
 
 // Where no velocity is allowed, one that violates the planes little.
-physics::Vec3 nearest_velocity(physics::Vec3 wanted, std::span<const VelocityPlane> planes);
+physics::Vec3 nearest_velocity(physics::Vec3 desired, std::span<const VelocityPlane> planes);
 
 // Planes as they are found; of those with one normal, to a degree, the strictest counts.
 class VelocityPlanes {
 public:
     void add(physics::Vec3 normal, double least);
-    physics::Vec3 nearest(physics::Vec3 wanted) const {
-        return nearest_velocity(wanted, {planes_.data(), count_});
+    physics::Vec3 nearest(physics::Vec3 desired) const {
+        return nearest_velocity(desired, {planes_.data(), count_});
     }
 
 private:

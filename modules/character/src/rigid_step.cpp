@@ -9,24 +9,24 @@ namespace {
 
 using namespace physics;
 
-constexpr double standing_gap = 0.01;   // m within which it stands
-constexpr double footing_reach = 0.03;  // m
+constexpr double ground_gap_max = 0.01;   // m within which it stands
+constexpr double ground_probe_distance = 0.03;  // m
 constexpr double lift_off_speed = 0.5;  // m/s: a lift may brake by so much in a step
-constexpr double least_change = 1e-9;   // m/s: less does not keep it awake
+constexpr double velocity_change_min = 1e-9;   // m/s: less does not keep it awake
 
-Footing stand(const World& world, CharacterData& self, const BodyState& body) {
+Footing find_ground(const World& world, CharacterData& self, const BodyState& body) {
     const EnvironmentQuery near = make_environment_query(world, self);
     const Vec3 center = self.feet + up * (0.5 * current_height(self));
     const auto contacts =
-        near.contacts(capsule_of(self, current_height(self)), center, footing_reach);
-    Footing footing = find_footing(near, self, self.feet, contacts, standing_gap);
+        near.contacts(capsule_of(self, current_height(self)), center, ground_probe_distance);
+    Footing footing = find_footing(near, self, self.feet, contacts, ground_gap_max);
     if (footing.kind == GroundKind::in_air) return footing;
     const Vec3 ground = surface_velocity(world, footing.body, footing.shape, footing.point);
     if (dot(footing.normal, body.linear_velocity - ground) > lift_off_speed) return {};
     return footing;
 }
 
-void know_ground(const World& world, CharacterData& self, const Footing& footing, double dt) {
+void store_ground(const World& world, CharacterData& self, const Footing& footing, double dt) {
     self.ground = footing.kind;
     self.ground_body = footing.body;
     self.ground_shape = footing.shape;
@@ -39,7 +39,7 @@ void know_ground(const World& world, CharacterData& self, const Footing& footing
 }
 
 // m/s: along the floor with all of the horizontal velocity that is wanted.
-Vec3 change_on_ground(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
+Vec3 ground_velocity_change(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
     Vec3 change = acceleration_step(over, walk, self.abilities.ground_acceleration, dt);
     const Vec3 next = horizontal(over + change);
@@ -49,14 +49,14 @@ Vec3 change_on_ground(const CharacterData& self, Vec3 velocity, Vec3 walk, doubl
 }
 
 // Its feet hold it against what gravity does along the floor, all through the step.
-void hold(World& world, CharacterData& self, const BodyState& body, double dt) {
+void apply_holding_force(World& world, CharacterData& self, const BodyState& body, double dt) {
     const Vec3 n = self.ground_normal, gravity = world.gravity();
     const Vec3 along = gravity - n * dot(gravity, n);
-    if (length(along) * dt < least_change) return;
+    if (length(along) * dt < velocity_change_min) return;
     static_cast<void>(world.apply_force(self.body, along * -body.mass, body.center));
 }
 
-Vec3 change_in_air(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
+Vec3 air_velocity_change(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     if (horizontal(walk) == Vec3{}) return {};
     Vec3 change = acceleration_step(velocity, walk, self.abilities.air_acceleration, dt);
     if (self.ground == GroundKind::on_steep_ground) {
@@ -66,7 +66,7 @@ Vec3 change_in_air(const CharacterData& self, Vec3 velocity, Vec3 walk, double d
     return change;
 }
 
-void turn_along(const World& world, CharacterData& self, double dt) {
+void turn_with_ground(const World& world, CharacterData& self, double dt) {
     const Result<BodyState> ground = world.body(self.ground_body);
     if (ground.ok()) turn_by(self, ground->angular_velocity.y * dt);
 }
@@ -81,7 +81,7 @@ void rigid_step(World& world, CharacterData& self, double dt) {
     self.feet = body->pose.position - up * self.foot_height;
     update_crouch(world, self, controls.crouch);
     const Vec3 velocity = body->linear_velocity;
-    know_ground(world, self, stand(world, self, *body), dt);
+    store_ground(world, self, find_ground(world, self, *body), dt);
     Vec3 change;
     if (should_jump(self, controls.jump)) {
         // Off the ground as it moves, but not off what is knocked away under it.
@@ -89,14 +89,14 @@ void rigid_step(World& world, CharacterData& self, double dt) {
         change.y = self.abilities.jump_speed + from;
         self.ground = GroundKind::in_air;
     } else if (self.ground == GroundKind::on_ground) {
-        change = change_on_ground(self, velocity, controls.walk, dt);
-        hold(world, self, *body, dt);
-        turn_along(world, self, dt);
+        change = ground_velocity_change(self, velocity, controls.walk, dt);
+        apply_holding_force(world, self, *body, dt);
+        turn_with_ground(world, self, dt);
     } else {
-        change = change_in_air(self, velocity, controls.walk, dt);
+        change = air_velocity_change(self, velocity, controls.walk, dt);
     }
     turn_to_walk_direction(self, controls.walk, dt);
-    if (length(change) < least_change) return;
+    if (length(change) < velocity_change_min) return;
     const Vec3 impulse = change * body->mass;
     static_cast<void>(world.apply_impulse(self.body, impulse, body->center));
     apply_ground_impulse(world, self, -impulse);

@@ -68,7 +68,7 @@ private:
         footing_ = look_down();
         if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
         self_.ground = footing_.kind;
-        know_ground();
+        store_ground();
         self_.ground_velocity = ground_motion(self_.feet);
         self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
     }
@@ -345,9 +345,9 @@ private:
         if (walked_off_)
             last_ += carried_;  // and goes with the old ground for this step
         else
-            know_ground();
+            store_ground();
     }
-    void know_ground() {
+    void store_ground() {
         self_.ground_body = footing_.body;
         self_.ground_shape = footing_.shape;
         self_.ground_normal = footing_.normal;
@@ -361,16 +361,16 @@ private:
         if (stands || walked_off_) {
             const Vec3 feet = center_ - up * (0.5 * current_height(self_));
             by = ground_motion(feet);
-            turn_along();
+            turn_with_ground();
             ride(by * dt_);
         }
         if (stands && !grounded_) last_ -= by;  // it landed
         if (stands) apply_ground_impulse(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
-        know_ground();
+        store_ground();
         self_.velocity = stands ? horizontal(last_) : last_;
         self_.ground_velocity = stands ? by : Vec3{};
     }
-    void turn_along() {
+    void turn_with_ground() {
         const Result<BodyState> ground = world_.body(self_.ground_body);
         if (ground.ok()) turn_by(self_, ground->angular_velocity.y * dt_);
     }

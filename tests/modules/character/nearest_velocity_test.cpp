@@ -17,13 +17,13 @@ using namespace physics;
 
 // Dykstra's algorithm: projections onto the half-spaces in turn, with corrections, go to the
 // nearest point of what they share.
-Vec3 by_projections(Vec3 wanted, const std::vector<VelocityPlane>& planes) {
+Vec3 by_projections(Vec3 desired, const std::vector<VelocityPlane>& planes) {
     std::vector<Vec3> corrections(planes.size());
-    Vec3 v = wanted;
+    Vec3 v = desired;
     for (int round = 0; round < 20000; round++)
         for (std::size_t k = 0; k < planes.size(); k++) {
             const Vec3 from = v + corrections[k];
-            v = from + planes[k].normal * maximum(0, planes[k].least - dot(planes[k].normal, from));
+            v = from + planes[k].normal * maximum(0, planes[k].min_speed - dot(planes[k].normal, from));
             corrections[k] = from - v;
         }
     return v;
@@ -40,9 +40,9 @@ TEST(NearestVelocity, is_the_one_that_a_slow_search_finds) {
             const Vec3 n = random.direction();
             planes.push_back({n, dot(n, inside) - random.in(0, 1)});
         }
-        const Vec3 wanted = random.vector(6);
+        const Vec3 desired = random.vector(6);
         EXPECT_TRUE(
-            test::near(nearest_velocity(wanted, planes), by_projections(wanted, planes), 1e-4))
+            test::near(nearest_velocity(desired, planes), by_projections(desired, planes), 1e-4))
             << "trial " << trial;
     }
 }
@@ -71,7 +71,7 @@ TEST(NearestVelocity, planes_that_are_nearly_one_throw_nobody) {
                                                   {normalized(Vec3{-1, off, 0}), -1e-3}};
         EXPECT_LE(length(nearest_velocity({-1, 0, -2}, walls)), 2.3) << off;
         VelocityPlanes merged;
-        for (const VelocityPlane& wall : walls) merged.add(wall.normal, wall.least);
+        for (const VelocityPlane& wall : walls) merged.add(wall.normal, wall.min_speed);
         EXPECT_LE(length(merged.nearest({-1, 0, -2})), 2.3) << off;
     }
 }

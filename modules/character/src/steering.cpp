@@ -26,8 +26,8 @@ CharacterControls current_controls(CharacterData& record, double dt) {
     return controls;
 }
 
-Vec3 acceleration_step(Vec3 velocity, Vec3 wanted, double acceleration, double dt) {
-    const Vec3 change = horizontal(wanted - velocity);
+Vec3 acceleration_step(Vec3 velocity, Vec3 desired, double acceleration, double dt) {
+    const Vec3 change = horizontal(desired - velocity);
     const double size = length(change), most = acceleration * dt;
     return size > most ? change * (most / size) : change;
 }

@@ -11,7 +11,7 @@ namespace jostle::modules::character_detail {
 CharacterControls current_controls(CharacterData& record, double dt);
 
 // A change of the horizontal velocity towards the wanted one, by at most acceleration * dt.
-physics::Vec3 acceleration_step(physics::Vec3 velocity, physics::Vec3 wanted, double acceleration, double dt);
+physics::Vec3 acceleration_step(physics::Vec3 velocity, physics::Vec3 desired, double acceleration, double dt);
 
 // Whether it jumps in this step: from the ground, once for each press.
 bool should_jump(CharacterData& record, bool jump);

@@ -29,7 +29,7 @@ public:
     SweepStep(World& world, CharacterData& record, double dt)
         : world_(world),
           self_(record),
-          near_(make_environment_query(world, record)),
+          environment_(make_environment_query(world, record)),
           dt_(dt),
           walkable_(min_walkable_normal_y(record)),
           effort_(record.abilities.strength * dt) {}
@@ -43,55 +43,55 @@ public:
         steer(controls);
         move();
         find_ground();
-        carry();
+        move_with_ground();
         finish();
     }
 
 private:
     // --- what it wants ---
     void steer(const CharacterControls& controls) {
-        if (self_.ground != GroundKind::on_ground) meet_ground();
+        if (self_.ground != GroundKind::on_ground) detect_ground();
         grounded_ = self_.ground == GroundKind::on_ground;
-        before_ = now_ = self_.velocity;
-        if (grounded_) carried_ = ground_motion(self_.feet);
-        if (grounded_ && slips()) lose_ground();
+        initial_velocity_ = now_ = self_.velocity;
+        if (grounded_) carried_ = predicted_ground_velocity(self_.feet);
+        if (grounded_ && is_ground_slipping()) leave_ground();
         if (should_jump(self_, controls.jump))
             jump();
         else if (grounded_)
-            stride(controls.walk);
-        if (!grounded_) fly(controls.walk);
+            accelerate_on_ground(controls.walk);
+        if (!grounded_) accelerate_in_air(controls.walk);
         turn_to_walk_direction(self_, controls.walk, dt_);
     }
     // A floor may have come up to it since the last step.
-    void meet_ground() {
+    void detect_ground() {
         last_ = self_.velocity;
-        footing_ = look_down();
-        if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
+        footing_ = probe_ground();
+        if (footing_.kind != GroundKind::on_ground || is_leaving_ground(footing_)) return;
         self_.ground = footing_.kind;
         store_ground();
-        self_.ground_velocity = ground_motion(self_.feet);
+        self_.ground_velocity = predicted_ground_velocity(self_.feet);
         self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
     }
     // What is knocked away under its feet does not take it along. A platform does, whatever it
     // does.
-    bool slips() const {
+    bool is_ground_slipping() const {
         const Result<BodyState> ground = world_.body(self_.ground_body);
         return ground.ok() && ground->type == BodyType::dynamic &&
                length(carried_ - self_.ground_velocity) > self_.abilities.ground_acceleration * dt_;
     }
-    void lose_ground() {
+    void leave_ground() {
         self_.velocity += self_.ground_velocity;
         self_.ground = GroundKind::in_air;
-        before_ = now_ = self_.velocity;
+        initial_velocity_ = now_ = self_.velocity;
         carried_ = {};
         grounded_ = false;
     }
-    void stride(Vec3 walk) {
+    void accelerate_on_ground(Vec3 walk) {
         const Vec3 change = acceleration_step(now_, walk, self_.abilities.ground_acceleration, dt_);
         before_push_.store(world_, self_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
-        carried_ = ground_motion(self_.feet);
+        carried_ = predicted_ground_velocity(self_.feet);
         now_ += change;
         wanted_ = last_ = horizontal(now_);
         walk_ = horizontal(walk);
@@ -99,13 +99,13 @@ private:
     void jump() {
         before_push_.store(world_, self_.ground_body);
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
-        before_ = now_;
+        initial_velocity_ = now_;
         carried_ = {};
         grounded_ = false;
         self_.ground = GroundKind::in_air;
     }
     // now_ becomes the mean velocity of a parabola, last_ the one at its end: no error in the step.
-    void fly(Vec3 walk) {
+    void accelerate_in_air(Vec3 walk) {
         if (horizontal(walk) != Vec3{}) {
             Vec3 change = acceleration_step(now_, walk, self_.abilities.air_acceleration, dt_);
             const Vec3 wall = normalized(horizontal(self_.ground_normal), Vec3{});
@@ -115,7 +115,7 @@ private:
         }
         const Vec3 fall = world_.gravity() * dt_;
         last_ = now_ + fall;
-        before_ += fall;
+        initial_velocity_ += fall;
         now_ += fall * 0.5;
     }
 
@@ -130,7 +130,7 @@ private:
         if (got > size - 1e-4 * (size + 0.01)) return;
         // Stopped by a riser it still wants to get on.
         const Vec3 way = (length_squared(walk_) > length_squared(wanted_) ? walk_ : wanted_) * dt_;
-        if (const auto there = climb(near_, self_, start, way, got + 1e-5)) {
+        if (const auto there = climb(environment_, self_, start, way, got + 1e-5)) {
             leap_ = there->y - start.y;
             center_ = *there;
             last_ = wanted_;
@@ -141,12 +141,12 @@ private:
         double left = dt_;
         std::optional<Contact> met;
         for (int k = 0; k < slides_most; k++) {
-            std::vector<Contact> contacts = look();
+            std::vector<Contact> contacts = current_contacts();
             if (met) contacts.push_back(*met);
             push(contacts, left);
-            if (grounded_) follow(contacts);
-            const Vec3 velocity = allowed(contacts, left).nearest(now_);
-            const VelocityPlanes touching = touching_planes(contacts);
+            if (grounded_) follow_floor(contacts);
+            const Vec3 velocity = allowed_velocities(contacts, left).nearest(now_);
+            const VelocityPlanes touching = touching_velocities(contacts);
             last_ = touching.nearest(last_);
             if (!grounded_) now_ = touching.nearest(now_);
             const Vec3 motion = velocity * left;
@@ -163,42 +163,42 @@ private:
         met.reset();
         const double size = length(motion), ahead = size + skins_ahead * self_.skin;
         const Vec3 way = motion * (1 / size);
-        const auto hit = near_.sweep(core_, center_, way * ahead);
+        const auto hit = environment_.sweep(core_, center_, way * ahead);
         const double closing = hit ? -dot(hit->normal, way) : 0;
-        if (hit && closing <= 0 && hit->fraction <= 0) return leave(motion, *hit);
-        if (!hit) return go(motion, 1);
+        if (hit && closing <= 0 && hit->fraction <= 0) return move_out_of_overlap(motion, *hit);
+        if (!hit) return move_by(motion, 1);
         if (closing <= 0)  // grazes it
-            return go(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
+            return move_by(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
         const double room = hit->fraction * ahead * closing;  // m along the normal
         const double free = maximum(0, room - self_.skin) / closing;
-        if (free >= size) return go(motion, 1);
-        met = near_.contact_at(*hit, room - free * closing);
-        return go(motion, free / size);
+        if (free >= size) return move_by(motion, 1);
+        met = environment_.contact_at(*hit, room - free * closing);
+        return move_by(motion, free / size);
     }
     // Out of what it overlaps: what moved into it.
-    double leave(Vec3 motion, const ShapeCastHit& overlap) {
+    double move_out_of_overlap(Vec3 motion, const ShapeCastHit& overlap) {
         const double size = length(motion);
         const Result<BodyState> body = world_.body(overlap.body);
         if (!body.ok() || body->type == BodyType::static_body)
-            return go(motion, minimum(1, self_.skin / size));
-        const auto hit = near_.sweep_ignoring(core_, center_, motion, overlap.body);
-        return go(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
+            return move_by(motion, minimum(1, self_.skin / size));
+        const auto hit = environment_.sweep_ignoring(core_, center_, motion, overlap.body);
+        return move_by(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
     }
-    double go(Vec3 motion, double part) {
+    double move_by(Vec3 motion, double part) {
         center_ += motion * part;
         return part;
     }
 
     // --- what contacts allow ---
     // m/s of what is touched, as seen from the ground that carries the character.
-    Vec3 relative(const Contact& contact) const {
+    Vec3 relative_velocity(const Contact& contact) const {
         if (grounded_ && contact.body == self_.ground_body) return {};
         return contact.velocity - carried_;
     }
     // ... as far as its motion is sure: what was just pushed may be held by others.
-    Vec3 surely(const Contact& contact) const {
+    Vec3 pre_push_relative_velocity(const Contact& contact) const {
         const Result<BodyState> body = before_push_.of(world_, contact.body);
-        if (!contact.dynamic || !body.ok()) return relative(contact);
+        if (!contact.dynamic || !body.ok()) return relative_velocity(contact);
         return body->linear_velocity + cross(body->angular_velocity, contact.point - body->center) -
                carried_;
     }
@@ -210,21 +210,21 @@ private:
         const double size = length(flat);
         if (size > 1e-6) set.add(flat * (1 / size), least / size);
     }
-    VelocityPlanes allowed(const std::vector<Contact>& contacts, double left) const {
+    VelocityPlanes allowed_velocities(const std::vector<Contact>& contacts, double left) const {
         VelocityPlanes set;
         for (const Contact& contact : contacts) {
             const double room = contact.gap - self_.skin;
-            double pace = dot(contact.normal, surely(contact));
+            double pace = dot(contact.normal, pre_push_relative_velocity(contact));
             // What it can push moves it by impulses alone.
             if (contact.dynamic) pace = minimum(pace, maximum(0, dot(contact.normal, now_)));
             add(set, contact, pace - maximum(room / left, -recovery_speed));
         }
         return set;
     }
-    VelocityPlanes touching_planes(const std::vector<Contact>& contacts) const {
+    VelocityPlanes touching_velocities(const std::vector<Contact>& contacts) const {
         VelocityPlanes set;
         for (const Contact& contact : contacts) {
-            const double pace = dot(contact.normal, relative(contact));
+            const double pace = dot(contact.normal, relative_velocity(contact));
             if (contact.dynamic && contact.pushed)
                 add(set, contact, minimum(pace, 0));
             else if (!contact.dynamic && contact.gap - self_.skin < 0.5 * touching_gap)
@@ -233,7 +233,7 @@ private:
         return set;
     }
     // Along the floor, up and down, with all of the horizontal velocity.
-    void follow(const std::vector<Contact>& contacts) {
+    void follow_floor(const std::vector<Contact>& contacts) {
         now_ = horizontal(now_);
         double rise = 0;
         bool any = false;
@@ -255,7 +255,7 @@ private:
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
             if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
             before_push_.store(world_, contact.body);
-            PushState push{before_ + carried_,
+            PushState push{initial_velocity_ + carried_,
                       last_ + carried_,
                       effort_,
                       dt_,
@@ -268,21 +268,21 @@ private:
             if (is_null(pushed_)) pushed_ = contact.body;
             self_.applied_impulse -= contact.normal * impulse;
             if (grounded_) apply_ground_impulse(world_, self_, contact.normal * given.acceleration_step);
-            feel(push);
-            refresh(contacts, contact.body);
+            apply_reaction(push);
+            refresh_velocities(contacts, contact.body);
             contact.velocity -= contact.normal * given.velocity_change;
         }
     }
-    void feel(const PushState& push) {
+    void apply_reaction(const PushState& push) {
         const Vec3 change = push.velocity - carried_ - last_;
         effort_ = push.acceleration_step;
-        before_ += change;
+        initial_velocity_ += change;
         now_ += change;
         last_ += change;
     }
     // m/s of the ground at a point over the step. Of one that was pushed the way along the floor is
     // new; whether it sinks or tilts depends on what it stands on.
-    Vec3 ground_motion(Vec3 point) const {
+    Vec3 predicted_ground_velocity(Vec3 point) const {
         const Result<BodyState> was = before_push_.of(world_, self_.ground_body),
                                 now = world_.body(self_.ground_body);
         if (!was.ok() || !now.ok()) return {};
@@ -290,7 +290,7 @@ private:
         ground.linear_velocity = horizontal(now->linear_velocity) + up * was->linear_velocity.y;
         return ground_velocity_at(world_, ground, self_.ground_shape, point, dt_);
     }
-    void refresh(std::vector<Contact>& contacts, BodyId body) const {
+    void refresh_velocities(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
             if (contact.body == body)
                 contact.velocity = surface_velocity(world_, body, contact.shape, contact.point);
@@ -298,47 +298,47 @@ private:
 
     // --- where it stands ---
     // The contacts where it is now. Asked again only if it moved, or pushed somebody.
-    const std::vector<Contact>& look() {
+    const std::vector<Contact>& current_contacts() {
         if (!looked_ || looked_at_ != center_)
-            contacts_ = near_.contacts(core_, center_, self_.skin + contact_reach);
+            contacts_ = environment_.contacts(core_, center_, self_.skin + contact_reach);
         looked_ = is_null(pushed_);
         looked_at_ = center_;
         return contacts_;
     }
-    Footing look_down() {
-        return find_footing(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
+    Footing probe_ground() {
+        return find_footing(environment_, self_, center_ - up * (0.5 * current_height(self_)), current_contacts(),
                           self_.skin + touching_gap);
     }
     void find_ground() {
-        Footing footing = look_down();
+        Footing footing = probe_ground();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
             if (const auto there =
-                    step_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
+                    step_down(environment_, self_, center_, self_.abilities.floor_snap, center_.y)) {
                 leap_ += there->y - center_.y;
                 center_ = *there;
-                footing = look_down();
+                footing = probe_ground();
             }
         }
-        if (!grounded_) last_ = touching_planes(contacts_).nearest(last_);
-        if (footing.kind == GroundKind::on_ground && !grounded_ && leaves(footing)) footing = {};
-        if (footing.kind == GroundKind::on_ground) settle(footing);
-        stand(footing);
+        if (!grounded_) last_ = touching_velocities(contacts_).nearest(last_);
+        if (footing.kind == GroundKind::on_ground && !grounded_ && is_leaving_ground(footing)) footing = {};
+        if (footing.kind == GroundKind::on_ground) close_floor_gap(footing);
+        set_footing(footing);
     }
-    bool leaves(const Footing& footing) const {
+    bool is_leaving_ground(const Footing& footing) const {
         const Result<BodyState> body = before_push_.of(world_, footing.body);
         if (!body.ok()) return false;
         const Vec3 ground = ground_velocity_at(world_, *body, footing.shape, footing.point, dt_);
         return dot(footing.normal, last_ - ground) > rising_speed;
     }
     // Takes off what rounding and bent floors leave between the skin and the floor.
-    void settle(const Footing& footing) {
+    void close_floor_gap(const Footing& footing) {
         const double gap = footing.gap - self_.skin;
         if (absolute(gap) < 1e-6 || footing.contact.y < 0.3) return;
         const double drop = gap / footing.contact.y;
         // Nothing is as near as that. Upwards: within the skin.
         if (contacts_.front().gap > absolute(drop)) center_.y -= drop;
     }
-    void stand(const Footing& footing) {
+    void set_footing(const Footing& footing) {
         footing_ = footing;
         self_.ground = footing.kind;
         walked_off_ = grounded_ && footing.kind != GroundKind::on_ground;
@@ -355,14 +355,14 @@ private:
     }
 
     // --- with the ground ---
-    void carry() {
+    void move_with_ground() {
         const bool stands = self_.ground == GroundKind::on_ground;
         Vec3 by;
         if (stands || walked_off_) {
             const Vec3 feet = center_ - up * (0.5 * current_height(self_));
-            by = ground_motion(feet);
+            by = predicted_ground_velocity(feet);
             turn_with_ground();
-            ride(by * dt_);
+            sweep_with_ground(by * dt_);
         }
         if (stands && !grounded_) last_ -= by;  // it landed
         if (stands) apply_ground_impulse(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
@@ -374,10 +374,10 @@ private:
         const Result<BodyState> ground = world_.body(self_.ground_body);
         if (ground.ok()) turn_by(self_, ground->angular_velocity.y * dt_);
     }
-    void ride(Vec3 motion) {
+    void sweep_with_ground(Vec3 motion) {
         const double size = length(motion);
         if (size < 1e-12) return;
-        const auto hit = near_.sweep_ignoring(core_, center_, motion, self_.ground_body);
+        const auto hit = environment_.sweep_ignoring(core_, center_, motion, self_.ground_body);
         if (!hit) {
             center_ += motion;
             return;
@@ -398,7 +398,7 @@ private:
 
     World& world_;
     CharacterData& self_;
-    EnvironmentQuery near_;
+    EnvironmentQuery environment_;
     double dt_, walkable_;
     double effort_;  // N s that it can still push with
     Capsule core_;
@@ -406,7 +406,7 @@ private:
     bool grounded_ = false, walked_off_ = false;
     double leap_ = 0;  // m upwards, over a step or down to the floor
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
-    Vec3 before_, now_, last_, wanted_, walk_;
+    Vec3 initial_velocity_, now_, last_, wanted_, walk_;
     Vec3 carried_;                   // m/s of that ground
     std::vector<Contact> contacts_;  // at looked_at_
     Vec3 looked_at_;

@@ -17,10 +17,10 @@ using namespace physics;
 constexpr double touching_gap = 0.002;  // m beyond the skin within which it stands
 constexpr double contact_reach = 0.02;  // m beyond the skin: contacts of the next moment
 constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
-constexpr double rising_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
-constexpr double furthest = 9e6;        // m from the origin, along each axis
-constexpr double skins_ahead = 2;
-constexpr int slides_most = 6;
+constexpr double ground_leave_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
+constexpr double coordinate_max = 9e6;        // m from the origin, along each axis
+constexpr double lookahead_skins = 2;
+constexpr int slide_iterations_max = 6;
 
 // Walks in the frame of the ground as it is before the step, and is then carried along. So it
 // keeps to a platform exactly, whatever that does.
@@ -28,18 +28,18 @@ class SweepStep {
 public:
     SweepStep(World& world, CharacterData& record, double dt)
         : world_(world),
-          self_(record),
+          data_(record),
           environment_(make_environment_query(world, record)),
           dt_(dt),
-          walkable_(min_walkable_normal_y(record)),
+          min_walkable_normal_y_(min_walkable_normal_y(record)),
           effort_(record.abilities.strength * dt) {}
 
     void run() {
-        self_.applied_impulse = {};
-        const CharacterControls controls = current_controls(self_, dt_);
-        update_crouch(world_, self_, controls.crouch);
-        core_ = capsule_of(self_, current_height(self_));
-        center_ = self_.feet + up * (0.5 * current_height(self_));
+        data_.applied_impulse = {};
+        const CharacterControls controls = current_controls(data_, dt_);
+        update_crouch(world_, data_, controls.crouch);
+        core_ = capsule_of(data_, current_height(data_));
+        center_ = data_.feet + up * (0.5 * current_height(data_));
         steer(controls);
         move();
         find_ground();
@@ -50,73 +50,73 @@ public:
 private:
     // --- what it wants ---
     void steer(const CharacterControls& controls) {
-        if (self_.ground != GroundKind::on_ground) detect_ground();
-        grounded_ = self_.ground == GroundKind::on_ground;
-        initial_velocity_ = now_ = self_.velocity;
-        if (grounded_) carried_ = predicted_ground_velocity(self_.feet);
+        if (data_.ground != GroundKind::on_ground) detect_ground();
+        grounded_ = data_.ground == GroundKind::on_ground;
+        initial_velocity_ = velocity_ = data_.velocity;
+        if (grounded_) ground_velocity_ = predicted_ground_velocity(data_.feet);
         if (grounded_ && is_ground_slipping()) leave_ground();
-        if (should_jump(self_, controls.jump))
+        if (should_jump(data_, controls.jump))
             jump();
         else if (grounded_)
             accelerate_on_ground(controls.walk);
         if (!grounded_) accelerate_in_air(controls.walk);
-        turn_to_walk_direction(self_, controls.walk, dt_);
+        turn_to_walk_direction(data_, controls.walk, dt_);
     }
     // A floor may have come up to it since the last step.
     void detect_ground() {
-        last_ = self_.velocity;
+        final_velocity_ = data_.velocity;
         footing_ = probe_ground();
         if (footing_.kind != GroundKind::on_ground || is_leaving_ground(footing_)) return;
-        self_.ground = footing_.kind;
+        data_.ground = footing_.kind;
         store_ground();
-        self_.ground_velocity = predicted_ground_velocity(self_.feet);
-        self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
+        data_.ground_velocity = predicted_ground_velocity(data_.feet);
+        data_.velocity = horizontal(data_.velocity - data_.ground_velocity);
     }
     // What is knocked away under its feet does not take it along. A platform does, whatever it
     // does.
     bool is_ground_slipping() const {
-        const Result<BodyState> ground = world_.body(self_.ground_body);
+        const Result<BodyState> ground = world_.body(data_.ground_body);
         return ground.ok() && ground->type == BodyType::dynamic &&
-               length(carried_ - self_.ground_velocity) > self_.abilities.ground_acceleration * dt_;
+               length(ground_velocity_ - data_.ground_velocity) > data_.abilities.ground_acceleration * dt_;
     }
     void leave_ground() {
-        self_.velocity += self_.ground_velocity;
-        self_.ground = GroundKind::in_air;
-        initial_velocity_ = now_ = self_.velocity;
-        carried_ = {};
+        data_.velocity += data_.ground_velocity;
+        data_.ground = GroundKind::in_air;
+        initial_velocity_ = velocity_ = data_.velocity;
+        ground_velocity_ = {};
         grounded_ = false;
     }
     void accelerate_on_ground(Vec3 walk) {
-        const Vec3 change = acceleration_step(now_, walk, self_.abilities.ground_acceleration, dt_);
-        before_push_.store(world_, self_.ground_body);
+        const Vec3 change = acceleration_step(velocity_, walk, data_.abilities.ground_acceleration, dt_);
+        pre_push_states_.store(world_, data_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
-        push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
-        carried_ = predicted_ground_velocity(self_.feet);
-        now_ += change;
-        wanted_ = last_ = horizontal(now_);
-        walk_ = horizontal(walk);
+        push_off(world_, data_, change + horizontal(ground_velocity_ - data_.ground_velocity));
+        ground_velocity_ = predicted_ground_velocity(data_.feet);
+        velocity_ += change;
+        desired_velocity_ = final_velocity_ = horizontal(velocity_);
+        walk_velocity_ = horizontal(walk);
     }
     void jump() {
-        before_push_.store(world_, self_.ground_body);
-        now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
-        initial_velocity_ = now_;
-        carried_ = {};
+        pre_push_states_.store(world_, data_.ground_body);
+        velocity_ += ground_velocity_ + push_off(world_, data_, up * data_.abilities.jump_speed);
+        initial_velocity_ = velocity_;
+        ground_velocity_ = {};
         grounded_ = false;
-        self_.ground = GroundKind::in_air;
+        data_.ground = GroundKind::in_air;
     }
     // now_ becomes the mean velocity of a parabola, last_ the one at its end: no error in the step.
     void accelerate_in_air(Vec3 walk) {
         if (horizontal(walk) != Vec3{}) {
-            Vec3 change = acceleration_step(now_, walk, self_.abilities.air_acceleration, dt_);
-            const Vec3 wall = normalized(horizontal(self_.ground_normal), Vec3{});
-            if (self_.ground == GroundKind::on_steep_ground)
+            Vec3 change = acceleration_step(velocity_, walk, data_.abilities.air_acceleration, dt_);
+            const Vec3 wall = normalized(horizontal(data_.ground_normal), Vec3{});
+            if (data_.ground == GroundKind::on_steep_ground)
                 change -= wall * minimum(dot(change, wall), 0);
-            now_ += change;
+            velocity_ += change;
         }
         const Vec3 fall = world_.gravity() * dt_;
-        last_ = now_ + fall;
+        final_velocity_ = velocity_ + fall;
         initial_velocity_ += fall;
-        now_ += fall * 0.5;
+        velocity_ += fall * 0.5;
     }
 
     // --- how far it gets ---
@@ -124,55 +124,55 @@ private:
         const Vec3 start = center_;
         slide();
         if (!grounded_) return;
-        const double size = length(wanted_) * dt_;
+        const double size = length(desired_velocity_) * dt_;
         if (size < 1e-6) return;
-        const double got = dot(center_ - start, wanted_) / length(wanted_);
+        const double got = dot(center_ - start, desired_velocity_) / length(desired_velocity_);
         if (got > size - 1e-4 * (size + 0.01)) return;
         // Stopped by a riser it still wants to get on.
-        const Vec3 way = (length_squared(walk_) > length_squared(wanted_) ? walk_ : wanted_) * dt_;
-        if (const auto there = climb(environment_, self_, start, way, got + 1e-5)) {
-            leap_ = there->y - start.y;
+        const Vec3 direction = (length_squared(walk_velocity_) > length_squared(desired_velocity_) ? walk_velocity_ : desired_velocity_) * dt_;
+        if (const auto there = climb(environment_, data_, start, direction, got + 1e-5)) {
+            vertical_step_ = there->y - start.y;
             center_ = *there;
-            last_ = wanted_;
+            final_velocity_ = desired_velocity_;
         }
     }
 
     void slide() {
         double left = dt_;
-        std::optional<Contact> met;
-        for (int k = 0; k < slides_most; k++) {
+        std::optional<Contact> blocking_contact;
+        for (int k = 0; k < slide_iterations_max; k++) {
             std::vector<Contact> contacts = current_contacts();
-            if (met) contacts.push_back(*met);
+            if (blocking_contact) contacts.push_back(*blocking_contact);
             push(contacts, left);
             if (grounded_) follow_floor(contacts);
-            const Vec3 velocity = allowed_velocities(contacts, left).nearest(now_);
+            const Vec3 velocity = allowed_velocities(contacts, left).nearest(velocity_);
             const VelocityPlanes touching = touching_velocities(contacts);
-            last_ = touching.nearest(last_);
-            if (!grounded_) now_ = touching.nearest(now_);
+            final_velocity_ = touching.nearest(final_velocity_);
+            if (!grounded_) velocity_ = touching.nearest(velocity_);
             const Vec3 motion = velocity * left;
             if (length_squared(motion) < 1e-16) return;
-            const double part = advance(motion, met);
-            left *= 1 - part;
-            if (!met || left < 1e-6 * dt_) return;
+            const double fraction = advance(motion, blocking_contact);
+            left *= 1 - fraction;
+            if (!blocking_contact || left < 1e-6 * dt_) return;
         }
     }
 
     // Goes until the skin touches what is first in the way, which becomes `met`. Returns how much
     // of the motion that was. Looks further ahead than it goes: the skin is to stay free as well.
-    double advance(Vec3 motion, std::optional<Contact>& met) {
-        met.reset();
-        const double size = length(motion), ahead = size + skins_ahead * self_.skin;
-        const Vec3 way = motion * (1 / size);
-        const auto hit = environment_.sweep(core_, center_, way * ahead);
-        const double closing = hit ? -dot(hit->normal, way) : 0;
+    double advance(Vec3 motion, std::optional<Contact>& blocking_contact) {
+        blocking_contact.reset();
+        const double size = length(motion), sweep_length = size + lookahead_skins * data_.skin;
+        const Vec3 direction = motion * (1 / size);
+        const auto hit = environment_.sweep(core_, center_, direction * sweep_length);
+        const double closing = hit ? -dot(hit->normal, direction) : 0;
         if (hit && closing <= 0 && hit->fraction <= 0) return move_out_of_overlap(motion, *hit);
         if (!hit) return move_by(motion, 1);
         if (closing <= 0)  // grazes it
-            return move_by(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
-        const double room = hit->fraction * ahead * closing;  // m along the normal
-        const double free = maximum(0, room - self_.skin) / closing;
+            return move_by(motion, clamp(hit->fraction * sweep_length / size - 1e-6, 0, 1));
+        const double room = hit->fraction * sweep_length * closing;  // m along the normal
+        const double free = maximum(0, room - data_.skin) / closing;
         if (free >= size) return move_by(motion, 1);
-        met = environment_.contact_at(*hit, room - free * closing);
+        blocking_contact = environment_.contact_at(*hit, room - free * closing);
         return move_by(motion, free / size);
     }
     // Out of what it overlaps: what moved into it.
@@ -180,32 +180,32 @@ private:
         const double size = length(motion);
         const Result<BodyState> body = world_.body(overlap.body);
         if (!body.ok() || body->type == BodyType::static_body)
-            return move_by(motion, minimum(1, self_.skin / size));
+            return move_by(motion, minimum(1, data_.skin / size));
         const auto hit = environment_.sweep_ignoring(core_, center_, motion, overlap.body);
-        return move_by(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
+        return move_by(motion, hit ? maximum(0, hit->fraction - data_.skin / size) : 1);
     }
-    double move_by(Vec3 motion, double part) {
-        center_ += motion * part;
-        return part;
+    double move_by(Vec3 motion, double fraction) {
+        center_ += motion * fraction;
+        return fraction;
     }
 
     // --- what contacts allow ---
     // m/s of what is touched, as seen from the ground that carries the character.
     Vec3 relative_velocity(const Contact& contact) const {
-        if (grounded_ && contact.body == self_.ground_body) return {};
-        return contact.velocity - carried_;
+        if (grounded_ && contact.body == data_.ground_body) return {};
+        return contact.velocity - ground_velocity_;
     }
     // ... as far as its motion is sure: what was just pushed may be held by others.
     Vec3 pre_push_relative_velocity(const Contact& contact) const {
-        const Result<BodyState> body = before_push_.of(world_, contact.body);
+        const Result<BodyState> body = pre_push_states_.of(world_, contact.body);
         if (!contact.dynamic || !body.ok()) return relative_velocity(contact);
         return body->linear_velocity + cross(body->angular_velocity, contact.point - body->center) -
-               carried_;
+               ground_velocity_;
     }
     // A wall to one who walks: else he would walk up what is too steep.
     void add(VelocityPlanes& set, const Contact& contact, double least) const {
         set.add(contact.normal, least);
-        if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= walkable_) return;
+        if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= min_walkable_normal_y_) return;
         const Vec3 flat = horizontal(contact.normal);
         const double size = length(flat);
         if (size > 1e-6) set.add(flat * (1 / size), least / size);
@@ -213,10 +213,10 @@ private:
     VelocityPlanes allowed_velocities(const std::vector<Contact>& contacts, double left) const {
         VelocityPlanes set;
         for (const Contact& contact : contacts) {
-            const double room = contact.gap - self_.skin;
+            const double room = contact.gap - data_.skin;
             double pace = dot(contact.normal, pre_push_relative_velocity(contact));
             // What it can push moves it by impulses alone.
-            if (contact.dynamic) pace = minimum(pace, maximum(0, dot(contact.normal, now_)));
+            if (contact.dynamic) pace = minimum(pace, maximum(0, dot(contact.normal, velocity_)));
             add(set, contact, pace - maximum(room / left, -recovery_speed));
         }
         return set;
@@ -227,68 +227,68 @@ private:
             const double pace = dot(contact.normal, relative_velocity(contact));
             if (contact.dynamic && contact.pushed)
                 add(set, contact, minimum(pace, 0));
-            else if (!contact.dynamic && contact.gap - self_.skin < 0.5 * touching_gap)
+            else if (!contact.dynamic && contact.gap - data_.skin < 0.5 * touching_gap)
                 add(set, contact, pace);
         }
         return set;
     }
     // Along the floor, up and down, with all of the horizontal velocity.
     void follow_floor(const std::vector<Contact>& contacts) {
-        now_ = horizontal(now_);
+        velocity_ = horizontal(velocity_);
         double rise = 0;
         bool any = false;
         for (const Contact& contact : contacts) {
             const Vec3 n = contact.normal;
-            if (n.y < walkable_ || contact.gap > self_.skin + touching_gap) continue;
-            const double along = -dot(horizontal(n), now_) / n.y;
+            if (n.y < min_walkable_normal_y_ || contact.gap > data_.skin + touching_gap) continue;
+            const double along = -dot(horizontal(n), velocity_) / n.y;
             rise = any ? maximum(rise, along) : along;
             any = true;
         }
-        now_.y = rise;
-        last_ = now_;
+        velocity_.y = rise;
+        final_velocity_ = velocity_;
     }
 
     // --- whom it pushes ---
     void push(std::vector<Contact>& contacts, double left) {
         for (Contact& contact : contacts) {
             if (!contact.dynamic) continue;
-            const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
-            if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
-            before_push_.store(world_, contact.body);
-            PushState push{initial_velocity_ + carried_,
-                      last_ + carried_,
+            const double closing = dot(contact.normal, contact.velocity - final_velocity_ - ground_velocity_);
+            if (contact.gap - data_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
+            pre_push_states_.store(world_, contact.body);
+            PushState push{initial_velocity_ + ground_velocity_,
+                      final_velocity_ + ground_velocity_,
                       effort_,
                       dt_,
                       grounded_,
-                      !grounded_ || contact.body != self_.pushed};
-            const PushResult given = push_body(world_, contact, self_.abilities.mass, push);
+                      !grounded_ || contact.body != data_.pushed};
+            const PushResult given = push_body(world_, contact, data_.abilities.mass, push);
             const double impulse = given.impact + given.acceleration_step;
             if (impulse <= 0) continue;
             contact.pushed = true;
             if (is_null(pushed_)) pushed_ = contact.body;
-            self_.applied_impulse -= contact.normal * impulse;
-            if (grounded_) apply_ground_impulse(world_, self_, contact.normal * given.acceleration_step);
+            data_.applied_impulse -= contact.normal * impulse;
+            if (grounded_) apply_ground_impulse(world_, data_, contact.normal * given.acceleration_step);
             apply_reaction(push);
             refresh_velocities(contacts, contact.body);
             contact.velocity -= contact.normal * given.velocity_change;
         }
     }
     void apply_reaction(const PushState& push) {
-        const Vec3 change = push.velocity - carried_ - last_;
+        const Vec3 change = push.velocity - ground_velocity_ - final_velocity_;
         effort_ = push.acceleration_step;
         initial_velocity_ += change;
-        now_ += change;
-        last_ += change;
+        velocity_ += change;
+        final_velocity_ += change;
     }
     // m/s of the ground at a point over the step. Of one that was pushed the way along the floor is
     // new; whether it sinks or tilts depends on what it stands on.
     Vec3 predicted_ground_velocity(Vec3 point) const {
-        const Result<BodyState> was = before_push_.of(world_, self_.ground_body),
-                                now = world_.body(self_.ground_body);
+        const Result<BodyState> was = pre_push_states_.of(world_, data_.ground_body),
+                                now = world_.body(data_.ground_body);
         if (!was.ok() || !now.ok()) return {};
         BodyState ground = *was;
         ground.linear_velocity = horizontal(now->linear_velocity) + up * was->linear_velocity.y;
-        return ground_velocity_at(world_, ground, self_.ground_shape, point, dt_);
+        return ground_velocity_at(world_, ground, data_.ground_shape, point, dt_);
     }
     void refresh_velocities(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
@@ -299,40 +299,40 @@ private:
     // --- where it stands ---
     // The contacts where it is now. Asked again only if it moved, or pushed somebody.
     const std::vector<Contact>& current_contacts() {
-        if (!looked_ || looked_at_ != center_)
-            contacts_ = environment_.contacts(core_, center_, self_.skin + contact_reach);
-        looked_ = is_null(pushed_);
-        looked_at_ = center_;
+        if (!contacts_valid_ || contacts_center_ != center_)
+            contacts_ = environment_.contacts(core_, center_, data_.skin + contact_reach);
+        contacts_valid_ = is_null(pushed_);
+        contacts_center_ = center_;
         return contacts_;
     }
     Footing probe_ground() {
-        return find_footing(environment_, self_, center_ - up * (0.5 * current_height(self_)), current_contacts(),
-                          self_.skin + touching_gap);
+        return find_footing(environment_, data_, center_ - up * (0.5 * current_height(data_)), current_contacts(),
+                          data_.skin + touching_gap);
     }
     void find_ground() {
         Footing footing = probe_ground();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
             if (const auto there =
-                    step_down(environment_, self_, center_, self_.abilities.floor_snap, center_.y)) {
-                leap_ += there->y - center_.y;
+                    step_down(environment_, data_, center_, data_.abilities.floor_snap, center_.y)) {
+                vertical_step_ += there->y - center_.y;
                 center_ = *there;
                 footing = probe_ground();
             }
         }
-        if (!grounded_) last_ = touching_velocities(contacts_).nearest(last_);
+        if (!grounded_) final_velocity_ = touching_velocities(contacts_).nearest(final_velocity_);
         if (footing.kind == GroundKind::on_ground && !grounded_ && is_leaving_ground(footing)) footing = {};
         if (footing.kind == GroundKind::on_ground) close_floor_gap(footing);
         set_footing(footing);
     }
     bool is_leaving_ground(const Footing& footing) const {
-        const Result<BodyState> body = before_push_.of(world_, footing.body);
+        const Result<BodyState> body = pre_push_states_.of(world_, footing.body);
         if (!body.ok()) return false;
         const Vec3 ground = ground_velocity_at(world_, *body, footing.shape, footing.point, dt_);
-        return dot(footing.normal, last_ - ground) > rising_speed;
+        return dot(footing.normal, final_velocity_ - ground) > ground_leave_speed;
     }
     // Takes off what rounding and bent floors leave between the skin and the floor.
     void close_floor_gap(const Footing& footing) {
-        const double gap = footing.gap - self_.skin;
+        const double gap = footing.gap - data_.skin;
         if (absolute(gap) < 1e-6 || footing.contact.y < 0.3) return;
         const double drop = gap / footing.contact.y;
         // Nothing is as near as that. Upwards: within the skin.
@@ -340,79 +340,79 @@ private:
     }
     void set_footing(const Footing& footing) {
         footing_ = footing;
-        self_.ground = footing.kind;
+        data_.ground = footing.kind;
         walked_off_ = grounded_ && footing.kind != GroundKind::on_ground;
         if (walked_off_)
-            last_ += carried_;  // and goes with the old ground for this step
+            final_velocity_ += ground_velocity_;  // and goes with the old ground for this step
         else
             store_ground();
     }
     void store_ground() {
-        self_.ground_body = footing_.body;
-        self_.ground_shape = footing_.shape;
-        self_.ground_normal = footing_.normal;
-        self_.ground_point = footing_.point;
+        data_.ground_body = footing_.body;
+        data_.ground_shape = footing_.shape;
+        data_.ground_normal = footing_.normal;
+        data_.ground_point = footing_.point;
     }
 
     // --- with the ground ---
     void move_with_ground() {
-        const bool stands = self_.ground == GroundKind::on_ground;
+        const bool stands = data_.ground == GroundKind::on_ground;
         Vec3 by;
         if (stands || walked_off_) {
-            const Vec3 feet = center_ - up * (0.5 * current_height(self_));
+            const Vec3 feet = center_ - up * (0.5 * current_height(data_));
             by = predicted_ground_velocity(feet);
             turn_with_ground();
             sweep_with_ground(by * dt_);
         }
-        if (stands && !grounded_) last_ -= by;  // it landed
-        if (stands) apply_ground_impulse(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
+        if (stands && !grounded_) final_velocity_ -= by;  // it landed
+        if (stands) apply_ground_impulse(world_, data_, world_.gravity() * (data_.abilities.mass * dt_));
         store_ground();
-        self_.velocity = stands ? horizontal(last_) : last_;
-        self_.ground_velocity = stands ? by : Vec3{};
+        data_.velocity = stands ? horizontal(final_velocity_) : final_velocity_;
+        data_.ground_velocity = stands ? by : Vec3{};
     }
     void turn_with_ground() {
-        const Result<BodyState> ground = world_.body(self_.ground_body);
-        if (ground.ok()) turn_by(self_, ground->angular_velocity.y * dt_);
+        const Result<BodyState> ground = world_.body(data_.ground_body);
+        if (ground.ok()) turn_by(data_, ground->angular_velocity.y * dt_);
     }
     void sweep_with_ground(Vec3 motion) {
         const double size = length(motion);
         if (size < 1e-12) return;
-        const auto hit = environment_.sweep_ignoring(core_, center_, motion, self_.ground_body);
+        const auto hit = environment_.sweep_ignoring(core_, center_, motion, data_.ground_body);
         if (!hit) {
             center_ += motion;
             return;
         }
         const double closing = maximum(-dot(hit->normal, motion) / size, 0.05);
-        center_ += motion * maximum(0, hit->fraction - self_.skin / (closing * size));
+        center_ += motion * maximum(0, hit->fraction - data_.skin / (closing * size));
     }
 
     void finish() {
-        self_.pushed = pushed_;
-        const Vec3 feet = center_ - up * (0.5 * current_height(self_)), a = abs(feet);
-        if (!is_finite(feet) || a.x > furthest || a.y > furthest || a.z > furthest)
-            self_.velocity = {};  // at the end of the world
+        data_.pushed = pushed_;
+        const Vec3 feet = center_ - up * (0.5 * current_height(data_)), a = abs(feet);
+        if (!is_finite(feet) || a.x > coordinate_max || a.y > coordinate_max || a.z > coordinate_max)
+            data_.velocity = {};  // at the end of the world
         else
-            self_.feet = feet;
-        move_kinematic_body(world_, self_, leap_, length(now_ + carried_) + 1, dt_);
+            data_.feet = feet;
+        move_kinematic_body(world_, data_, vertical_step_, length(velocity_ + ground_velocity_) + 1, dt_);
     }
 
     World& world_;
-    CharacterData& self_;
+    CharacterData& data_;
     EnvironmentQuery environment_;
-    double dt_, walkable_;
+    double dt_, min_walkable_normal_y_;
     double effort_;  // N s that it can still push with
     Capsule core_;
     Vec3 center_;
     bool grounded_ = false, walked_off_ = false;
-    double leap_ = 0;  // m upwards, over a step or down to the floor
+    double vertical_step_ = 0;  // m upwards, over a step or down to the floor
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
-    Vec3 initial_velocity_, now_, last_, wanted_, walk_;
-    Vec3 carried_;                   // m/s of that ground
-    std::vector<Contact> contacts_;  // at looked_at_
-    Vec3 looked_at_;
-    bool looked_ = false;
+    Vec3 initial_velocity_, velocity_, final_velocity_, desired_velocity_, walk_velocity_;
+    Vec3 ground_velocity_;                   // m/s of that ground
+    std::vector<Contact> contacts_;  // at contacts_center_
+    Vec3 contacts_center_;
+    bool contacts_valid_ = false;
     Footing footing_;
-    PrePushStates before_push_;
+    PrePushStates pre_push_states_;
     BodyId pushed_;  // the first of this step
 };
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"

@@ -37,7 +37,7 @@ struct EntityDescription {
 // mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
-// What somebody drives, as jostle/modules/driven.h tells it.
+// What somebody drives, as jostle/modules/controlled_entity_state.h tells it.
 struct ControlledEntityState {
     ClientId client = 0;
     EntityId entity = 0;

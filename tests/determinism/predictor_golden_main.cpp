@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clients/cpp/prediction/wasm/predictor_api.h"
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
 

@@ -14,7 +14,7 @@
 #include "jostle/datagram/content.h"
 #include "jostle/datagram/packet.h"
 #include "jostle/modules/character.h"
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"

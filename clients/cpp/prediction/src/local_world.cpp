@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "jostle/modules/character.h"
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 #include "jostle/modules/player_interaction.h"
 #include "jostle/modules/vehicle.h"
 

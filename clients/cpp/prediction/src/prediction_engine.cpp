@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 
 namespace jostle::client {
 

@@ -33,7 +33,7 @@ struct BodyUpdate {
     physics::AxisLocks locks = 0;
 };
 
-// What the client drives, as jostle/modules/driven.h tells it.
+// What the client drives, as jostle/modules/controlled_entity_state.h tells it.
 struct ControlUpdate {
     std::uint32_t entity = 0, tick = 0;  // 0: nothing was told
     std::string module;

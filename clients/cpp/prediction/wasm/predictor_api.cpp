@@ -11,7 +11,7 @@
 
 #include "clients/cpp/prediction/src/prediction_engine.h"
 #include "clients/cpp/prediction/wasm/shape_encoding.h"
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 
 using namespace jostle;
 using namespace jostle::client;

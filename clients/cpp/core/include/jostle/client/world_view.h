@@ -82,7 +82,7 @@ public:
     // The values of one of them; entity 0: the module itself. Empty: there is none.
     std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
-    // What this client drives, for who foresees it (jostle/modules/driven.h has the words, which
+    // What this client drives, for who foresees it (jostle/modules/controlled_entity_state.h has the words, which
     // are foreign); entity 0: that was not told. It stays as it was told last.
     struct ControlledEntityState {
         std::uint32_t entity = 0, tick = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A character that goes on in another world (jostle/modules/driven.h): what a client foresees of
+// A character that goes on in another world (jostle/modules/controlled_entity_state.h): what a client foresees of
 // the one that it walks with.
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 
 #include "tests/modules/character/stage.h"
 #include "tests/modules/forged_words.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A car that goes on in another world (jostle/modules/driven.h): what a client foresees of the car
+// A car that goes on in another world (jostle/modules/controlled_entity_state.h): what a client foresees of the car
 // that it drives.
-#include "jostle/modules/driven.h"
+#include "jostle/modules/controlled_entity_state.h"
 
 #include <gtest/gtest.h>
 

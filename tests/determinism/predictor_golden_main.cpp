@@ -174,7 +174,7 @@ void send_controlled_car(uint32_t tick) {
     world.add_listener(vehicles).expect();
     for (int k = 0; k < 90; k++) world.step(1.0 / 60).expect();
     const auto words =
-        *modules::tell_driven(world, vehicles, chassis, [](physics::BodyId) { return car; });
+        *modules::encode_controlled_entity(world, vehicles, chassis, [](physics::BodyId) { return car; });
     Numbers told;
     for (const char letter : vehicles.tag()) told.push_back(letter);
     for (const std::uint32_t word : words) told.push_back(word);

@@ -333,7 +333,7 @@ std::string driven_character() {
     put(bytes, 4.0);
     put(bytes, 7.0);
     const auto words =
-        modules::tell_driven(world, crowd, body, [](physics::BodyId) { return 4u; }).value();
+        modules::encode_controlled_entity(world, crowd, body, [](physics::BodyId) { return 4u; }).value();
     for (const std::uint32_t word : words) put(bytes, word);
     return bytes;
 }

@@ -160,7 +160,7 @@ private:
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> tell_driven(World& world, Module& module, BodyId body,
+std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world, Module& module, BodyId body,
                                                       const NameOfBody& name_of) {
     const Result<BodyState> state = world.body(body);
     if (!state.ok()) return std::nullopt;
@@ -174,7 +174,7 @@ std::optional<std::vector<std::uint32_t>> tell_driven(World& world, Module& modu
     return std::move(writer.words);
 }
 
-std::optional<DrivenMotion> motion_of_driven(std::span<const std::uint32_t> words) {
+std::optional<DrivenMotion> decode_controlled_motion(std::span<const std::uint32_t> words) {
     if (words.size() < motion_words) return std::nullopt;
     double n[motion_words];
     for (std::size_t k = 0; k < motion_words; k++) {
@@ -190,9 +190,9 @@ std::optional<DrivenMotion> motion_of_driven(std::span<const std::uint32_t> word
                         .angular = {n[10], n[11], n[12]}};
 }
 
-bool take_driven(World& world, Module& module, BodyId body, std::span<const std::uint32_t> words,
+bool apply_controlled_entity(World& world, Module& module, BodyId body, std::span<const std::uint32_t> words,
                  const BodyOfName& body_of) {
-    const std::optional<DrivenMotion> motion = motion_of_driven(words);
+    const std::optional<DrivenMotion> motion = decode_controlled_motion(words);
     if (!motion) return false;
     WordReader reader(world, words.subspan(motion_words), body_of);
     if (!module.visit_controlled_entity(world, body, reader)) return false;

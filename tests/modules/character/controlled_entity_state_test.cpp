@@ -33,12 +33,12 @@ struct Elsewhere {
             def_of(test::must(there.world.shape(there.world.shapes_of(body)[0])))));
     }
     std::vector<std::uint32_t> tell() {
-        return tell_driven(there.world, *there.crowd, body,
+        return encode_controlled_entity(there.world, *there.crowd, body,
                            [&](BodyId id) { return id == body ? 3u : 0u; })
             .value();
     }
     bool take(std::span<const std::uint32_t> words) {
-        return take_driven(here.world, *here.crowd, copy, words,
+        return apply_controlled_entity(here.world, *here.crowd, copy, words,
                            [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
     }
     double apart() {

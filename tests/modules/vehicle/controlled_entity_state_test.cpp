@@ -36,11 +36,11 @@ struct Elsewhere {
         world.add_module(std::move(made)).expect();
     }
     std::optional<std::vector<std::uint32_t>> tell() {
-        return modules::tell_driven(there.world, *there.vehicles, there.chassis,
+        return modules::encode_controlled_entity(there.world, *there.vehicles, there.chassis,
                                     [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
     }
     bool take(std::span<const std::uint32_t> words) {
-        return modules::take_driven(world, *vehicles, chassis, words, [&](std::uint32_t name) {
+        return modules::apply_controlled_entity(world, *vehicles, chassis, words, [&](std::uint32_t name) {
             return name == 7 ? chassis : BodyId{};
         });
     }

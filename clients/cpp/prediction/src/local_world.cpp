@@ -90,7 +90,7 @@ bool LocalWorld::set_controlled(std::uint32_t entity, const std::string& tag,
         Result<std::unique_ptr<Module>> made = make_module(tag);
         if (!made.ok() || !world_.add_module(std::move(made).value()).ok()) return false;
     }
-    if (!modules::take_driven(world_, *world_.module(tag), at->second, words,
+    if (!modules::apply_controlled_entity(world_, *world_.module(tag), at->second, words,
                               [this](std::uint32_t name) { return body_of(name); }))
         return false;
     if (members_->controlled != entity || members_->controller_module != tag) {

@@ -400,7 +400,7 @@ bool PredictionEngine::is_controlled(const FrameUpdate& frame) const {
 void PredictionEngine::apply_control(const ControlUpdate& control) {
     if (control.tick <= newest_control_) return;
     const TickState* const guess = find(control.tick);
-    const auto right = modules::motion_of_driven(control.words);
+    const auto right = modules::decode_controlled_motion(control.words);
     if (!guess || !right) return;
     newest_control_ = control.tick;
     const auto at = guess->motions.find(entity_);

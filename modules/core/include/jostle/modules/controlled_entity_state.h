@@ -34,14 +34,14 @@ struct DrivenMotion {
 };
 
 // After a step. Nothing: the module does not tell of it, or it is too long.
-std::optional<std::vector<std::uint32_t>> tell_driven(physics::World& world,
+std::optional<std::vector<std::uint32_t>> encode_controlled_entity(physics::World& world,
                                                       physics::Module& module, physics::BodyId body,
                                                       const NameOfBody& name_of);
 // The beginning of such words, which are foreign. Nothing: they are too few, or no numbers.
-std::optional<DrivenMotion> motion_of_driven(std::span<const std::uint32_t> words);
+std::optional<DrivenMotion> decode_controlled_motion(std::span<const std::uint32_t> words);
 // Between steps: body and module become what was told. False: the words make no sense to the
 // module; then it is as it was.
-bool take_driven(physics::World& world, physics::Module& module, physics::BodyId body,
+bool apply_controlled_entity(physics::World& world, physics::Module& module, physics::BodyId body,
                  std::span<const std::uint32_t> words, const BodyOfName& body_of);
 
 }  // namespace jostle::modules

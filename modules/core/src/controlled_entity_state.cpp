@@ -174,7 +174,7 @@ std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world,
     return std::move(writer.words);
 }
 
-std::optional<DrivenMotion> decode_controlled_motion(std::span<const std::uint32_t> words) {
+std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const std::uint32_t> words) {
     if (words.size() < motion_words) return std::nullopt;
     double n[motion_words];
     for (std::size_t k = 0; k < motion_words; k++) {
@@ -185,14 +185,14 @@ std::optional<DrivenMotion> decode_controlled_motion(std::span<const std::uint32
     const Quat rotation{n[3], n[4], n[5], n[6]};
     const double size = norm_squared(rotation);
     if (!(size > 0.9 && size < 1.1)) return std::nullopt;
-    return DrivenMotion{.pose = {.position = {n[0], n[1], n[2]}, .rotation = normalized(rotation)},
+    return ControlledEntityMotion{.pose = {.position = {n[0], n[1], n[2]}, .rotation = normalized(rotation)},
                         .linear = {n[7], n[8], n[9]},
                         .angular = {n[10], n[11], n[12]}};
 }
 
 bool apply_controlled_entity(World& world, Module& module, BodyId body, std::span<const std::uint32_t> words,
                  const BodyOfName& body_of) {
-    const std::optional<DrivenMotion> motion = decode_controlled_motion(words);
+    const std::optional<ControlledEntityMotion> motion = decode_controlled_motion(words);
     if (!motion) return false;
     WordReader reader(world, words.subspan(motion_words), body_of);
     if (!module.visit_controlled_entity(world, body, reader)) return false;

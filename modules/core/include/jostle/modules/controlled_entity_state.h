@@ -28,7 +28,7 @@ inline constexpr std::size_t driven_words_max = 16 * 1024;
 using NameOfBody = std::function<std::uint32_t(physics::BodyId)>;  // 0: it has none
 using BodyOfName = std::function<physics::BodyId(std::uint32_t)>;  // null: it is not here
 
-struct DrivenMotion {
+struct ControlledEntityMotion {
     physics::Transform pose;
     physics::Vec3 linear, angular;  // m/s of the centre of mass, rad/s
 };
@@ -38,7 +38,7 @@ std::optional<std::vector<std::uint32_t>> encode_controlled_entity(physics::Worl
                                                       physics::Module& module, physics::BodyId body,
                                                       const NameOfBody& name_of);
 // The beginning of such words, which are foreign. Nothing: they are too few, or no numbers.
-std::optional<DrivenMotion> decode_controlled_motion(std::span<const std::uint32_t> words);
+std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const std::uint32_t> words);
 // Between steps: body and module become what was told. False: the words make no sense to the
 // module; then it is as it was.
 bool apply_controlled_entity(physics::World& world, physics::Module& module, physics::BodyId body,

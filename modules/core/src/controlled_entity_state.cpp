@@ -170,7 +170,7 @@ std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world,
     for (const double x : {p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.x, v.y, v.z, w.x, w.y, w.z})
         writer.words.push_back(word_of(x));
     if (!module.visit_controlled_entity(world, body, writer)) return std::nullopt;
-    if (writer.words.size() > driven_words_max) return std::nullopt;
+    if (writer.words.size() > controlled_entity_words_max) return std::nullopt;
     return std::move(writer.words);
 }
 

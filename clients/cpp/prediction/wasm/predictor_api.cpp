@@ -191,7 +191,7 @@ uint32_t jostle_predictor_velocities(JostlePredictor* p, uint32_t bodies) {
 uint32_t jostle_predictor_control(JostlePredictor* p, uint32_t entity, uint32_t tick,
                                 uint32_t letters, uint32_t words) {
     p->drive = {};
-    if (letters > longest_tag || words > modules::driven_words_max) return 0;
+    if (letters > longest_tag || words > modules::controlled_entity_words_max) return 0;
     if (!has(*p, letters + words, 1)) return 0;
     std::string module;
     p->drive_words.clear();

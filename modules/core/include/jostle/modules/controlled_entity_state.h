@@ -23,7 +23,7 @@
 
 namespace jostle::modules {
 
-inline constexpr std::size_t driven_words_max = 16 * 1024;
+inline constexpr std::size_t controlled_entity_words_max = 16 * 1024;
 
 using NameOfBody = std::function<std::uint32_t(physics::BodyId)>;  // 0: it has none
 using BodyOfName = std::function<physics::BodyId(std::uint32_t)>;  // null: it is not here

@@ -59,7 +59,7 @@ void ControllerRegistry::release_body(World& world, BodyId body) {
     if (at != controlled_.end()) release(world, at->first);
 }
 
-std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const modules::NameOfBody& name_of) const {
+std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const modules::BodyNameLookup& name_of) const {
     std::vector<ControlledEntityState> states;
     for (const auto& [client, body] : controlled_) {
         Module* const module = controlling_module(world, body);

@@ -22,7 +22,7 @@ std::uint32_t word_of(double x) {
 
 class WordWriter final : public StateVisitor {
 public:
-    WordWriter(const World& world, const NameOfBody& name_of) : world_(world), name_of_(name_of) {}
+    WordWriter(const World& world, const BodyNameLookup& name_of) : world_(world), name_of_(name_of) {}
 
     using StateVisitor::field;
     bool loading() const override { return false; }
@@ -73,7 +73,7 @@ private:
     }
 
     const World& world_;
-    const NameOfBody& name_of_;
+    const BodyNameLookup& name_of_;
 };
 
 class WordReader final : public StateVisitor {
@@ -161,7 +161,7 @@ private:
 }  // namespace
 
 std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world, Module& module, BodyId body,
-                                                      const NameOfBody& name_of) {
+                                                      const BodyNameLookup& name_of) {
     const Result<BodyState> state = world.body(body);
     if (!state.ok()) return std::nullopt;
     WordWriter writer(world, name_of);

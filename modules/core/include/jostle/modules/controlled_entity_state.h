@@ -25,7 +25,7 @@ namespace jostle::modules {
 
 inline constexpr std::size_t controlled_entity_words_max = 16 * 1024;
 
-using NameOfBody = std::function<std::uint32_t(physics::BodyId)>;  // 0: it has none
+using BodyNameLookup = std::function<std::uint32_t(physics::BodyId)>;  // 0: it has none
 using BodyOfName = std::function<physics::BodyId(std::uint32_t)>;  // null: it is not here
 
 struct ControlledEntityMotion {
@@ -36,7 +36,7 @@ struct ControlledEntityMotion {
 // After a step. Nothing: the module does not tell of it, or it is too long.
 std::optional<std::vector<std::uint32_t>> encode_controlled_entity(physics::World& world,
                                                       physics::Module& module, physics::BodyId body,
-                                                      const NameOfBody& name_of);
+                                                      const BodyNameLookup& name_of);
 // The beginning of such words, which are foreign. Nothing: they are too few, or no numbers.
 std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const std::uint32_t> words);
 // Between steps: body and module become what was told. False: the words make no sense to the

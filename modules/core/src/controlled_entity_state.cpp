@@ -78,7 +78,7 @@ private:
 
 class WordReader final : public StateVisitor {
 public:
-    WordReader(const World& world, std::span<const std::uint32_t> words, const BodyOfName& body_of)
+    WordReader(const World& world, std::span<const std::uint32_t> words, const BodyLookup& body_of)
         : world_(world), words_(words), body_of_(body_of) {}
 
     using StateVisitor::field;
@@ -154,7 +154,7 @@ private:
 
     const World& world_;
     std::span<const std::uint32_t> words_;
-    const BodyOfName& body_of_;
+    const BodyLookup& body_of_;
     bool failed_ = false;
 };
 
@@ -191,7 +191,7 @@ std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const s
 }
 
 bool apply_controlled_entity(World& world, Module& module, BodyId body, std::span<const std::uint32_t> words,
-                 const BodyOfName& body_of) {
+                 const BodyLookup& body_of) {
     const std::optional<ControlledEntityMotion> motion = decode_controlled_motion(words);
     if (!motion) return false;
     WordReader reader(world, words.subspan(motion_words), body_of);

@@ -26,7 +26,7 @@ namespace jostle::modules {
 inline constexpr std::size_t controlled_entity_words_max = 16 * 1024;
 
 using BodyNameLookup = std::function<std::uint32_t(physics::BodyId)>;  // 0: it has none
-using BodyOfName = std::function<physics::BodyId(std::uint32_t)>;  // null: it is not here
+using BodyLookup = std::function<physics::BodyId(std::uint32_t)>;  // null: it is not here
 
 struct ControlledEntityMotion {
     physics::Transform pose;
@@ -42,6 +42,6 @@ std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const s
 // Between steps: body and module become what was told. False: the words make no sense to the
 // module; then it is as it was.
 bool apply_controlled_entity(physics::World& world, physics::Module& module, physics::BodyId body,
-                 std::span<const std::uint32_t> words, const BodyOfName& body_of);
+                 std::span<const std::uint32_t> words, const BodyLookup& body_of);
 
 }  // namespace jostle::modules

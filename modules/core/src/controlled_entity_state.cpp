@@ -11,13 +11,13 @@ using namespace physics;
 
 namespace {
 
-constexpr std::size_t motion_words = 13;
+constexpr std::size_t motion_word_count = 13;
 // As World takes them.
-constexpr double coordinate_most = 1e7, velocity_most = 1e4;
-constexpr double largest = std::numeric_limits<float>::max();
+constexpr double coordinate_max = 1e7, velocity_max = 1e4;
+constexpr double float_max = std::numeric_limits<float>::max();
 
 std::uint32_t word_of(double x) {
-    return std::bit_cast<std::uint32_t>(static_cast<float>(clamp(x, -largest, largest)));
+    return std::bit_cast<std::uint32_t>(static_cast<float>(clamp(x, -largest, float_max)));
 }
 
 class WordWriter final : public StateVisitor {
@@ -48,7 +48,7 @@ public:
         const Result<ShapeState> shape = world_.shape(id);
         BodyId body = shape.ok() ? shape->body : BodyId{};
         field(name, body);
-        words.push_back(shape.ok() ? place_of(*shape) : 0);
+        words.push_back(shape.ok() ? shape_index(*shape) : 0);
     }
     void field(std::string_view, JointId&) override {}
     std::size_t count(std::string_view, std::size_t size) override {
@@ -66,7 +66,7 @@ private:
         words.push_back(static_cast<std::uint32_t>(x));
         words.push_back(static_cast<std::uint32_t>(x >> 32));
     }
-    std::uint32_t place_of(const ShapeState& shape) const {
+    std::uint32_t shape_index(const ShapeState& shape) const {
         const std::vector<ShapeId> all = world_.shapes_of(shape.body);
         const auto at = std::find(all.begin(), all.end(), shape.id);
         return static_cast<std::uint32_t>(at - all.begin());
@@ -175,11 +175,11 @@ std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world,
 }
 
 std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const std::uint32_t> words) {
-    if (words.size() < motion_words) return std::nullopt;
-    double n[motion_words];
-    for (std::size_t k = 0; k < motion_words; k++) {
+    if (words.size() < motion_word_count) return std::nullopt;
+    double n[motion_word_count];
+    for (std::size_t k = 0; k < motion_word_count; k++) {
         n[k] = std::bit_cast<float>(words[k]);
-        const double most = k < 3 ? coordinate_most : velocity_most;
+        const double most = k < 3 ? coordinate_max : velocity_max;
         if (!(absolute(n[k]) <= most)) return std::nullopt;
     }
     const Quat rotation{n[3], n[4], n[5], n[6]};
@@ -194,7 +194,7 @@ bool apply_controlled_entity(World& world, Module& module, BodyId body, std::spa
                  const BodyLookup& body_of) {
     const std::optional<ControlledEntityMotion> motion = decode_controlled_motion(words);
     if (!motion) return false;
-    WordReader reader(world, words.subspan(motion_words), body_of);
+    WordReader reader(world, words.subspan(motion_word_count), body_of);
     if (!module.visit_controlled_entity(world, body, reader)) return false;
     return world.set_pose(body, motion->pose).ok() &&
            world.set_velocity(body, motion->linear, motion->angular).ok();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/modules/couple.h"
+#include "jostle/modules/island_coupling.h"
 
 namespace jostle::modules {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies that a module couples: one group, one sleep, and nothing else.
-#include "jostle/modules/couple.h"
+#include "jostle/modules/island_coupling.h"
 
 #include <gtest/gtest.h>
 

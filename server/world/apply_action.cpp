@@ -70,7 +70,7 @@ struct Apply {
         about = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
-        return from_solver(modules::push_by_hand(state.world, *state.world.body((*entity)->body),
+        return from_solver(modules::apply_player_impulse(state.world, *state.world.body((*entity)->body),
                                                  c.impulse, c.point));
     }
 
@@ -119,7 +119,7 @@ struct Apply {
             walls->break_near(state.world, c.center, blast_breaks * c.radius * c.speed);
         Status status;
         for (const modules::BlastPush& p : *pushes) {
-            const Status pushed = modules::push_within_limits(
+            const Status pushed = modules::apply_limited_impulse(
                 state.world, *state.world.body(p.body), p.impulse, p.center, p.angular_impulse);
             if (!pushed.ok()) status = from_solver(pushed);
         }

@@ -9,7 +9,7 @@ using namespace physics;
 
 Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 point) {
     release(world, client);
-    const Result<JointId> joint = world.create_joint(modules::held_at(body, point));
+    const Result<JointId> joint = world.create_joint(modules::make_grab_joint(body, point));
     if (!joint.ok()) return joint.error();
     held_[client] = {body.id, *joint};
     return {};

@@ -5,7 +5,7 @@ namespace jostle::modules {
 
 using namespace physics;
 
-Result<JointId> couple(World& world, BodyId a, BodyId b) {
+Result<JointId> create_island_coupling(World& world, BodyId a, BodyId b) {
     // A row whose force may be nothing but zero.
     return world.create_joint({.body_a = a,
                                .body_b = b,

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double impulse_speed_max = 20, pushed_speed_max = 50;  // m/s
 constexpr double pushed_spin_max = 60;                           // rad/s
-constexpr double reach = 2;                                      // m
+constexpr double impulse_reach_max = 2;                                      // m
 
-constexpr JointSpring hand{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
+constexpr JointSpring grab_spring{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
 constexpr double acceleration_max = 200;  // m/s^2: a hand may be strong, not endless
 constexpr double turn_damping = 4;        // 1/s: a held body stops spinning about the hand
 
@@ -24,17 +24,17 @@ Vec3 capped(Vec3 now, Vec3 before, double cap) {
 
 }  // namespace
 
-Status push_by_hand(World& world, const BodyState& body, Vec3 impulse, std::optional<Vec3> point) {
+Status apply_player_impulse(World& world, const BodyState& body, Vec3 impulse, std::optional<Vec3> point) {
     const double most = body.mass * impulse_speed_max, size = length(impulse);
     if (size > most) impulse = impulse * (most / size);
     const Vec3 arm = point.value_or(body.center) - body.center;
     const double far = length(arm);
-    if (!point || far <= reach)
-        return push_within_limits(world, body, impulse, point.value_or(body.center));
-    return push_within_limits(world, body, impulse, body.center + arm * (reach / far));
+    if (!point || far <= impulse_reach_max)
+        return apply_limited_impulse(world, body, impulse, point.value_or(body.center));
+    return apply_limited_impulse(world, body, impulse, body.center + arm * (impulse_reach_max / far));
 }
 
-Status push_within_limits(World& world, const BodyState& body, Vec3 impulse, Vec3 point,
+Status apply_limited_impulse(World& world, const BodyState& body, Vec3 impulse, Vec3 point,
                           Vec3 angular_impulse) {
     if (Status s = world.apply_impulse(body.id, impulse, point); !s.ok()) return s;
     if (Status s = world.apply_angular_impulse(body.id, angular_impulse); !s.ok()) return s;
@@ -47,11 +47,11 @@ Status push_within_limits(World& world, const BodyState& body, Vec3 impulse, Vec
     return world.set_angular_velocity(body.id, w);
 }
 
-JointDef held_at(const BodyState& body, Vec3 point) {
+JointDef make_grab_joint(const BodyState& body, Vec3 point) {
     return {.body_b = body.id,
             .frame_b = {.position = apply_inverse(body.pose, point)},
             .kind = GrabJoint{.target = point,
-                              .spring = hand,
+                              .spring = grab_spring,
                               .max_force = body.mass * acceleration_max,
                               .turn_damping = turn_damping}};
 }

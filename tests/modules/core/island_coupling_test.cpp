@@ -38,7 +38,7 @@ TEST(Couple, puts_bodies_that_do_not_touch_into_one_group) {
         Watch watch;
         watch.a = crates.front();
         watch.b = crates.back();
-        if (coupled) must(couple(world, watch.a, watch.b));
+        if (coupled) must(create_island_coupling(world, watch.a, watch.b));
         must(world.add_listener(watch));
         test::run(world, 1);
         if (coupled) {
@@ -54,7 +54,7 @@ TEST(Couple, pushes_nothing) {
     World world = test::make_world({});
     const BodyId a = add(world, {.position = {0, 50, 0}, .velocity = {3, 0, 0}, .spin = {1, 2, 3}});
     const BodyId b = add(world, {.position = {0.5, 80, 0}, .velocity = {-1, 0, 2}});
-    must(couple(world, a, b));
+    must(create_island_coupling(world, a, b));
     test::run(world, 1);
     EXPECT_NEAR(world.body(a)->linear_velocity.x, 3, 1e-12);
     EXPECT_NEAR(world.body(b)->linear_velocity.z, 2, 1e-12);
@@ -66,7 +66,7 @@ TEST(Couple, lets_bodies_sleep_and_wakes_them_together) {
     test::add_floor(world);
     const BodyId a = add(world, {.position = {0, 0.5, 0}}),
                  b = add(world, {.position = {9, 0.5, 0}});
-    must(couple(world, a, b));
+    must(create_island_coupling(world, a, b));
     test::run(world, 3);
     EXPECT_FALSE(world.body(a)->awake);
     EXPECT_FALSE(world.body(b)->awake);

@@ -147,7 +147,7 @@ void LocalWorld::perform(const Push& push) {
     const auto at = members_->moving.find(push.entity);
     if (at == members_->moving.end()) return;
     static_cast<void>(
-        modules::push_by_hand(world_, *world_.body(at->second), push.impulse, push.point).ok());
+        modules::apply_player_impulse(world_, *world_.body(at->second), push.impulse, push.point).ok());
 }
 
 void LocalWorld::perform(const Grab& grab) {
@@ -155,7 +155,7 @@ void LocalWorld::perform(const Grab& grab) {
     const auto at = members_->moving.find(grab.entity);
     if (at == members_->moving.end()) return;
     const Result<JointId> joint =
-        world_.create_joint(modules::held_at(*world_.body(at->second), grab.point));
+        world_.create_joint(modules::make_grab_joint(*world_.body(at->second), grab.point));
     if (joint.ok()) change().held = *joint;
 }
 

@@ -115,11 +115,11 @@ struct Yard {
         const auto vector = [](const v1::Vec3& v) { return Vec3{v.x(), v.y(), v.z()}; };
         if (input.has_impulse()) {
             const physics::BodyState body = *server.body(bodies.at(input.impulse().entity()));
-            modules::push_by_hand(server, body, vector(input.impulse().impulse()), std::nullopt)
+            modules::apply_player_impulse(server, body, vector(input.impulse().impulse()), std::nullopt)
                 .expect();
         } else if (input.has_grab()) {
             const physics::BodyState body = *server.body(bodies.at(input.grab().entity()));
-            held = *server.create_joint(modules::held_at(body, vector(input.grab().point())));
+            held = *server.create_joint(modules::make_grab_joint(body, vector(input.grab().point())));
         } else if (input.has_drag()) {
             auto kind = std::get<physics::GrabJoint>(server.joint(held)->def.kind);
             kind.target = vector(input.drag().target());

@@ -10,7 +10,7 @@
 namespace jostle::modules {
 
 // At least one of them is dynamic. Ends with World::destroy_joint(), or with a body.
-physics::Result<physics::JointId> couple(physics::World& world, physics::BodyId a,
+physics::Result<physics::JointId> create_island_coupling(physics::World& world, physics::BodyId a,
                                          physics::BodyId b);
 
 }  // namespace jostle::modules

@@ -16,14 +16,14 @@ using namespace destruction_detail;
 Destruction::Destruction() = default;
 Destruction::~Destruction() = default;
 
-const Destruction::Whole* Destruction::find(DestructibleId id) const {
+const Destruction::Destructible* Destruction::find(DestructibleId id) const {
     if (id.index >= wholes_.size()) return nullptr;
-    const Whole& whole = wholes_[id.index];
+    const Destructible& whole = wholes_[id.index];
     return whole.alive && whole.generation == id.generation ? &whole : nullptr;
 }
 
-Destruction::Whole* Destruction::find(DestructibleId id) {
-    return const_cast<Whole*>(std::as_const(*this).find(id));
+Destruction::Destructible* Destruction::find(DestructibleId id) {
+    return const_cast<Destructible*>(std::as_const(*this).find(id));
 }
 
 Error Destruction::unknown(DestructibleId id) {
@@ -33,7 +33,7 @@ Error Destruction::unknown(DestructibleId id) {
 
 std::size_t Destruction::size() const {
     return static_cast<std::size_t>(
-        std::count_if(wholes_.begin(), wholes_.end(), [](const Whole& w) { return w.alive; }));
+        std::count_if(wholes_.begin(), wholes_.end(), [](const Destructible& w) { return w.alive; }));
 }
 
 Status Destruction::set_limits(const DestructionLimits& limits) {
@@ -72,7 +72,7 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
         static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
     if (at == wholes_.size()) wholes_.emplace_back();
     const std::uint32_t generation = wholes_[at].generation + 1;
-    Whole& whole = wholes_[at] = {};
+    Destructible& whole = wholes_[at] = {};
     whole.alive = true;
     whole.generation = generation;
     whole.material = def.bonds;
@@ -97,7 +97,7 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
 }
 
 Status Destruction::remove(World& world, DestructibleId id) {
-    Whole* whole = find(id);
+    Destructible* whole = find(id);
     if (!whole) return unknown(id);
     for (const Piece& piece : whole->pieces)
         if (world.contains(piece.body)) static_cast<void>(world.destroy_body(piece.body).ok());
@@ -109,7 +109,7 @@ Status Destruction::remove(World& world, DestructibleId id) {
 
 Result<std::size_t> Destruction::break_near(const World& world, DestructibleId id, Vec3 center,
                                             double radius) {
-    Whole* whole = find(id);
+    Destructible* whole = find(id);
     if (!whole) return unknown(id);
     if (!is_finite(center) || !(radius >= 0 && radius <= 1e7))
         return Error{ErrorCode::invalid_argument,
@@ -119,12 +119,12 @@ Result<std::size_t> Destruction::break_near(const World& world, DestructibleId i
 
 std::size_t Destruction::break_near(const World& world, Vec3 center, double radius) {
     std::size_t count = 0;
-    for (Whole& whole : wholes_)
+    for (Destructible& whole : wholes_)
         if (whole.alive) count += break_near(world, whole, center, radius);
     return count;
 }
 
-std::size_t Destruction::break_near(const World& world, Whole& whole, Vec3 center, double radius) {
+std::size_t Destruction::break_near(const World& world, Destructible& whole, Vec3 center, double radius) {
     derive();
     std::size_t count = 0;
     for (Piece& piece : whole.pieces) {
@@ -144,7 +144,7 @@ std::size_t Destruction::break_near(const World& world, Whole& whole, Vec3 cente
 }
 
 Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
-    const Whole* whole = find(id);
+    const Destructible* whole = find(id);
     if (!whole) return unknown(id);
     std::vector<BodyId> bodies;
     for (const Piece& piece : whole->pieces) bodies.push_back(piece.body);
@@ -152,7 +152,7 @@ Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
 }
 
 Result<std::size_t> Destruction::bonds_left(DestructibleId id) const {
-    const Whole* whole = find(id);
+    const Destructible* whole = find(id);
     if (!whole) return unknown(id);
     return static_cast<std::size_t>(std::count_if(whole->bonds.begin(), whole->bonds.end(),
                                                   [](const Bond& b) { return !b.broken; }));

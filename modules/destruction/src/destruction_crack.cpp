@@ -33,7 +33,7 @@ struct Unknowns {
 }  // namespace
 
 // By bonds that hold, in order of the lowest chunk.
-std::vector<Group> Destruction::parts_of(const Whole& whole, const Group& group) {
+std::vector<Group> Destruction::parts_of(const Destructible& whole, const Group& group) {
     std::vector<std::uint32_t> part(whole.chunks.size(), nowhere);
     std::vector<std::vector<std::uint32_t>> near(whole.chunks.size());
     for (const std::uint32_t k : group.bonds) {
@@ -81,8 +81,8 @@ Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
     return unknowns;
 }
 
-template <class Whole>
-std::vector<Beam> beams_of(const Whole& whole, const Group& group, const Unknowns& unknowns) {
+template <class Destructible>
+std::vector<Beam> beams_of(const Destructible& whole, const Group& group, const Unknowns& unknowns) {
     std::vector<Beam> beams;
     for (const std::uint32_t k : group.bonds) {
         const FractureBond& face = whole.bonds[k].face;
@@ -99,8 +99,8 @@ std::vector<Beam> beams_of(const Whole& whole, const Group& group, const Unknown
 
 // What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
 // the acceleration that the whole takes there. Weight pulls at all alike and cancels.
-template <class Whole>
-void add_inertia(const Whole& whole, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
+template <class Destructible>
+void add_inertia(const Destructible& whole, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
     double mass = 0;
     Vec3 center, force, torque;
     for (const std::uint32_t c : group.chunks) {
@@ -131,7 +131,7 @@ void add_inertia(const Whole& whole, const Group& group, Vec3 spin, std::vector<
 }  // namespace
 
 // What each bond of the group bears, as a share of its strength.
-std::vector<double> Destruction::loads_of(const Whole& whole, const Group& group,
+std::vector<double> Destruction::loads_of(const Destructible& whole, const Group& group,
                                           const BlockFactor& factor, std::span<const Push> given,
                                           Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(whole.chunks, group);
@@ -158,7 +158,7 @@ std::vector<double> Destruction::loads_of(const Whole& whole, const Group& group
 }
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
-Destruction::Answer Destruction::ask(Whole& whole, const Group& group, Piece* cached,
+Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Piece* cached,
                                      std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
@@ -195,7 +195,7 @@ Destruction::Answer Destruction::ask(Whole& whole, const Group& group, Piece* ca
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::crack(Whole& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
+bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
                         Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
@@ -217,7 +217,7 @@ bool Destruction::crack(Whole& whole, Piece& piece, std::span<const Push> pushes
 // Whether loads changed enough to ask; then asks.
 void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
                                   std::span<Press> presses) {
-    Whole& whole = wholes_[w];
+    Destructible& whole = wholes_[w];
     Piece& piece = whole.pieces[p];
     if (piece.cut) return;
     const Result<BodyState> body = world.body(piece.body);
@@ -291,7 +291,7 @@ void Destruction::crack_all(const World& world) {
 }
 
 Result<double> Destruction::worst_load(const World& world, DestructibleId id) const {
-    const Whole* whole = find(id);
+    const Destructible* whole = find(id);
     if (!whole) return unknown(id);
     double worst = 0;
     for (const Piece& piece : whole->pieces) {

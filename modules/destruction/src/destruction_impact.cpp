@@ -91,7 +91,7 @@ const Noted* Destruction::noted_before(BodyId body) const {
 // What was struck and parted from what it hung on.
 void Destruction::mark_knocked() {
     for (const Again& again : again_) {
-        Whole& whole = wholes_[again.whole];
+        Destructible& whole = wholes_[again.whole];
         const std::uint32_t at = whole.chunks[again.chunk].piece;
         if (at >= whole.pieces.size()) continue;
         Piece& piece = whole.pieces[at];
@@ -131,7 +131,7 @@ void Destruction::agree() {
 }
 
 const Destruction::Piece& Destruction::piece_of(const Press& press) const {
-    const Whole& whole = wholes_[press.whole];
+    const Destructible& whole = wholes_[press.whole];
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 

@@ -14,7 +14,7 @@ using namespace destruction_detail;
 
 // Pieces without a body go. Their chunks are then in no piece, and bonds to them hold nothing.
 void Destruction::drop_lost_bodies(const World& world) {
-    for (Whole& whole : wholes_)
+    for (Destructible& whole : wholes_)
         if (std::erase_if(whole.pieces,
                           [&](const Piece& piece) { return !world.contains(piece.body); }) > 0)
             derived_ = false;
@@ -22,7 +22,7 @@ void Destruction::drop_lost_bodies(const World& world) {
 
 // Before a piece is parted: of chunks whose shape is not the body's any more. What is left may hang
 // together no longer.
-void Destruction::drop_lost_chunks(const World& world, Whole& whole, Piece& piece) {
+void Destruction::drop_lost_chunks(const World& world, Destructible& whole, Piece& piece) {
     const auto is_lost = [&](std::uint32_t c) {
         const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
         return !shape.ok() || shape->body != piece.body;

@@ -28,14 +28,14 @@ ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
     return def;
 }
 
-template <class Whole>
-bool is_anchored(const Whole& whole, const Group& group) {
+template <class Destructible>
+bool is_anchored(const Destructible& whole, const Group& group) {
     return std::any_of(group.chunks.begin(), group.chunks.end(),
                        [&](std::uint32_t c) { return whole.chunks[c].anchored; });
 }
 
-template <class Whole>
-Vec3 center_of(const Whole& whole, const Group& group) {
+template <class Destructible>
+Vec3 center_of(const Destructible& whole, const Group& group) {
     double mass = 0;
     Vec3 sum;
     for (const std::uint32_t c : group.chunks) {
@@ -47,13 +47,13 @@ Vec3 center_of(const Whole& whole, const Group& group) {
 
 }  // namespace
 
-bool Destruction::passes(const Whole& whole, const Group& group) const {
+bool Destruction::passes(const Destructible& whole, const Group& group) const {
     return group.chunks.size() == 1 && !is_anchored(whole, group) &&
            whole.chunks[group.chunks[0]].mass < whole.density * limits_.passing_volume;
 }
 
 // Those that leave, as bodies; then the old body without them. All or nothing.
-Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<const Group> leaving,
+Status Destruction::part(World& world, Destructible& whole, std::size_t p, std::span<const Group> leaving,
                          const Group& staying) {
     const BodyId old = whole.pieces[p].body;
     const Result<BodyState> body = world.body(old);
@@ -111,7 +111,7 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
 }
 
 // Takes the shapes of what left from the old body.
-void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
+void Destruction::keep_shapes(World& world, Destructible& whole, Piece& piece,
                               std::span<const Group> leaving) {
     std::size_t gone = 0;
     for (const Group& group : leaving) gone += group.chunks.size();
@@ -139,7 +139,7 @@ void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
 
 // The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
 // many others leave. How many did.
-int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
+int Destruction::split(World& world, Destructible& whole, std::size_t p, int most) {
     drop_lost_chunks(world, whole, whole.pieces[p]);
     if (whole.pieces[p].chunks.empty()) return 0;
     std::vector<Group> parts;
@@ -186,7 +186,7 @@ int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
 
 void Destruction::split_all(World& world) {
     int most = limits_.pieces_per_step;
-    for (Whole& whole : wholes_) {
+    for (Destructible& whole : wholes_) {
         const std::size_t count = whole.pieces.size();  // those made here hang together
         for (std::size_t p = 0; p < count && most > 0; p++)
             if (whole.pieces[p].cut) most -= split(world, whole, p, most);
@@ -196,7 +196,7 @@ void Destruction::split_all(World& world) {
 
 void Destruction::drop_debris(World& world, double dt) {
     if (!(limits_.debris_life > 0)) return;
-    for (Whole& whole : wholes_) {
+    for (Destructible& whole : wholes_) {
         const std::size_t count = whole.pieces.size();
         std::erase_if(whole.pieces, [&](Piece& piece) {
             if (piece.anchored || piece.chunks.size() != 1) return false;

@@ -50,7 +50,7 @@ void visit_material(StateVisitor& v, BondMaterial& m) {
 
 }  // namespace
 
-void Destruction::visit(StateVisitor& v, Whole& whole) {
+void Destruction::visit(StateVisitor& v, Destructible& whole) {
     v.field("alive", whole.alive);
     v.field("generation", whole.generation);
     visit_material(v, whole.material);
@@ -90,7 +90,7 @@ void Destruction::visit(StateVisitor& v, Whole& whole) {
 }
 
 // What fields say of each other. Each chunk is in one piece, or in none: then it is gone.
-void Destruction::check_whole(StateVisitor& v, const Whole& whole) {
+void Destruction::check_whole(StateVisitor& v, const Destructible& whole) {
     if (whole.alive == whole.chunks.empty())
         v.fail("chunks", "are there when the whole is, and only then");
     if (whole.chunks.size() > most_chunks) v.fail("chunks", "are too many");
@@ -133,7 +133,7 @@ void Destruction::visit_limits(StateVisitor& v) {
 void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
     bounded(v, "gravity", gravity_, 1e5);
-    v.all("wholes", wholes_, [&](Whole& whole) { visit(v, whole); });
+    v.all("wholes", wholes_, [&](Destructible& whole) { visit(v, whole); });
     v.all("again", again_, [&](Again& again) {
         v.field("whole", again.whole);
         v.field("chunk", again.chunk);
@@ -152,7 +152,7 @@ void Destruction::visit(StateVisitor& v) {
 void Destruction::publish(const World&, ChannelWriter& channels) const {
     const auto count = [&](std::size_t value) { channels.value(static_cast<std::int32_t>(value)); };
     if (size() == 0 || !channels.begin(0)) return;
-    for (const Whole& whole : wholes_) {
+    for (const Destructible& whole : wholes_) {
         if (!whole.alive) continue;
         count(whole.pieces.size());
         count(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),

@@ -175,7 +175,7 @@ private:
         std::vector<std::uint32_t> bonds;
         std::shared_ptr<const destruction_detail::BlockFactor> factor;
     };
-    struct Whole {
+    struct Destructible {
         bool alive = false;
         std::uint32_t generation = 0;
         BondMaterial material;
@@ -190,14 +190,14 @@ private:
     };
     enum class Answer : std::uint8_t { held, broke, no_time };
 
-    const Whole* find(DestructibleId id) const;
-    Whole* find(DestructibleId id);
+    const Destructible* find(DestructibleId id) const;
+    Destructible* find(DestructibleId id);
     static physics::Error unknown(DestructibleId id);
-    std::size_t break_near(const physics::World& world, Whole& whole, physics::Vec3 center,
+    std::size_t break_near(const physics::World& world, Destructible& whole, physics::Vec3 center,
                            double radius);
-    static void visit(physics::StateVisitor& v, Whole& whole);
+    static void visit(physics::StateVisitor& v, Destructible& whole);
     void visit_limits(physics::StateVisitor& v);
-    static void check_whole(physics::StateVisitor& v, const Whole& whole);
+    static void check_whole(physics::StateVisitor& v, const Destructible& whole);
 
     // destruction_loads.cpp: what contacts press.
     void derive();
@@ -217,30 +217,30 @@ private:
     void crack_all(const physics::World& world);
     void crack_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
                          std::span<destruction_detail::Press> presses);
-    bool crack(Whole& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
+    bool crack(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
-    Answer ask(Whole& whole, const destruction_detail::Group& group, Piece* cached,
+    Answer ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
                std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
                physics::Vec3 gravity, double& energy);
-    static std::vector<double> loads_of(const Whole& whole, const destruction_detail::Group& group,
+    static std::vector<double> loads_of(const Destructible& whole, const destruction_detail::Group& group,
                                         const destruction_detail::BlockFactor& factor,
                                         std::span<const destruction_detail::Push> pushes,
                                         physics::Vec3 spin, physics::Vec3 gravity);
-    static std::vector<destruction_detail::Group> parts_of(const Whole& whole,
+    static std::vector<destruction_detail::Group> parts_of(const Destructible& whole,
                                                            const destruction_detail::Group& group);
 
     // destruction_losses.cpp: what others destroyed.
     void drop_lost_bodies(const physics::World& world);
-    void drop_lost_chunks(const physics::World& world, Whole& whole, Piece& piece);
+    void drop_lost_chunks(const physics::World& world, Destructible& whole, Piece& piece);
 
     // destruction_split.cpp: pieces become bodies.
     void split_all(physics::World& world);
-    int split(physics::World& world, Whole& whole, std::size_t piece, int most);
-    bool passes(const Whole& whole, const destruction_detail::Group& group) const;
-    physics::Status part(physics::World& world, Whole& whole, std::size_t piece,
+    int split(physics::World& world, Destructible& whole, std::size_t piece, int most);
+    bool passes(const Destructible& whole, const destruction_detail::Group& group) const;
+    physics::Status part(physics::World& world, Destructible& whole, std::size_t piece,
                          std::span<const destruction_detail::Group> leaving,
                          const destruction_detail::Group& staying);
-    static void keep_shapes(physics::World& world, Whole& whole, Piece& piece,
+    static void keep_shapes(physics::World& world, Destructible& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
     void push_through(physics::World& world, double dt);
     void agree();
@@ -266,7 +266,7 @@ private:
 
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
-    std::vector<Whole> wholes_;
+    std::vector<Destructible> wholes_;
     std::vector<destruction_detail::Again> again_;
 
     // Derived, or of one step.

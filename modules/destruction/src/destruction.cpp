@@ -17,8 +17,8 @@ Destruction::Destruction() = default;
 Destruction::~Destruction() = default;
 
 const Destruction::Destructible* Destruction::find(DestructibleId id) const {
-    if (id.index >= wholes_.size()) return nullptr;
-    const Destructible& whole = wholes_[id.index];
+    if (id.index >= destructibles_.size()) return nullptr;
+    const Destructible& whole = destructibles_[id.index];
     return whole.alive && whole.generation == id.generation ? &whole : nullptr;
 }
 
@@ -33,7 +33,7 @@ Error Destruction::unknown(DestructibleId id) {
 
 std::size_t Destruction::size() const {
     return static_cast<std::size_t>(
-        std::count_if(wholes_.begin(), wholes_.end(), [](const Destructible& w) { return w.alive; }));
+        std::count_if(destructibles_.begin(), destructibles_.end(), [](const Destructible& w) { return w.alive; }));
 }
 
 Status Destruction::set_limits(const DestructionLimits& limits) {
@@ -47,9 +47,9 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     if (Status s = check_shape(shape); !s.ok()) return s.error();
     if (Status s = check_def(def); !s.ok()) return s.error();
     std::size_t at = 0;
-    while (at < wholes_.size() && wholes_[at].alive) at++;
-    if (at >= most_wholes)
-        return Error{ErrorCode::resource_exhausted, "there are " + std::to_string(most_wholes) +
+    while (at < destructibles_.size() && destructibles_[at].alive) at++;
+    if (at >= destructibles_max)
+        return Error{ErrorCode::resource_exhausted, "there are " + std::to_string(destructibles_max) +
                                                         " destructibles, the most allowed"};
     const bool anchored = std::any_of(shape.chunks.begin(), shape.chunks.end(),
                                       [](const FractureChunk& c) { return c.anchored; });
@@ -70,9 +70,9 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     const BodyId body = *made_body;
     if (!anchored)  // the centre of mass moved as shapes came
         static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
-    if (at == wholes_.size()) wholes_.emplace_back();
-    const std::uint32_t generation = wholes_[at].generation + 1;
-    Destructible& whole = wholes_[at] = {};
+    if (at == destructibles_.size()) destructibles_.emplace_back();
+    const std::uint32_t generation = destructibles_[at].generation + 1;
+    Destructible& whole = destructibles_[at] = {};
     whole.alive = true;
     whole.generation = generation;
     whole.material = def.bonds;
@@ -119,7 +119,7 @@ Result<std::size_t> Destruction::break_near(const World& world, DestructibleId i
 
 std::size_t Destruction::break_near(const World& world, Vec3 center, double radius) {
     std::size_t count = 0;
-    for (Destructible& whole : wholes_)
+    for (Destructible& whole : destructibles_)
         if (whole.alive) count += break_near(world, whole, center, radius);
     return count;
 }

@@ -61,8 +61,8 @@ Status check_shape(const FracturedShape& shape) {
     if (shape.chunks.empty() || shape.chunks.size() > most_chunks)
         return invalid_argument("there are " + std::to_string(shape.chunks.size()) +
                                 " chunks; give 1 to " + std::to_string(most_chunks));
-    if (shape.bonds.size() > most_bonds)
-        return invalid_argument("there are more than " + std::to_string(most_bonds) + " bonds");
+    if (shape.bonds.size() > bonds_max)
+        return invalid_argument("there are more than " + std::to_string(bonds_max) + " bonds");
     for (std::size_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
         if (!is_convex(kind_of(chunk.geometry)) || !is_near(chunk.center) ||

@@ -217,7 +217,7 @@ bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push>
 // Whether loads changed enough to ask; then asks.
 void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
                                   std::span<Press> presses) {
-    Destructible& whole = wholes_[w];
+    Destructible& whole = destructibles_[w];
     Piece& piece = whole.pieces[p];
     if (piece.cut) return;
     const Result<BodyState> body = world.body(piece.body);
@@ -276,13 +276,13 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
 void Destruction::crack_all(const World& world) {
     work_left_ = limits_.work_per_step;
     std::size_t next = 0;
-    for (std::uint32_t w = 0; w < wholes_.size(); w++)
-        for (std::uint32_t p = 0; p < wholes_[w].pieces.size(); p++) {
+    for (std::uint32_t w = 0; w < destructibles_.size(); w++)
+        for (std::uint32_t p = 0; p < destructibles_[w].pieces.size(); p++) {
             const std::size_t first = next;
             while (next < presses_.size() && presses_[next].whole == w &&
-                   wholes_[w].chunks[presses_[next].chunk].piece == p)
+                   destructibles_[w].chunks[presses_[next].chunk].piece == p)
                 next++;
-            const Piece& piece = wholes_[w].pieces[p];
+            const Piece& piece = destructibles_[w].pieces[p];
             if (piece.chunks.size() < 2) continue;
             if (next == first && !piece.loaded && !piece.check && !piece.carried && piece.anchored)
                 continue;

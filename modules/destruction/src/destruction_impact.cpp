@@ -34,8 +34,8 @@ void Destruction::before_step(World& world, double dt) {
     for (const Again& again : again_)
         if (const Result<BodyState> body = world.body(again.other_body); body.ok())
             movers_.push_back(*body);
-    for (std::uint32_t w = 0; w < wholes_.size(); w++)
-        for (Piece& piece : wholes_[w].pieces) {
+    for (std::uint32_t w = 0; w < destructibles_.size(); w++)
+        for (Piece& piece : destructibles_[w].pieces) {
             if (piece.knocked > 0) {
                 knocked_.emplace_back(piece.body, w);
                 piece.knocked = maximum(0, piece.knocked - dt);
@@ -63,7 +63,7 @@ void Destruction::pre_solve(PreSolve& pair) {
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
-        for (const Piece& piece : wholes_[whole].pieces)
+        for (const Piece& piece : destructibles_[whole].pieces)
             if (piece.body == other) pair.enabled = false;
     }
 }
@@ -91,7 +91,7 @@ const Noted* Destruction::noted_before(BodyId body) const {
 // What was struck and parted from what it hung on.
 void Destruction::mark_knocked() {
     for (const Again& again : again_) {
-        Destructible& whole = wholes_[again.whole];
+        Destructible& whole = destructibles_[again.whole];
         const std::uint32_t at = whole.chunks[again.chunk].piece;
         if (at >= whole.pieces.size()) continue;
         Piece& piece = whole.pieces[at];
@@ -131,7 +131,7 @@ void Destruction::agree() {
 }
 
 const Destruction::Piece& Destruction::piece_of(const Press& press) const {
-    const Destructible& whole = wholes_[press.whole];
+    const Destructible& whole = destructibles_[press.whole];
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 

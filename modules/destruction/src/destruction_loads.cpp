@@ -26,8 +26,8 @@ void Destruction::derive() {
     if (derived_) return;
     constexpr std::uint32_t nowhere = 0xffffffff;
     places_.clear();
-    for (std::uint32_t w = 0; w < wholes_.size(); w++) {
-        Destructible& whole = wholes_[w];
+    for (std::uint32_t w = 0; w < destructibles_.size(); w++) {
+        Destructible& whole = destructibles_[w];
         for (Chunk& chunk : whole.chunks) chunk.piece = nowhere;
         for (std::uint32_t p = 0; p < whole.pieces.size(); p++) {
             Piece& piece = whole.pieces[p];
@@ -54,7 +54,7 @@ void Destruction::derive() {
 void Destruction::note_gravity(const World& world) {
     if (world.gravity() == gravity_) return;
     gravity_ = world.gravity();
-    for (Destructible& whole : wholes_)
+    for (Destructible& whole : destructibles_)
         for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
 }
 
@@ -85,7 +85,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     const double impulse = (approach + parting) / inv;
     for (const Place* at : {at_a, at_b}) {
         if (!at) continue;
-        const Destructible& whole = wholes_[at->whole];
+        const Destructible& whole = destructibles_[at->whole];
         const double time = minimum(dt, whole.material.contact_time);
         const Vec3 against = at == at_a ? -normal : normal;
         Press press{.whole = at->whole,
@@ -191,7 +191,7 @@ void Destruction::gather(const World& world, double dt) {
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
                        e.approach);
     for (const Again& e : again_) {
-        const Destructible& whole = wholes_[e.whole];
+        const Destructible& whole = destructibles_[e.whole];
         const ShapeId own = whole.chunks[e.chunk].shape;
         if (!place_of(own) || is_impact(own, e.other)) continue;
         add_impact(world, dt, own, e.other, whole.pieces[whole.chunks[e.chunk].piece].body,
@@ -201,7 +201,7 @@ void Destruction::gather(const World& world, double dt) {
     add_unseen(world, dt);
     share_impacts();
     const auto key = [&](const Press& p) {
-        return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);
+        return std::pair(p.whole, destructibles_[p.whole].chunks[p.chunk].piece);
     };
     std::stable_sort(presses_.begin(), presses_.end(),
                      [&](const Press& a, const Press& b) { return key(a) < key(b); });

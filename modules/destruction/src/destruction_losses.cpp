@@ -14,7 +14,7 @@ using namespace destruction_detail;
 
 // Pieces without a body go. Their chunks are then in no piece, and bonds to them hold nothing.
 void Destruction::drop_lost_bodies(const World& world) {
-    for (Destructible& whole : wholes_)
+    for (Destructible& whole : destructibles_)
         if (std::erase_if(whole.pieces,
                           [&](const Piece& piece) { return !world.contains(piece.body); }) > 0)
             derived_ = false;

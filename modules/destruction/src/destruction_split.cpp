@@ -186,7 +186,7 @@ int Destruction::split(World& world, Destructible& whole, std::size_t p, int mos
 
 void Destruction::split_all(World& world) {
     int most = limits_.pieces_per_step;
-    for (Destructible& whole : wholes_) {
+    for (Destructible& whole : destructibles_) {
         const std::size_t count = whole.pieces.size();  // those made here hang together
         for (std::size_t p = 0; p < count && most > 0; p++)
             if (whole.pieces[p].cut) most -= split(world, whole, p, most);
@@ -196,7 +196,7 @@ void Destruction::split_all(World& world) {
 
 void Destruction::drop_debris(World& world, double dt) {
     if (!(limits_.debris_life > 0)) return;
-    for (Destructible& whole : wholes_) {
+    for (Destructible& whole : destructibles_) {
         const std::size_t count = whole.pieces.size();
         std::erase_if(whole.pieces, [&](Piece& piece) {
             if (piece.anchored || piece.chunks.size() != 1) return false;

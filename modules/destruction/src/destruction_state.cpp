@@ -86,11 +86,11 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
         bounded(v, "knocked", piece.knocked, 0, 1);
         if (v.loading()) piece.factor.reset();
     });
-    if (v.loading()) check_whole(v, whole);
+    if (v.loading()) check_destructible(v, whole);
 }
 
 // What fields say of each other. Each chunk is in one piece, or in none: then it is gone.
-void Destruction::check_whole(StateVisitor& v, const Destructible& whole) {
+void Destruction::check_destructible(StateVisitor& v, const Destructible& whole) {
     if (whole.alive == whole.chunks.empty())
         v.fail("chunks", "are there when the whole is, and only then");
     if (whole.chunks.size() > most_chunks) v.fail("chunks", "are too many");
@@ -133,12 +133,12 @@ void Destruction::visit_limits(StateVisitor& v) {
 void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
     bounded(v, "gravity", gravity_, 1e5);
-    v.all("wholes", wholes_, [&](Destructible& whole) { visit(v, whole); });
+    v.all("wholes", destructibles_, [&](Destructible& whole) { visit(v, whole); });
     v.all("again", again_, [&](Again& again) {
         v.field("whole", again.whole);
         v.field("chunk", again.chunk);
         if (v.loading() &&
-            (again.whole >= wholes_.size() || again.chunk >= wholes_[again.whole].chunks.size()))
+            (again.whole >= destructibles_.size() || again.chunk >= destructibles_[again.whole].chunks.size()))
             v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
@@ -152,7 +152,7 @@ void Destruction::visit(StateVisitor& v) {
 void Destruction::publish(const World&, ChannelWriter& channels) const {
     const auto count = [&](std::size_t value) { channels.value(static_cast<std::int32_t>(value)); };
     if (size() == 0 || !channels.begin(0)) return;
-    for (const Destructible& whole : wholes_) {
+    for (const Destructible& whole : destructibles_) {
         if (!whole.alive) continue;
         count(whole.pieces.size());
         count(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),

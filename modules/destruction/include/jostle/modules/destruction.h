@@ -197,7 +197,7 @@ private:
                            double radius);
     static void visit(physics::StateVisitor& v, Destructible& whole);
     void visit_limits(physics::StateVisitor& v);
-    static void check_whole(physics::StateVisitor& v, const Destructible& whole);
+    static void check_destructible(physics::StateVisitor& v, const Destructible& whole);
 
     // destruction_loads.cpp: what contacts press.
     void derive();
@@ -266,7 +266,7 @@ private:
 
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
-    std::vector<Destructible> wholes_;
+    std::vector<Destructible> destructibles_;
     std::vector<destruction_detail::Again> again_;
 
     // Derived, or of one step.

@@ -58,8 +58,8 @@ void Destruction::note_before(const World& world, std::uint32_t whole, Piece& pi
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
-    if (const Place* at = place_of(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
-    if (const Place* at = place_of(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
+    if (const BondedShape* at = place_of(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
+    if (const BondedShape* at = place_of(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;

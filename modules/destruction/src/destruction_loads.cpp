@@ -45,7 +45,7 @@ void Destruction::derive() {
             whole.pieces[piece].bonds.push_back(k);
         }
     }
-    std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    std::sort(places_.begin(), places_.end(), [](const BondedShape& a, const BondedShape& b) {
         return std::tuple(a.shape, a.whole, a.chunk) < std::tuple(b.shape, b.whole, b.chunk);
     });
     derived_ = true;
@@ -58,10 +58,10 @@ void Destruction::note_gravity(const World& world) {
         for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
 }
 
-const Destruction::Place* Destruction::place_of(ShapeId shape) const {
+const Destruction::BondedShape* Destruction::place_of(ShapeId shape) const {
     const auto found =
         std::lower_bound(places_.begin(), places_.end(), shape,
-                         [](const Place& place, ShapeId id) { return place.shape < id; });
+                         [](const BondedShape& place, ShapeId id) { return place.shape < id; });
     return found != places_.end() && found->shape == shape ? &*found : nullptr;
 }
 
@@ -75,7 +75,7 @@ bool Destruction::is_impact(ShapeId a, ShapeId b) const {
 // impulse of what happened between its sub-steps.
 void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b, BodyId body_a,
                              BodyId body_b, Vec3 point, Vec3 normal, double approach) {
-    const Place *at_a = place_of(a), *at_b = place_of(b);
+    const BondedShape *at_a = place_of(a), *at_b = place_of(b);
     if ((!at_a && !at_b) || !(approach > 0)) return;
     const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
     if (!first.ok() || !second.ok()) return;
@@ -83,7 +83,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     const double parting = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
     if (!(inv > 0) || !(approach + parting > 0)) return;
     const double impulse = (approach + parting) / inv;
-    for (const Place* at : {at_a, at_b}) {
+    for (const BondedShape* at : {at_a, at_b}) {
         if (!at) continue;
         const Destructible& whole = destructibles_[at->whole];
         const double time = minimum(dt, whole.material.contact_time);
@@ -116,7 +116,7 @@ double Destruction::speed_before(const ContactStay& stay) const {
 }
 
 void Destruction::add_stay(const World& world, const ContactStay& stay, double dt) {
-    const Place *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
+    const BondedShape *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
     if (const double approach = speed_before(stay); approach > least_impact) {

@@ -184,7 +184,7 @@ private:
         std::vector<Bond> bonds;
         std::vector<Piece> pieces;
     };
-    struct Place {  // of a shape that bonds hold
+    struct BondedShape {  // of a shape that bonds hold
         physics::ShapeId shape;
         std::uint32_t whole = 0, chunk = 0;
     };
@@ -210,7 +210,7 @@ private:
     void add_unseen(const physics::World& world, double dt);
     double speed_before(const physics::ContactStay& stay) const;
     void share_impacts();
-    const Place* place_of(physics::ShapeId shape) const;
+    const BondedShape* place_of(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
 
     // destruction_crack.cpp: which bonds break.
@@ -271,7 +271,7 @@ private:
 
     // Derived, or of one step.
     bool derived_ = false;
-    std::vector<Place> places_;  // by shape
+    std::vector<BondedShape> places_;  // by shape
     std::vector<destruction_detail::Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes

@@ -40,7 +40,7 @@ void Destruction::before_step(World& world, double dt) {
                 knocked_.emplace_back(piece.body, w);
                 piece.knocked = maximum(0, piece.knocked - dt);
             }
-            if (!places_.empty()) note_before(world, w, piece);
+            if (!bonded_shapes_.empty()) note_before(world, w, piece);
         }
 }
 
@@ -58,8 +58,8 @@ void Destruction::note_before(const World& world, std::uint32_t whole, Piece& pi
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
-    if (const BondedShape* at = place_of(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
-    if (const BondedShape* at = place_of(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;

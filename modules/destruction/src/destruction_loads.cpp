@@ -25,7 +25,7 @@ constexpr double least_impact = 0.5;  // m/s
 void Destruction::derive() {
     if (derived_) return;
     constexpr std::uint32_t nowhere = 0xffffffff;
-    places_.clear();
+    bonded_shapes_.clear();
     for (std::uint32_t w = 0; w < destructibles_.size(); w++) {
         Destructible& whole = destructibles_[w];
         for (Chunk& chunk : whole.chunks) chunk.piece = nowhere;
@@ -34,7 +34,7 @@ void Destruction::derive() {
             piece.bonds.clear();
             for (const std::uint32_t c : piece.chunks) {
                 whole.chunks[c].piece = p;
-                if (piece.chunks.size() > 1) places_.push_back({whole.chunks[c].shape, w, c});
+                if (piece.chunks.size() > 1) bonded_shapes_.push_back({whole.chunks[c].shape, w, c});
             }
         }
         for (std::uint32_t k = 0; k < whole.bonds.size(); k++) {
@@ -45,7 +45,7 @@ void Destruction::derive() {
             whole.pieces[piece].bonds.push_back(k);
         }
     }
-    std::sort(places_.begin(), places_.end(), [](const BondedShape& a, const BondedShape& b) {
+    std::sort(bonded_shapes_.begin(), bonded_shapes_.end(), [](const BondedShape& a, const BondedShape& b) {
         return std::tuple(a.shape, a.whole, a.chunk) < std::tuple(b.shape, b.whole, b.chunk);
     });
     derived_ = true;
@@ -58,11 +58,11 @@ void Destruction::note_gravity(const World& world) {
         for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
 }
 
-const Destruction::BondedShape* Destruction::place_of(ShapeId shape) const {
+const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) const {
     const auto found =
-        std::lower_bound(places_.begin(), places_.end(), shape,
+        std::lower_bound(bonded_shapes_.begin(), bonded_shapes_.end(), shape,
                          [](const BondedShape& place, ShapeId id) { return place.shape < id; });
-    return found != places_.end() && found->shape == shape ? &*found : nullptr;
+    return found != bonded_shapes_.end() && found->shape == shape ? &*found : nullptr;
 }
 
 bool Destruction::is_impact(ShapeId a, ShapeId b) const {
@@ -75,7 +75,7 @@ bool Destruction::is_impact(ShapeId a, ShapeId b) const {
 // impulse of what happened between its sub-steps.
 void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b, BodyId body_a,
                              BodyId body_b, Vec3 point, Vec3 normal, double approach) {
-    const BondedShape *at_a = place_of(a), *at_b = place_of(b);
+    const BondedShape *at_a = find_bonded_shape(a), *at_b = find_bonded_shape(b);
     if ((!at_a && !at_b) || !(approach > 0)) return;
     const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
     if (!first.ok() || !second.ok()) return;
@@ -116,7 +116,7 @@ double Destruction::speed_before(const ContactStay& stay) const {
 }
 
 void Destruction::add_stay(const World& world, const ContactStay& stay, double dt) {
-    const BondedShape *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
+    const BondedShape *at_a = find_bonded_shape(stay.shape_a), *at_b = find_bonded_shape(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
     if (const double approach = speed_before(stay); approach > least_impact) {
@@ -181,7 +181,7 @@ void Destruction::share_impacts() {
 // Sorted by whole and piece, in the events' order within.
 void Destruction::gather(const World& world, double dt) {
     presses_.clear();
-    if (places_.empty()) return;
+    if (bonded_shapes_.empty()) return;
     const Events events = world.events();
     for (const ContactBegin& e : events.contacts_began)
         add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
@@ -193,7 +193,7 @@ void Destruction::gather(const World& world, double dt) {
     for (const Again& e : again_) {
         const Destructible& whole = destructibles_[e.whole];
         const ShapeId own = whole.chunks[e.chunk].shape;
-        if (!place_of(own) || is_impact(own, e.other)) continue;
+        if (!find_bonded_shape(own) || is_impact(own, e.other)) continue;
         add_impact(world, dt, own, e.other, whole.pieces[whole.chunks[e.chunk].piece].body,
                    e.other_body, e.point, e.normal, e.approach);
     }

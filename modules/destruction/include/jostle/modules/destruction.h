@@ -210,7 +210,7 @@ private:
     void add_unseen(const physics::World& world, double dt);
     double speed_before(const physics::ContactStay& stay) const;
     void share_impacts();
-    const BondedShape* place_of(physics::ShapeId shape) const;
+    const BondedShape* find_bonded_shape(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
 
     // destruction_crack.cpp: which bonds break.
@@ -271,7 +271,7 @@ private:
 
     // Derived, or of one step.
     bool derived_ = false;
-    std::vector<BondedShape> places_;  // by shape
+    std::vector<BondedShape> bonded_shapes_;  // by shape
     std::vector<destruction_detail::Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes

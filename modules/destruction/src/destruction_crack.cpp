@@ -216,7 +216,7 @@ bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push>
 
 // Whether loads changed enough to ask; then asks.
 void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
-                                  std::span<Press> presses) {
+                                  std::span<ChunkContact> presses) {
     Destructible& whole = destructibles_[w];
     Piece& piece = whole.pieces[p];
     if (piece.cut) return;
@@ -229,7 +229,7 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     const std::span<Push> pushes(pushes_.data(), whole.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
-    for (const Press& press : presses) {
+    for (const ChunkContact& press : presses) {
         const Vec3 force = rotate(back, press.push);
         const Vec3 at = apply_inverse(body->pose, press.point) + piece.origin;
         pushes[press.chunk].force += force;
@@ -257,7 +257,7 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
     const bool asked = crack(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
-    for (Press& press : presses)
+    for (ChunkContact& press : presses)
         if (hit && asked && press.impact && !piece.carried) {
             press.paid = (energy - left) * (press.energy / energy);
             press.worst = piece.cut ? worst_ : 0;

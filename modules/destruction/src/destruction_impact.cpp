@@ -117,10 +117,10 @@ void Destruction::push_through(World& world, double dt) {
 // Of two breaking bodies the weaker one says what both bear; both pay.
 void Destruction::agree() {
     for (std::size_t k = 0; k < presses_.size(); k++) {
-        Press& press = presses_[k];
+        ChunkContact& press = presses_[k];
         if (!press.twin || !press.impact || !(press.worst > 1)) continue;
         for (std::size_t i = 0; i < k; i++) {
-            Press& other = presses_[i];
+            ChunkContact& other = presses_[i];
             if (other.own != press.other || other.other != press.own || !(other.worst > 1))
                 continue;
             press.worst = other.worst = maximum(press.worst, other.worst);
@@ -130,23 +130,23 @@ void Destruction::agree() {
     }
 }
 
-const Destruction::Piece& Destruction::piece_of(const Press& press) const {
+const Destruction::Piece& Destruction::piece_of(const ChunkContact& press) const {
     const Destructible& whole = destructibles_[press.whole];
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 
 // A piece that something static presses, too: it is not known who gave what. It keeps of its change
 // of velocity what its bonds bear; the ground takes the rest.
-void Destruction::settle_grounded(World& world, std::span<Press> presses, double dt) {
+void Destruction::settle_grounded(World& world, std::span<ChunkContact> presses, double dt) {
     double worst = 0;
     bool free = true;
-    for (const Press& press : presses) {
+    for (const ChunkContact& press : presses) {
         worst = maximum(worst, press.worst);
         const Result<BodyState> other = world.body(press.other_body);
         free = free && other.ok() && other->type == BodyType::dynamic;
     }
     if (free || !(worst > 1)) return;
-    for (Press& press : presses) press.grounded = true;
+    for (ChunkContact& press : presses) press.grounded = true;
     const Piece& piece = piece_of(presses[0]);
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok() || body->type != BodyType::dynamic) return;
@@ -161,7 +161,7 @@ void Destruction::settle_grounded(World& world, std::span<Press> presses, double
 
 // The speed against each other that is left: the energy that the bonds took comes off it,
 // E = (v0^2 - v^2) / (2 inv). Negative: they part.
-double Destruction::speed_left(const Press& press) {
+double Destruction::speed_left(const ChunkContact& press) {
     const double kept = press.approach - (press.approach + press.parting) / press.worst;
     if (!(kept > 0)) return kept;
     const double left2 = kept * kept - 2 * press.paid * press.inv;
@@ -170,7 +170,7 @@ double Destruction::speed_left(const Press& press) {
 
 // How fast they shall meet again. Deflected within the step, it met this with a speed that it did
 // not bring: what gets back no more than it brought along any normal has no more energy than that.
-double Destruction::speed_back(const World& world, const Press& press) const {
+double Destruction::speed_back(const World& world, const ChunkContact& press) const {
     const double speed = speed_left(press);
     const BodyState* before = velocity_before(press.other_body);
     const Piece& piece = piece_of(press);
@@ -242,7 +242,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bod
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const BodyId id = bodies[k].now.id;
         link(k, id);
-        for (const Press& press : presses_) {
+        for (const ChunkContact& press : presses_) {
             if (press.other_body == id) link(k, piece_of(press).body);
             if (piece_of(press).body == id) link(k, press.other_body);
         }
@@ -257,7 +257,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bod
 void Destruction::let_through(World& world, double dt) {
     std::vector<Met> bodies;
     std::vector<GivenBack> all;
-    for (const Press& press : presses_) {
+    for (const ChunkContact& press : presses_) {
         if (!press.impact || !(press.worst > 1)) continue;
         const Piece& piece = piece_of(press);
         if (!world.contains(piece.body) || !world.contains(press.other_body)) continue;

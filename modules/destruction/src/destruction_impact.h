@@ -12,7 +12,7 @@
 namespace jostle::modules::destruction_detail {
 
 // A contact of the last step upon a chunk.
-struct Press {
+struct ChunkContact {
     std::uint32_t whole = 0, chunk = 0;
     physics::ShapeId own, other;
     physics::BodyId other_body;

@@ -66,7 +66,7 @@ const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) co
 }
 
 bool Destruction::is_impact(ShapeId a, ShapeId b) const {
-    return std::any_of(presses_.begin(), presses_.end(), [&](const Press& p) {
+    return std::any_of(presses_.begin(), presses_.end(), [&](const ChunkContact& p) {
         return p.impact && ((p.own == a && p.other == b) || (p.own == b && p.other == a));
     });
 }
@@ -88,7 +88,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
         const Destructible& whole = destructibles_[at->whole];
         const double time = minimum(dt, whole.material.contact_time);
         const Vec3 against = at == at_a ? -normal : normal;
-        Press press{.whole = at->whole,
+        ChunkContact press{.whole = at->whole,
                     .chunk = at->chunk,
                     .own = at == at_a ? a : b,
                     .other = at == at_a ? b : a,
@@ -147,7 +147,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
 // static. It pressed on what is near it.
 void Destruction::add_unseen(const World& world, double dt) {
     for (const BodyState& mover : movers_) {
-        if (std::any_of(presses_.begin(), presses_.end(), [&](const Press& press) {
+        if (std::any_of(presses_.begin(), presses_.end(), [&](const ChunkContact& press) {
                 return press.impact && press.other_body == mover.id;
             }))
             continue;
@@ -166,10 +166,10 @@ void Destruction::add_unseen(const World& world, double dt) {
 // What meets a piece in several places at once presses on each with its share.
 void Destruction::share_impacts() {
     std::vector<BodyId> others;
-    for (const Press& press : presses_)
+    for (const ChunkContact& press : presses_)
         if (press.impact) others.push_back(press.other_body);
     std::sort(others.begin(), others.end());
-    for (Press& press : presses_) {
+    for (ChunkContact& press : presses_) {
         if (!press.impact) continue;
         const auto range = std::equal_range(others.begin(), others.end(), press.other_body);
         const double share = 1 / static_cast<double>(range.second - range.first);
@@ -200,11 +200,11 @@ void Destruction::gather(const World& world, double dt) {
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
     add_unseen(world, dt);
     share_impacts();
-    const auto key = [&](const Press& p) {
+    const auto key = [&](const ChunkContact& p) {
         return std::pair(p.whole, destructibles_[p.whole].chunks[p.chunk].piece);
     };
     std::stable_sort(presses_.begin(), presses_.end(),
-                     [&](const Press& a, const Press& b) { return key(a) < key(b); });
+                     [&](const ChunkContact& a, const ChunkContact& b) { return key(a) < key(b); });
 }
 
 }  // namespace jostle::modules

@@ -216,7 +216,7 @@ bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push>
 
 // Whether loads changed enough to ask; then asks.
 void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
-                                  std::span<ChunkContact> presses) {
+                                  std::span<ChunkContact> chunk_contacts) {
     Destructible& whole = destructibles_[w];
     Piece& piece = whole.pieces[p];
     if (piece.cut) return;
@@ -229,13 +229,13 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     const std::span<Push> pushes(pushes_.data(), whole.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
-    for (const ChunkContact& press : presses) {
-        const Vec3 force = rotate(back, press.push);
-        const Vec3 at = apply_inverse(body->pose, press.point) + piece.origin;
-        pushes[press.chunk].force += force;
-        pushes[press.chunk].torque += cross(at - whole.chunks[press.chunk].center, force);
-        energy += press.energy;
-        sum += length(press.push) + length(press.point) + press.energy;
+    for (const ChunkContact& chunk_contact : chunk_contacts) {
+        const Vec3 force = rotate(back, chunk_contact.push);
+        const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
+        pushes[chunk_contact.chunk].force += force;
+        pushes[chunk_contact.chunk].torque += cross(at - whole.chunks[chunk_contact.chunk].center, force);
+        energy += chunk_contact.energy;
+        sum += length(chunk_contact.push) + length(chunk_contact.point) + chunk_contact.energy;
     }
     // What ran away is in quarantine after this step: what it pressed means nothing.
     if (!(sum < most_push)) return;
@@ -257,16 +257,16 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
     const bool asked = crack(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
-    for (ChunkContact& press : presses)
-        if (hit && asked && press.impact && !piece.carried) {
-            press.paid = (energy - left) * (press.energy / energy);
-            press.worst = piece.cut ? worst_ : 0;
+    for (ChunkContact& chunk_contact : chunk_contacts)
+        if (hit && asked && chunk_contact.impact && !piece.carried) {
+            chunk_contact.paid = (energy - left) * (chunk_contact.energy / energy);
+            chunk_contact.worst = piece.cut ? worst_ : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
         whole.chunks[c].force = pushes[c].force;
         whole.chunks[c].torque = pushes[c].torque;
     }
-    piece.loaded = !presses.empty();
+    piece.loaded = !chunk_contacts.empty();
     piece.carried = !asked;
     piece.energy = asked ? 0 : energy;
     piece.check = piece.check && !asked;
@@ -279,14 +279,14 @@ void Destruction::crack_all(const World& world) {
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
         for (std::uint32_t p = 0; p < destructibles_[w].pieces.size(); p++) {
             const std::size_t first = next;
-            while (next < presses_.size() && presses_[next].whole == w &&
-                   destructibles_[w].chunks[presses_[next].chunk].piece == p)
+            while (next < chunk_contacts_.size() && chunk_contacts_[next].whole == w &&
+                   destructibles_[w].chunks[chunk_contacts_[next].chunk].piece == p)
                 next++;
             const Piece& piece = destructibles_[w].pieces[p];
             if (piece.chunks.size() < 2) continue;
             if (next == first && !piece.loaded && !piece.check && !piece.carried && piece.anchored)
                 continue;
-            crack_if_loaded(world, w, p, std::span(presses_).subspan(first, next - first));
+            crack_if_loaded(world, w, p, std::span(chunk_contacts_).subspan(first, next - first));
         }
 }
 

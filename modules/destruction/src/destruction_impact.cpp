@@ -104,11 +104,11 @@ void Destruction::mark_knocked() {
 void Destruction::push_through(World& world, double dt) {
     again_.clear();
     agree();
-    for (std::size_t first = 0; first < presses_.size();) {
+    for (std::size_t first = 0; first < chunk_contacts_.size();) {
         std::size_t end = first + 1;
-        while (end < presses_.size() && &piece_of(presses_[end]) == &piece_of(presses_[first]))
+        while (end < chunk_contacts_.size() && &piece_of(chunk_contacts_[end]) == &piece_of(chunk_contacts_[first]))
             end++;
-        settle_grounded(world, std::span(presses_).subspan(first, end - first), dt);
+        settle_grounded(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
         first = end;
     }
     let_through(world, dt);
@@ -116,38 +116,38 @@ void Destruction::push_through(World& world, double dt) {
 
 // Of two breaking bodies the weaker one says what both bear; both pay.
 void Destruction::agree() {
-    for (std::size_t k = 0; k < presses_.size(); k++) {
-        ChunkContact& press = presses_[k];
-        if (!press.twin || !press.impact || !(press.worst > 1)) continue;
+    for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
+        ChunkContact& chunk_contact = chunk_contacts_[k];
+        if (!chunk_contact.twin || !chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
         for (std::size_t i = 0; i < k; i++) {
-            ChunkContact& other = presses_[i];
-            if (other.own != press.other || other.other != press.own || !(other.worst > 1))
+            ChunkContact& other = chunk_contacts_[i];
+            if (other.own != chunk_contact.other || other.other != chunk_contact.own || !(other.worst > 1))
                 continue;
-            press.worst = other.worst = maximum(press.worst, other.worst);
-            press.paid = other.paid = press.paid + other.paid;
-            press.second = true;
+            chunk_contact.worst = other.worst = maximum(chunk_contact.worst, other.worst);
+            chunk_contact.paid = other.paid = chunk_contact.paid + other.paid;
+            chunk_contact.second = true;
         }
     }
 }
 
-const Destruction::Piece& Destruction::piece_of(const ChunkContact& press) const {
-    const Destructible& whole = destructibles_[press.whole];
-    return whole.pieces[whole.chunks[press.chunk].piece];
+const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contact) const {
+    const Destructible& whole = destructibles_[chunk_contact.whole];
+    return whole.pieces[whole.chunks[chunk_contact.chunk].piece];
 }
 
 // A piece that something static presses, too: it is not known who gave what. It keeps of its change
 // of velocity what its bonds bear; the ground takes the rest.
-void Destruction::settle_grounded(World& world, std::span<ChunkContact> presses, double dt) {
+void Destruction::settle_grounded(World& world, std::span<ChunkContact> chunk_contacts, double dt) {
     double worst = 0;
     bool free = true;
-    for (const ChunkContact& press : presses) {
-        worst = maximum(worst, press.worst);
-        const Result<BodyState> other = world.body(press.other_body);
+    for (const ChunkContact& chunk_contact : chunk_contacts) {
+        worst = maximum(worst, chunk_contact.worst);
+        const Result<BodyState> other = world.body(chunk_contact.other_body);
         free = free && other.ok() && other->type == BodyType::dynamic;
     }
     if (free || !(worst > 1)) return;
-    for (ChunkContact& press : presses) press.grounded = true;
-    const Piece& piece = piece_of(presses[0]);
+    for (ChunkContact& chunk_contact : chunk_contacts) chunk_contact.grounded = true;
+    const Piece& piece = piece_of(chunk_contacts[0]);
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok() || body->type != BodyType::dynamic) return;
     const double share = 1 - 1 / worst;
@@ -161,24 +161,24 @@ void Destruction::settle_grounded(World& world, std::span<ChunkContact> presses,
 
 // The speed against each other that is left: the energy that the bonds took comes off it,
 // E = (v0^2 - v^2) / (2 inv). Negative: they part.
-double Destruction::speed_left(const ChunkContact& press) {
-    const double kept = press.approach - (press.approach + press.parting) / press.worst;
+double Destruction::speed_left(const ChunkContact& chunk_contact) {
+    const double kept = chunk_contact.approach - (chunk_contact.approach + chunk_contact.parting) / chunk_contact.worst;
     if (!(kept > 0)) return kept;
-    const double left2 = kept * kept - 2 * press.paid * press.inv;
+    const double left2 = kept * kept - 2 * chunk_contact.paid * chunk_contact.inv;
     return left2 > 0 ? square_root(left2) : 0;
 }
 
 // How fast they shall meet again. Deflected within the step, it met this with a speed that it did
 // not bring: what gets back no more than it brought along any normal has no more energy than that.
-double Destruction::speed_back(const World& world, const ChunkContact& press) const {
-    const double speed = speed_left(press);
-    const BodyState* before = velocity_before(press.other_body);
-    const Piece& piece = piece_of(press);
+double Destruction::speed_back(const World& world, const ChunkContact& chunk_contact) const {
+    const double speed = speed_left(chunk_contact);
+    const BodyState* before = velocity_before(chunk_contact.other_body);
+    const Piece& piece = piece_of(chunk_contact);
     const Result<BodyState> own = world.body(piece.body);
     if (!before || !own.ok()) return speed;
-    const Vec3 brought = velocity_at(*before, press.point) - piece.linear -
-                         cross(piece.angular, press.point - own->center);
-    return minimum(speed, dot(brought, press.normal));
+    const Vec3 brought = velocity_at(*before, chunk_contact.point) - piece.linear -
+                         cross(piece.angular, chunk_contact.point - own->center);
+    return minimum(speed, dot(brought, chunk_contact.normal));
 }
 
 // What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
@@ -242,9 +242,9 @@ Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bod
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const BodyId id = bodies[k].now.id;
         link(k, id);
-        for (const ChunkContact& press : presses_) {
-            if (press.other_body == id) link(k, piece_of(press).body);
-            if (piece_of(press).body == id) link(k, press.other_body);
+        for (const ChunkContact& chunk_contact : chunk_contacts_) {
+            if (chunk_contact.other_body == id) link(k, piece_of(chunk_contact).body);
+            if (piece_of(chunk_contact).body == id) link(k, chunk_contact.other_body);
         }
         const Result<std::vector<ContactInfo>> contacts = world.contacts_of(id);
         if (!contacts.ok()) continue;
@@ -257,26 +257,26 @@ Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bod
 void Destruction::let_through(World& world, double dt) {
     std::vector<Met> bodies;
     std::vector<GivenBack> all;
-    for (const ChunkContact& press : presses_) {
-        if (!press.impact || !(press.worst > 1)) continue;
-        const Piece& piece = piece_of(press);
-        if (!world.contains(piece.body) || !world.contains(press.other_body)) continue;
-        const double speed = speed_back(world, press);
+    for (const ChunkContact& chunk_contact : chunk_contacts_) {
+        if (!chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
+        const Piece& piece = piece_of(chunk_contact);
+        if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
+        const double speed = speed_back(world, chunk_contact);
         if (speed > 0)
-            again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point,
+            again_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
                               -press.normal, speed});
-        if (press.second) continue;
+        if (chunk_contact.second) continue;
         const std::size_t own = meet(world, bodies, piece.body, &piece, dt),
-                          other = meet(world, bodies, press.other_body, nullptr, dt);
+                          other = meet(world, bodies, chunk_contact.other_body, nullptr, dt);
         all.push_back(
-            {.point = press.point,
-             .normal = press.normal,
+            {.point = chunk_contact.point,
+             .normal = chunk_contact.normal,
              .piece = own,
              .struck = other,
              .speed = speed,
-             .give_piece = press.grounded ? 0 : give(bodies[own].now, press.point, press.normal),
-             .give_struck = give(bodies[other].now, press.point, press.normal),
-             .paid = press.paid});
+             .give_piece = chunk_contact.grounded ? 0 : give(bodies[own].now, chunk_contact.point, chunk_contact.normal),
+             .give_struck = give(bodies[other].now, chunk_contact.point, chunk_contact.normal),
+             .paid = chunk_contact.paid});
     }
     if (all.empty()) return;
     const Links links = links_of(world, dt, bodies);

@@ -66,7 +66,7 @@ const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) co
 }
 
 bool Destruction::is_impact(ShapeId a, ShapeId b) const {
-    return std::any_of(presses_.begin(), presses_.end(), [&](const ChunkContact& p) {
+    return std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(), [&](const ChunkContact& p) {
         return p.impact && ((p.own == a && p.other == b) || (p.own == b && p.other == a));
     });
 }
@@ -88,7 +88,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
         const Destructible& whole = destructibles_[at->whole];
         const double time = minimum(dt, whole.material.contact_time);
         const Vec3 against = at == at_a ? -normal : normal;
-        ChunkContact press{.whole = at->whole,
+        ChunkContact chunk_contact{.whole = at->whole,
                     .chunk = at->chunk,
                     .own = at == at_a ? a : b,
                     .other = at == at_a ? b : a,
@@ -101,8 +101,8 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
                     .parting = parting,
                     .inv = inv,
                     .energy = 0.5 * approach * approach / inv};
-        press.twin = at_a && at_b;
-        presses_.push_back(press);
+        chunk_contact.twin = at_a && at_b;
+        chunk_contacts_.push_back(chunk_contact);
     }
 }
 
@@ -126,7 +126,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
     }
     const Vec3 push = stay.normal * (stay.normal_impulse / dt);
     if (at_a)
-        presses_.push_back({.whole = at_a->whole,
+        chunk_contacts_.push_back({.whole = at_a->whole,
                             .chunk = at_a->chunk,
                             .own = stay.shape_a,
                             .other = stay.shape_b,
@@ -134,7 +134,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .point = stay.point,
                             .push = -push});
     if (at_b)
-        presses_.push_back({.whole = at_b->whole,
+        chunk_contacts_.push_back({.whole = at_b->whole,
                             .chunk = at_b->chunk,
                             .own = stay.shape_b,
                             .other = stay.shape_a,
@@ -147,8 +147,8 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
 // static. It pressed on what is near it.
 void Destruction::add_unseen(const World& world, double dt) {
     for (const BodyState& mover : movers_) {
-        if (std::any_of(presses_.begin(), presses_.end(), [&](const ChunkContact& press) {
-                return press.impact && press.other_body == mover.id;
+        if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(), [&](const ChunkContact& chunk_contact) {
+                return chunk_contact.impact && chunk_contact.other_body == mover.id;
             }))
             continue;
         const Result<std::vector<ContactInfo>> near = world.contacts_of(mover.id);
@@ -166,21 +166,21 @@ void Destruction::add_unseen(const World& world, double dt) {
 // What meets a piece in several places at once presses on each with its share.
 void Destruction::share_impacts() {
     std::vector<BodyId> others;
-    for (const ChunkContact& press : presses_)
-        if (press.impact) others.push_back(press.other_body);
+    for (const ChunkContact& chunk_contact : chunk_contacts_)
+        if (chunk_contact.impact) others.push_back(chunk_contact.other_body);
     std::sort(others.begin(), others.end());
-    for (ChunkContact& press : presses_) {
-        if (!press.impact) continue;
-        const auto range = std::equal_range(others.begin(), others.end(), press.other_body);
+    for (ChunkContact& chunk_contact : chunk_contacts_) {
+        if (!chunk_contact.impact) continue;
+        const auto range = std::equal_range(others.begin(), others.end(), chunk_contact.other_body);
         const double share = 1 / static_cast<double>(range.second - range.first);
-        press.push = press.push * share;
-        press.energy *= share;
+        chunk_contact.push = chunk_contact.push * share;
+        chunk_contact.energy *= share;
     }
 }
 
 // Sorted by whole and piece, in the events' order within.
 void Destruction::gather(const World& world, double dt) {
-    presses_.clear();
+    chunk_contacts_.clear();
     if (bonded_shapes_.empty()) return;
     const Events events = world.events();
     for (const ContactBegin& e : events.contacts_began)
@@ -203,7 +203,7 @@ void Destruction::gather(const World& world, double dt) {
     const auto key = [&](const ChunkContact& p) {
         return std::pair(p.whole, destructibles_[p.whole].chunks[p.chunk].piece);
     };
-    std::stable_sort(presses_.begin(), presses_.end(),
+    std::stable_sort(chunk_contacts_.begin(), chunk_contacts_.end(),
                      [&](const ChunkContact& a, const ChunkContact& b) { return key(a) < key(b); });
 }
 

@@ -216,7 +216,7 @@ private:
     // destruction_crack.cpp: which bonds break.
     void crack_all(const physics::World& world);
     void crack_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
-                         std::span<destruction_detail::ChunkContact> presses);
+                         std::span<destruction_detail::ChunkContact> chunk_contacts);
     bool crack(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
     Answer ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
@@ -249,10 +249,10 @@ private:
     void note_before(const physics::World& world, std::uint32_t whole, physics::BodyId body);
     const physics::BodyState* velocity_before(physics::BodyId body) const;
     const destruction_detail::Noted* noted_before(physics::BodyId body) const;
-    void settle_grounded(physics::World& world, std::span<destruction_detail::ChunkContact> presses,
+    void settle_grounded(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
                          double dt);
-    static double speed_left(const destruction_detail::ChunkContact& press);
-    double speed_back(const physics::World& world, const destruction_detail::ChunkContact& press) const;
+    static double speed_left(const destruction_detail::ChunkContact& chunk_contact);
+    double speed_back(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
     std::size_t meet(const physics::World& world, std::vector<destruction_detail::Met>& bodies,
                      physics::BodyId id, const Piece* piece, double dt) const;
     void add_bystanders(const physics::World& world, std::uint32_t whole, double dt,
@@ -261,7 +261,7 @@ private:
     destruction_detail::Links links_of(const physics::World& world, double dt,
                                        std::vector<destruction_detail::Met>& bodies) const;
     void let_through(physics::World& world, double dt);
-    const Piece& piece_of(const destruction_detail::ChunkContact& press) const;
+    const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;
     void drop_debris(physics::World& world, double dt);
 
     DestructionLimits limits_;
@@ -272,7 +272,7 @@ private:
     // Derived, or of one step.
     bool derived_ = false;
     std::vector<BondedShape> bonded_shapes_;  // by shape
-    std::vector<destruction_detail::ChunkContact> presses_;
+    std::vector<destruction_detail::ChunkContact> chunk_contacts_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
     std::vector<physics::BodyState> movers_;         // what got its speed back, before the step

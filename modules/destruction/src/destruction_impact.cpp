@@ -31,7 +31,7 @@ void Destruction::before_step(World& world, double dt) {
     knocked_.clear();
     movers_.clear();
     before_.clear();
-    for (const Again& again : again_)
+    for (const ReversedContact& again : again_)
         if (const Result<BodyState> body = world.body(again.other_body); body.ok())
             movers_.push_back(*body);
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
@@ -90,7 +90,7 @@ const Noted* Destruction::noted_before(BodyId body) const {
 
 // What was struck and parted from what it hung on.
 void Destruction::mark_knocked() {
-    for (const Again& again : again_) {
+    for (const ReversedContact& again : again_) {
         Destructible& whole = destructibles_[again.whole];
         const std::uint32_t at = whole.chunks[again.chunk].piece;
         if (at >= whole.pieces.size()) continue;

@@ -28,7 +28,7 @@ struct ChunkContact {
     bool grounded = false;  // something static presses on the piece, too
 };
 // What got its speed back and is still in touch: that is no new contact.
-struct Again {
+struct ReversedContact {
     std::uint32_t whole = 0, chunk = 0;
     physics::ShapeId other;
     physics::BodyId other_body;

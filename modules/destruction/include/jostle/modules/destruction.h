@@ -37,7 +37,7 @@ namespace jostle::modules {
 
 namespace destruction_detail {
 class BlockFactor;
-struct Again;
+struct ReversedContact;
 struct Group;
 struct Met;
 struct Noted;
@@ -267,7 +267,7 @@ private:
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
     std::vector<Destructible> destructibles_;
-    std::vector<destruction_detail::Again> again_;
+    std::vector<destruction_detail::ReversedContact> again_;
 
     // Derived, or of one step.
     bool derived_ = false;

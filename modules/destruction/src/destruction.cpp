@@ -102,7 +102,7 @@ Status Destruction::remove(World& world, DestructibleId id) {
     for (const Piece& piece : whole->pieces)
         if (world.contains(piece.body)) static_cast<void>(world.destroy_body(piece.body).ok());
     *whole = {.generation = whole->generation};
-    std::erase_if(again_, [&](const ReversedContact& again) { return again.whole == id.index; });
+    std::erase_if(reversed_contacts_, [&](const ReversedContact& again) { return again.whole == id.index; });
     derived_ = false;
     return {};
 }

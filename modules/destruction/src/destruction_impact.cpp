@@ -31,7 +31,7 @@ void Destruction::before_step(World& world, double dt) {
     knocked_.clear();
     movers_.clear();
     before_.clear();
-    for (const ReversedContact& again : again_)
+    for (const ReversedContact& again : reversed_contacts_)
         if (const Result<BodyState> body = world.body(again.other_body); body.ok())
             movers_.push_back(*body);
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
@@ -90,7 +90,7 @@ const Noted* Destruction::noted_before(BodyId body) const {
 
 // What was struck and parted from what it hung on.
 void Destruction::mark_knocked() {
-    for (const ReversedContact& again : again_) {
+    for (const ReversedContact& again : reversed_contacts_) {
         Destructible& whole = destructibles_[again.whole];
         const std::uint32_t at = whole.chunks[again.chunk].piece;
         if (at >= whole.pieces.size()) continue;
@@ -102,7 +102,7 @@ void Destruction::mark_knocked() {
 // All but 1 / worst of the impulse was more than the bonds bear. It is taken back from both at the
 // point where it acted, so momenta stay what they were.
 void Destruction::push_through(World& world, double dt) {
-    again_.clear();
+    reversed_contacts_.clear();
     agree();
     for (std::size_t first = 0; first < chunk_contacts_.size();) {
         std::size_t end = first + 1;
@@ -263,7 +263,7 @@ void Destruction::let_through(World& world, double dt) {
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
         const double speed = speed_back(world, chunk_contact);
         if (speed > 0)
-            again_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
+            reversed_contacts_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
                               -press.normal, speed});
         if (chunk_contact.second) continue;
         const std::size_t own = meet(world, bodies, piece.body, &piece, dt),

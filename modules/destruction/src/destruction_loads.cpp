@@ -190,7 +190,7 @@ void Destruction::gather(const World& world, double dt) {
         if (!is_impact(e.shape_a, e.shape_b))
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
                        e.approach);
-    for (const ReversedContact& e : again_) {
+    for (const ReversedContact& e : reversed_contacts_) {
         const Destructible& whole = destructibles_[e.whole];
         const ShapeId own = whole.chunks[e.chunk].shape;
         if (!find_bonded_shape(own) || is_impact(own, e.other)) continue;

@@ -134,7 +134,7 @@ void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
     bounded(v, "gravity", gravity_, 1e5);
     v.all("wholes", destructibles_, [&](Destructible& whole) { visit(v, whole); });
-    v.all("again", again_, [&](ReversedContact& again) {
+    v.all("again", reversed_contacts_, [&](ReversedContact& again) {
         v.field("whole", again.whole);
         v.field("chunk", again.chunk);
         if (v.loading() &&

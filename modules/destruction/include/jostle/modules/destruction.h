@@ -267,7 +267,7 @@ private:
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
     std::vector<Destructible> destructibles_;
-    std::vector<destruction_detail::ReversedContact> again_;
+    std::vector<destruction_detail::ReversedContact> reversed_contacts_;
 
     // Derived, or of one step.
     bool derived_ = false;

@@ -183,7 +183,7 @@ double Destruction::speed_back(const World& world, const ChunkContact& chunk_con
 
 // What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
 // nothing that it did not keep.
-std::size_t Destruction::meet(const World& world, std::vector<Met>& bodies, BodyId id,
+std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bodies, BodyId id,
                               const Piece* piece, double dt) const {
     std::size_t at = 0;
     while (at < bodies.size() && bodies[at].now.id != id) at++;
@@ -205,16 +205,16 @@ std::size_t Destruction::meet(const World& world, std::vector<Met>& bodies, Body
 // What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
 // who shall not get it back as well.
 void Destruction::add_bystanders(const World& world, std::uint32_t whole, double dt,
-                                 std::vector<Met>& bodies, std::vector<std::size_t>& added) const {
+                                 std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
     for (const Noted& noted : before_) {
         if (noted.whole != whole) continue;
-        const auto same = [&](const Met& met) { return met.now.id == noted.state.id; };
+        const auto same = [&](const ReversalBody& met) { return met.now.id == noted.state.id; };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
             continue;
         const Result<BodyState> now = world.body(noted.state.id);
         if (!now.ok() || !now->awake) continue;
-        const Met met{*now, noted.state.linear_velocity, noted.state.angular_velocity,
+        const ReversalBody met{*now, noted.state.linear_velocity, noted.state.angular_velocity,
                       world.gravity() * dt};
         if (!(met.energy() > met.energy_before())) continue;
         added.push_back(bodies.size());
@@ -223,7 +223,7 @@ void Destruction::add_bystanders(const World& world, std::uint32_t whole, double
 }
 
 // Which bodies share one ledger: those of a whole, and of the wholes that they touch.
-Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bodies) const {
+Links Destruction::links_of(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
     Links links;
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
@@ -255,7 +255,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<Met>& bod
 
 // All that go on, at once; then each impulse acts on both at its point.
 void Destruction::let_through(World& world, double dt) {
-    std::vector<Met> bodies;
+    std::vector<ReversalBody> bodies;
     std::vector<GivenBack> all;
     for (const ChunkContact& chunk_contact : chunk_contacts_) {
         if (!chunk_contact.impact || !(chunk_contact.worst > 1)) continue;

@@ -20,20 +20,20 @@ void push(BodyState& body, Vec3 impulse, Vec3 point) {
     body.angular_velocity += inverse(body.inertia) * cross(point - body.center, impulse);
 }
 
-void push(std::span<Met> bodies, const GivenBack& one, double impulse) {
+void push(std::span<ReversalBody> bodies, const GivenBack& one, double impulse) {
     push(bodies[one.struck].now, one.normal * impulse, one.point);
     if (one.give_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
 }
 
 // The piece gives no more than it got since before the step.
-void share(std::span<Met> bodies, GivenBack& one) {
+void share(std::span<ReversalBody> bodies, GivenBack& one) {
     if (!(one.give_piece + one.give_struck > 0)) return;
     const BodyState &piece = bodies[one.piece].now, &struck = bodies[one.struck].now;
     const double now =
         dot(velocity_at(struck, one.point) - velocity_at(piece, one.point), one.normal);
     double more = (one.speed - now) / (one.give_piece + one.give_struck);
     if (one.give_piece > 0) {
-        const Met& met = bodies[one.piece];
+        const ReversalBody& met = bodies[one.piece];
         const Vec3 got = piece.linear_velocity - met.linear - met.fall +
                          cross(piece.angular_velocity - met.angular, one.point - piece.center);
         more = minimum(more, dot(got, one.normal) / one.give_piece);
@@ -48,7 +48,7 @@ double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
 }
 
 // Which bodies hang together: by body, the lowest of them.
-std::vector<std::size_t> groups_of(std::span<const Met> bodies, std::span<const GivenBack> all,
+std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::span<const GivenBack> all,
                                    std::span<const std::pair<std::size_t, std::size_t>> links) {
     std::vector<std::size_t> group(bodies.size());
     for (std::size_t k = 0; k < group.size(); k++) group[k] = k;
@@ -86,11 +86,11 @@ struct Ledger {
 
 }  // namespace
 
-double Met::energy() const {
+double ReversalBody::energy() const {
     return energy_of(now, now.linear_velocity, now.angular_velocity);
 }
 
-double Met::energy_before() const {
+double ReversalBody::energy_before() const {
     return energy_of(now, linear, angular) +
            0.5 * now.mass * dot(fall, linear + now.linear_velocity);
 }
@@ -99,9 +99,9 @@ double Met::energy_before() const {
 // own pair of bodies to meet again as fast as they did, but whoever is in several pairs, or was
 // turned, would then have more energy than it came with: all impulses of a group are lessened
 // alike, which leaves momenta alone.
-void give_back(std::span<Met> bodies, std::span<GivenBack> all,
+void give_back(std::span<ReversalBody> bodies, std::span<GivenBack> all,
                std::span<const std::pair<std::size_t, std::size_t>> links) {
-    const std::vector<Met> after(bodies.begin(), bodies.end());
+    const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
     for (int round = 0; round < rounds_of_giving; round++)
         for (GivenBack& one : all) share(bodies, one);
     const std::vector<std::size_t> group = groups_of(bodies, all, links);

@@ -15,7 +15,7 @@
 namespace jostle::modules::destruction_detail {
 
 // A body after the step, and how it moved before.
-struct Met {
+struct ReversalBody {
     physics::BodyState now;
     physics::Vec3 linear, angular;  // m/s, rad/s, before
     physics::Vec3 fall;             // m/s, that gravity gives in a step
@@ -37,7 +37,7 @@ struct GivenBack {
 // Fills in the impulses, and changes how the bodies move by them. What hangs together by impulses
 // or by `links`, two bodies each, has in the end no more energy than before the step, less what was
 // paid; or than after it, where something else gave it more.
-void give_back(std::span<Met> bodies, std::span<GivenBack> all,
+void give_back(std::span<ReversalBody> bodies, std::span<GivenBack> all,
                std::span<const std::pair<std::size_t, std::size_t>> links);
 
 }  // namespace jostle::modules::destruction_detail

@@ -39,7 +39,7 @@ namespace destruction_detail {
 class BlockFactor;
 struct ReversedContact;
 struct Group;
-struct Met;
+struct ReversalBody;
 struct Noted;
 using Links = std::vector<std::pair<std::size_t, std::size_t>>;
 struct ChunkContact;
@@ -253,13 +253,13 @@ private:
                          double dt);
     static double speed_left(const destruction_detail::ChunkContact& chunk_contact);
     double speed_back(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
-    std::size_t meet(const physics::World& world, std::vector<destruction_detail::Met>& bodies,
+    std::size_t meet(const physics::World& world, std::vector<destruction_detail::ReversalBody>& bodies,
                      physics::BodyId id, const Piece* piece, double dt) const;
     void add_bystanders(const physics::World& world, std::uint32_t whole, double dt,
-                        std::vector<destruction_detail::Met>& bodies,
+                        std::vector<destruction_detail::ReversalBody>& bodies,
                         std::vector<std::size_t>& added) const;
     destruction_detail::Links links_of(const physics::World& world, double dt,
-                                       std::vector<destruction_detail::Met>& bodies) const;
+                                       std::vector<destruction_detail::ReversalBody>& bodies) const;
     void let_through(physics::World& world, double dt);
     const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;
     void drop_debris(physics::World& world, double dt);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double knocked_time = 0.2;  // s
 
-bool is_before(const Noted& noted, BodyId id) {
+bool is_before(const PreStepState& noted, BodyId id) {
     return noted.state.id < id;
 }
 
@@ -79,11 +79,11 @@ void Destruction::note_before(const World& world, std::uint32_t whole, BodyId bo
 const BodyState* Destruction::velocity_before(BodyId body) const {
     for (const BodyState& state : movers_)
         if (state.id == body) return &state;
-    const Noted* noted = noted_before(body);
+    const PreStepState* noted = noted_before(body);
     return noted ? &noted->state : nullptr;
 }
 
-const Noted* Destruction::noted_before(BodyId body) const {
+const PreStepState* Destruction::noted_before(BodyId body) const {
     const auto at = std::lower_bound(before_.begin(), before_.end(), body, is_before);
     return at != before_.end() && at->state.id == body ? &*at : nullptr;
 }
@@ -207,7 +207,7 @@ std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bod
 void Destruction::add_bystanders(const World& world, std::uint32_t whole, double dt,
                                  std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
-    for (const Noted& noted : before_) {
+    for (const PreStepState& noted : before_) {
         if (noted.whole != whole) continue;
         const auto same = [&](const ReversalBody& met) { return met.now.id == noted.state.id; };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
@@ -228,7 +228,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<ReversalB
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
-        const Noted* noted = noted_before(touched);
+        const PreStepState* noted = noted_before(touched);
         if (!noted) return;
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
             return entry.first == noted->whole;

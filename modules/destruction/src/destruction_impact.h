@@ -37,7 +37,7 @@ struct ReversedContact {
 };
 
 // A body of a whole, or near one, before the step.
-struct Noted {
+struct PreStepState {
     physics::BodyState state;
     std::uint32_t whole = 0;
 };

@@ -40,7 +40,7 @@ class BlockFactor;
 struct ReversedContact;
 struct Group;
 struct ReversalBody;
-struct Noted;
+struct PreStepState;
 using Links = std::vector<std::pair<std::size_t, std::size_t>>;
 struct ChunkContact;
 // Upon a chunk: at its centre of mass, in the frame of the whole.
@@ -248,7 +248,7 @@ private:
     void note_before(const physics::World& world, std::uint32_t whole, Piece& piece);
     void note_before(const physics::World& world, std::uint32_t whole, physics::BodyId body);
     const physics::BodyState* velocity_before(physics::BodyId body) const;
-    const destruction_detail::Noted* noted_before(physics::BodyId body) const;
+    const destruction_detail::PreStepState* noted_before(physics::BodyId body) const;
     void settle_grounded(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
                          double dt);
     static double speed_left(const destruction_detail::ChunkContact& chunk_contact);
@@ -276,7 +276,7 @@ private:
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
     std::vector<physics::BodyState> movers_;         // what got its speed back, before the step
-    std::vector<destruction_detail::Noted> before_;  // pieces, and what meets them; by body
+    std::vector<destruction_detail::PreStepState> before_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double knocked_time = 0.2;  // s
 
-bool is_before(const PreStepState& noted, BodyId id) {
+bool precedes(const PreStepState& noted, BodyId id) {
     return noted.state.id < id;
 }
 
@@ -29,27 +29,27 @@ bool is_before(const PreStepState& noted, BodyId id) {
 void Destruction::before_step(World& world, double dt) {
     derive();
     knocked_.clear();
-    movers_.clear();
-    before_.clear();
+    reversed_bodies_.clear();
+    pre_step_states_.clear();
     for (const ReversedContact& again : reversed_contacts_)
         if (const Result<BodyState> body = world.body(again.other_body); body.ok())
-            movers_.push_back(*body);
+            reversed_bodies_.push_back(*body);
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
         for (Piece& piece : destructibles_[w].pieces) {
             if (piece.knocked > 0) {
                 knocked_.emplace_back(piece.body, w);
                 piece.knocked = maximum(0, piece.knocked - dt);
             }
-            if (!bonded_shapes_.empty()) note_before(world, w, piece);
+            if (!bonded_shapes_.empty()) store_pre_step_state(world, w, piece);
         }
 }
 
-void Destruction::note_before(const World& world, std::uint32_t whole, Piece& piece) {
-    note_before(world, whole, piece.body);
+void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, Piece& piece) {
+    store_pre_step_state(world, whole, piece.body);
     if (piece.chunks.size() < 2) return;
     if (const Result<std::vector<ContactInfo>> near = world.contacts_of(piece.body); near.ok())
         for (const ContactInfo& c : *near)
-            note_before(world, whole, c.body_a == piece.body ? c.body_b : c.body_a);
+            store_pre_step_state(world, whole, c.body_a == piece.body ? c.body_b : c.body_a);
     if (piece.anchored) return;
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok()) return;
@@ -58,8 +58,8 @@ void Destruction::note_before(const World& world, std::uint32_t whole, Piece& pi
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
-    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) note_before(pair.world, at->whole, pair.body_b);
-    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) note_before(pair.world, at->whole, pair.body_a);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) store_pre_step_state(pair.world, at->whole, pair.body_b);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) store_pre_step_state(pair.world, at->whole, pair.body_a);
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
@@ -69,23 +69,23 @@ void Destruction::pre_solve(PreSolve& pair) {
 }
 
 // As it was before the first thing that met it in this step.
-void Destruction::note_before(const World& world, std::uint32_t whole, BodyId body) {
-    const auto at = std::lower_bound(before_.begin(), before_.end(), body, is_before);
-    if (at != before_.end() && at->state.id == body) return;
+void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, BodyId body) {
+    const auto at = std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
+    if (at != pre_step_states_.end() && at->state.id == body) return;
     const Result<BodyState> state = world.body(body);
-    if (state.ok() && state->mass > 0) before_.insert(at, {*state, whole});
+    if (state.ok() && state->mass > 0) pre_step_states_.insert(at, {*state, whole});
 }
 
-const BodyState* Destruction::velocity_before(BodyId body) const {
-    for (const BodyState& state : movers_)
+const BodyState* Destruction::pre_step_body(BodyId body) const {
+    for (const BodyState& state : reversed_bodies_)
         if (state.id == body) return &state;
-    const PreStepState* noted = noted_before(body);
+    const PreStepState* noted = find_pre_step_state(body);
     return noted ? &noted->state : nullptr;
 }
 
-const PreStepState* Destruction::noted_before(BodyId body) const {
-    const auto at = std::lower_bound(before_.begin(), before_.end(), body, is_before);
-    return at != before_.end() && at->state.id == body ? &*at : nullptr;
+const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
+    const auto at = std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
+    return at != pre_step_states_.end() && at->state.id == body ? &*at : nullptr;
 }
 
 // What was struck and parted from what it hung on.
@@ -172,7 +172,7 @@ double Destruction::speed_left(const ChunkContact& chunk_contact) {
 // not bring: what gets back no more than it brought along any normal has no more energy than that.
 double Destruction::speed_back(const World& world, const ChunkContact& chunk_contact) const {
     const double speed = speed_left(chunk_contact);
-    const BodyState* before = velocity_before(chunk_contact.other_body);
+    const BodyState* before = pre_step_body(chunk_contact.other_body);
     const Piece& piece = piece_of(chunk_contact);
     const Result<BodyState> own = world.body(piece.body);
     if (!before || !own.ok()) return speed;
@@ -189,7 +189,7 @@ std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bod
     while (at < bodies.size() && bodies[at].now.id != id) at++;
     if (at == bodies.size()) {
         const BodyState now = *world.body(id);
-        const BodyState* before = velocity_before(id);
+        const BodyState* before = pre_step_body(id);
         bodies.push_back({now, (before ? *before : now).linear_velocity,
                           (before ? *before : now).angular_velocity,
                           before ? world.gravity() * dt : Vec3{}});
@@ -207,7 +207,7 @@ std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bod
 void Destruction::add_bystanders(const World& world, std::uint32_t whole, double dt,
                                  std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
-    for (const PreStepState& noted : before_) {
+    for (const PreStepState& noted : pre_step_states_) {
         if (noted.whole != whole) continue;
         const auto same = [&](const ReversalBody& met) { return met.now.id == noted.state.id; };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
@@ -228,7 +228,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<ReversalB
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
-        const PreStepState* noted = noted_before(touched);
+        const PreStepState* noted = find_pre_step_state(touched);
         if (!noted) return;
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
             return entry.first == noted->whole;

@@ -107,8 +107,8 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
 }
 
 // m/s, against each other, where one is a body that got its speed back; else 0.
-double Destruction::speed_before(const ContactStay& stay) const {
-    for (const BodyState& mover : movers_)
+double Destruction::pre_step_approach_speed(const ContactStay& stay) const {
+    for (const BodyState& mover : reversed_bodies_)
         if (mover.id == stay.body_a || mover.id == stay.body_b)
             return dot(velocity_at(mover, stay.point), stay.normal) *
                    (mover.id == stay.body_a ? 1 : -1);
@@ -119,7 +119,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
     const BondedShape *at_a = find_bonded_shape(stay.shape_a), *at_b = find_bonded_shape(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
-    if (const double approach = speed_before(stay); approach > least_impact) {
+    if (const double approach = pre_step_approach_speed(stay); approach > least_impact) {
         add_impact(world, dt, stay.shape_a, stay.shape_b, stay.body_a, stay.body_b, stay.point,
                    stay.normal, approach);
         return;
@@ -146,7 +146,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
 // What got its speed back and was stopped again without an event: by sweeps, which end at what is
 // static. It pressed on what is near it.
 void Destruction::add_unseen(const World& world, double dt) {
-    for (const BodyState& mover : movers_) {
+    for (const BodyState& mover : reversed_bodies_) {
         if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(), [&](const ChunkContact& chunk_contact) {
                 return chunk_contact.impact && chunk_contact.other_body == mover.id;
             }))

@@ -208,7 +208,7 @@ private:
                     physics::Vec3 normal, double approach);
     void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
     void add_unseen(const physics::World& world, double dt);
-    double speed_before(const physics::ContactStay& stay) const;
+    double pre_step_approach_speed(const physics::ContactStay& stay) const;
     void share_impacts();
     const BondedShape* find_bonded_shape(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
@@ -245,10 +245,10 @@ private:
     void push_through(physics::World& world, double dt);
     void agree();
     void mark_knocked();
-    void note_before(const physics::World& world, std::uint32_t whole, Piece& piece);
-    void note_before(const physics::World& world, std::uint32_t whole, physics::BodyId body);
-    const physics::BodyState* velocity_before(physics::BodyId body) const;
-    const destruction_detail::PreStepState* noted_before(physics::BodyId body) const;
+    void store_pre_step_state(const physics::World& world, std::uint32_t whole, Piece& piece);
+    void store_pre_step_state(const physics::World& world, std::uint32_t whole, physics::BodyId body);
+    const physics::BodyState* pre_step_body(physics::BodyId body) const;
+    const destruction_detail::PreStepState* find_pre_step_state(physics::BodyId body) const;
     void settle_grounded(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
                          double dt);
     static double speed_left(const destruction_detail::ChunkContact& chunk_contact);
@@ -275,8 +275,8 @@ private:
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
-    std::vector<physics::BodyState> movers_;         // what got its speed back, before the step
-    std::vector<destruction_detail::PreStepState> before_;  // pieces, and what meets them; by body
+    std::vector<physics::BodyState> reversed_bodies_;         // what got its speed back, before the step
+    std::vector<destruction_detail::PreStepState> pre_step_states_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

@@ -256,7 +256,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<ReversalB
 // All that go on, at once; then each impulse acts on both at its point.
 void Destruction::let_through(World& world, double dt) {
     std::vector<ReversalBody> bodies;
-    std::vector<GivenBack> all;
+    std::vector<ImpulseReversal> all;
     for (const ChunkContact& chunk_contact : chunk_contacts_) {
         if (!chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
         const Piece& piece = piece_of(chunk_contact);
@@ -281,7 +281,7 @@ void Destruction::let_through(World& world, double dt) {
     if (all.empty()) return;
     const Links links = links_of(world, dt, bodies);
     give_back(bodies, all, links);
-    for (const GivenBack& one : all) {
+    for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;
         const Vec3 push = one.normal * one.impulse;
         const BodyId struck = bodies[one.struck].now.id, piece = bodies[one.piece].now.id;

@@ -20,13 +20,13 @@ void push(BodyState& body, Vec3 impulse, Vec3 point) {
     body.angular_velocity += inverse(body.inertia) * cross(point - body.center, impulse);
 }
 
-void push(std::span<ReversalBody> bodies, const GivenBack& one, double impulse) {
+void push(std::span<ReversalBody> bodies, const ImpulseReversal& one, double impulse) {
     push(bodies[one.struck].now, one.normal * impulse, one.point);
     if (one.give_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
 }
 
 // The piece gives no more than it got since before the step.
-void share(std::span<ReversalBody> bodies, GivenBack& one) {
+void share(std::span<ReversalBody> bodies, ImpulseReversal& one) {
     if (!(one.give_piece + one.give_struck > 0)) return;
     const BodyState &piece = bodies[one.piece].now, &struck = bodies[one.struck].now;
     const double now =
@@ -48,7 +48,7 @@ double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
 }
 
 // Which bodies hang together: by body, the lowest of them.
-std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::span<const GivenBack> all,
+std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::span<const ImpulseReversal> all,
                                    std::span<const std::pair<std::size_t, std::size_t>> links) {
     std::vector<std::size_t> group(bodies.size());
     for (std::size_t k = 0; k < group.size(); k++) group[k] = k;
@@ -60,7 +60,7 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
         const std::size_t a = lowest(x), b = lowest(y);
         group[a > b ? a : b] = a > b ? b : a;
     };
-    for (const GivenBack& one : all) join(one.piece, one.struck);
+    for (const ImpulseReversal& one : all) join(one.piece, one.struck);
     for (const auto& [a, b] : links) join(a, b);
     for (std::size_t k = 0; k < group.size(); k++) group[k] = lowest(k);
     return group;
@@ -99,11 +99,11 @@ double ReversalBody::energy_before() const {
 // own pair of bodies to meet again as fast as they did, but whoever is in several pairs, or was
 // turned, would then have more energy than it came with: all impulses of a group are lessened
 // alike, which leaves momenta alone.
-void give_back(std::span<ReversalBody> bodies, std::span<GivenBack> all,
+void give_back(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                std::span<const std::pair<std::size_t, std::size_t>> links) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
     for (int round = 0; round < rounds_of_giving; round++)
-        for (GivenBack& one : all) share(bodies, one);
+        for (ImpulseReversal& one : all) share(bodies, one);
     const std::vector<std::size_t> group = groups_of(bodies, all, links);
     std::vector<Ledger> ledgers(bodies.size());
     for (std::size_t k = 0; k < bodies.size(); k++) {
@@ -115,9 +115,9 @@ void give_back(std::span<ReversalBody> bodies, std::span<GivenBack> all,
         ledger.of_change += energy_of(now, now.linear_velocity - was.linear_velocity,
                                       now.angular_velocity - was.angular_velocity);
     }
-    for (const GivenBack& one : all) ledgers[group[one.struck]].paid += one.paid;
+    for (const ImpulseReversal& one : all) ledgers[group[one.struck]].paid += one.paid;
     std::copy(after.begin(), after.end(), bodies.begin());
-    for (GivenBack& one : all) {
+    for (ImpulseReversal& one : all) {
         one.impulse *= ledgers[group[one.struck]].share();
         push(bodies, one, one.impulse);
     }

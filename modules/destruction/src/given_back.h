@@ -25,7 +25,7 @@ struct ReversalBody {
     double energy_before() const;
 };
 
-struct GivenBack {
+struct ImpulseReversal {
     physics::Vec3 point, normal;             // the normal pushes what struck on its way
     std::size_t piece = 0, struck = 0;       // of the bodies that met
     double speed = 0;                        // m/s, against each other, that it shall have
@@ -37,7 +37,7 @@ struct GivenBack {
 // Fills in the impulses, and changes how the bodies move by them. What hangs together by impulses
 // or by `links`, two bodies each, has in the end no more energy than before the step, less what was
 // paid; or than after it, where something else gave it more.
-void give_back(std::span<ReversalBody> bodies, std::span<GivenBack> all,
+void give_back(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                std::span<const std::pair<std::size_t, std::size_t>> links);
 
 }  // namespace jostle::modules::destruction_detail

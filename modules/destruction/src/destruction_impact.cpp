@@ -280,7 +280,7 @@ void Destruction::let_through(World& world, double dt) {
     }
     if (all.empty()) return;
     const Links links = links_of(world, dt, bodies);
-    give_back(bodies, all, links);
+    reverse_impulses(bodies, all, links);
     for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;
         const Vec3 push = one.normal * one.impulse;

@@ -99,7 +99,7 @@ double ReversalBody::energy_before() const {
 // own pair of bodies to meet again as fast as they did, but whoever is in several pairs, or was
 // turned, would then have more energy than it came with: all impulses of a group are lessened
 // alike, which leaves momenta alone.
-void give_back(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
+void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                std::span<const std::pair<std::size_t, std::size_t>> links) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
     for (int round = 0; round < rounds_of_giving; round++)

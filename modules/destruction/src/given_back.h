@@ -37,7 +37,7 @@ struct ImpulseReversal {
 // Fills in the impulses, and changes how the bodies move by them. What hangs together by impulses
 // or by `links`, two bodies each, has in the end no more energy than before the step, less what was
 // paid; or than after it, where something else gave it more.
-void give_back(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
+void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                std::span<const std::pair<std::size_t, std::size_t>> links);
 
 }  // namespace jostle::modules::destruction_detail

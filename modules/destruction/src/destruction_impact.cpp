@@ -8,7 +8,7 @@
 #include "modules/destruction/src/bond_network.h"
 #include "modules/destruction/src/contact_motion.h"
 #include "modules/destruction/src/destruction_impact.h"
-#include "modules/destruction/src/given_back.h"
+#include "modules/destruction/src/impulse_reversal.h"
 
 namespace jostle::modules {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/destruction/src/given_back.h"
+#include "modules/destruction/src/impulse_reversal.h"
 
 #include <algorithm>
 #include <vector>

@@ -103,19 +103,19 @@ void Destruction::mark_knocked() {
 // point where it acted, so momenta stay what they were.
 void Destruction::push_through(World& world, double dt) {
     reversed_contacts_.clear();
-    agree();
+    merge_mutual_impacts();
     for (std::size_t first = 0; first < chunk_contacts_.size();) {
         std::size_t end = first + 1;
         while (end < chunk_contacts_.size() && &piece_of(chunk_contacts_[end]) == &piece_of(chunk_contacts_[first]))
             end++;
-        settle_grounded(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
+        limit_grounded_pieces(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
         first = end;
     }
     let_through(world, dt);
 }
 
 // Of two breaking bodies the weaker one says what both bear; both pay.
-void Destruction::agree() {
+void Destruction::merge_mutual_impacts() {
     for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
         ChunkContact& chunk_contact = chunk_contacts_[k];
         if (!chunk_contact.twin || !chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
@@ -137,7 +137,7 @@ const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contac
 
 // A piece that something static presses, too: it is not known who gave what. It keeps of its change
 // of velocity what its bonds bear; the ground takes the rest.
-void Destruction::settle_grounded(World& world, std::span<ChunkContact> chunk_contacts, double dt) {
+void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> chunk_contacts, double dt) {
     double worst = 0;
     bool free = true;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
@@ -161,7 +161,7 @@ void Destruction::settle_grounded(World& world, std::span<ChunkContact> chunk_co
 
 // The speed against each other that is left: the energy that the bonds took comes off it,
 // E = (v0^2 - v^2) / (2 inv). Negative: they part.
-double Destruction::speed_left(const ChunkContact& chunk_contact) {
+double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
     const double kept = chunk_contact.approach - (chunk_contact.approach + chunk_contact.parting) / chunk_contact.worst;
     if (!(kept > 0)) return kept;
     const double left2 = kept * kept - 2 * chunk_contact.paid * chunk_contact.inv;
@@ -170,8 +170,8 @@ double Destruction::speed_left(const ChunkContact& chunk_contact) {
 
 // How fast they shall meet again. Deflected within the step, it met this with a speed that it did
 // not bring: what gets back no more than it brought along any normal has no more energy than that.
-double Destruction::speed_back(const World& world, const ChunkContact& chunk_contact) const {
-    const double speed = speed_left(chunk_contact);
+double Destruction::restored_speed(const World& world, const ChunkContact& chunk_contact) const {
+    const double speed = remaining_speed(chunk_contact);
     const BodyState* before = pre_step_body(chunk_contact.other_body);
     const Piece& piece = piece_of(chunk_contact);
     const Result<BodyState> own = world.body(piece.body);
@@ -183,7 +183,7 @@ double Destruction::speed_back(const World& world, const ChunkContact& chunk_con
 
 // What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
 // nothing that it did not keep.
-std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bodies, BodyId id,
+std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies, BodyId id,
                               const Piece* piece, double dt) const {
     std::size_t at = 0;
     while (at < bodies.size() && bodies[at].now.id != id) at++;
@@ -204,7 +204,7 @@ std::size_t Destruction::meet(const World& world, std::vector<ReversalBody>& bod
 
 // What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
 // who shall not get it back as well.
-void Destruction::add_bystanders(const World& world, std::uint32_t whole, double dt,
+void Destruction::add_nearby_bodies(const World& world, std::uint32_t whole, double dt,
                                  std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
     for (const PreStepState& noted : pre_step_states_) {
@@ -223,7 +223,7 @@ void Destruction::add_bystanders(const World& world, std::uint32_t whole, double
 }
 
 // Which bodies share one ledger: those of a whole, and of the wholes that they touch.
-Links Destruction::links_of(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
+Links Destruction::shared_energy_pairs(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
     Links links;
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
@@ -236,7 +236,7 @@ Links Destruction::links_of(const World& world, double dt, std::vector<ReversalB
         if (known != wholes.end()) return void(links.emplace_back(known->second, body));
         wholes.emplace_back(noted->whole, body);
         added.clear();
-        add_bystanders(world, noted->whole, dt, bodies, added);
+        add_nearby_bodies(world, noted->whole, dt, bodies, added);
         for (const std::size_t k : added) links.emplace_back(body, k);
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
@@ -261,32 +261,32 @@ void Destruction::let_through(World& world, double dt) {
         if (!chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
         const Piece& piece = piece_of(chunk_contact);
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
-        const double speed = speed_back(world, chunk_contact);
+        const double speed = restored_speed(world, chunk_contact);
         if (speed > 0)
             reversed_contacts_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
                               -press.normal, speed});
         if (chunk_contact.second) continue;
-        const std::size_t own = meet(world, bodies, piece.body, &piece, dt),
-                          other = meet(world, bodies, chunk_contact.other_body, nullptr, dt);
+        const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),
+                          other = add_reversal_body(world, bodies, chunk_contact.other_body, nullptr, dt);
         all.push_back(
             {.point = chunk_contact.point,
              .normal = chunk_contact.normal,
              .piece = own,
              .struck = other,
              .speed = speed,
-             .give_piece = chunk_contact.grounded ? 0 : give(bodies[own].now, chunk_contact.point, chunk_contact.normal),
-             .give_struck = give(bodies[other].now, chunk_contact.point, chunk_contact.normal),
+             .inverse_mass_piece = chunk_contact.grounded ? 0 : inverse_effective_mass(bodies[own].now, chunk_contact.point, chunk_contact.normal),
+             .inverse_mass_struck = inverse_effective_mass(bodies[other].now, chunk_contact.point, chunk_contact.normal),
              .paid = chunk_contact.paid});
     }
     if (all.empty()) return;
-    const Links links = links_of(world, dt, bodies);
+    const Links links = shared_energy_pairs(world, dt, bodies);
     reverse_impulses(bodies, all, links);
     for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;
         const Vec3 push = one.normal * one.impulse;
         const BodyId struck = bodies[one.struck].now.id, piece = bodies[one.piece].now.id;
         static_cast<void>(world.apply_impulse(struck, push, one.point).ok());
-        if (one.give_piece > 0)
+        if (one.inverse_mass_piece > 0)
             static_cast<void>(world.apply_impulse(piece, -push, one.point).ok());
     }
 }

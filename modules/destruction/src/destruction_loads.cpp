@@ -79,7 +79,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     if ((!at_a && !at_b) || !(approach > 0)) return;
     const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
     if (!first.ok() || !second.ok()) return;
-    const double inv = give(*first, point, normal) + give(*second, point, normal);
+    const double inv = inverse_effective_mass(*first, point, normal) + inverse_effective_mass(*second, point, normal);
     const double parting = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
     if (!(inv > 0) || !(approach + parting > 0)) return;
     const double impulse = (approach + parting) / inv;

@@ -22,21 +22,21 @@ void push(BodyState& body, Vec3 impulse, Vec3 point) {
 
 void push(std::span<ReversalBody> bodies, const ImpulseReversal& one, double impulse) {
     push(bodies[one.struck].now, one.normal * impulse, one.point);
-    if (one.give_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
+    if (one.inverse_mass_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
 }
 
 // The piece gives no more than it got since before the step.
 void share(std::span<ReversalBody> bodies, ImpulseReversal& one) {
-    if (!(one.give_piece + one.give_struck > 0)) return;
+    if (!(one.inverse_mass_piece + one.inverse_mass_struck > 0)) return;
     const BodyState &piece = bodies[one.piece].now, &struck = bodies[one.struck].now;
     const double now =
         dot(velocity_at(struck, one.point) - velocity_at(piece, one.point), one.normal);
-    double more = (one.speed - now) / (one.give_piece + one.give_struck);
-    if (one.give_piece > 0) {
+    double more = (one.speed - now) / (one.inverse_mass_piece + one.inverse_mass_struck);
+    if (one.inverse_mass_piece > 0) {
         const ReversalBody& met = bodies[one.piece];
         const Vec3 got = piece.linear_velocity - met.linear - met.fall +
                          cross(piece.angular_velocity - met.angular, one.point - piece.center);
-        more = minimum(more, dot(got, one.normal) / one.give_piece);
+        more = minimum(more, dot(got, one.normal) / one.inverse_mass_piece);
     }
     more = maximum(more, -one.impulse);
     one.impulse += more;

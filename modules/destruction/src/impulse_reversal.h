@@ -29,7 +29,7 @@ struct ImpulseReversal {
     physics::Vec3 point, normal;             // the normal pushes what struck on its way
     std::size_t piece = 0, struck = 0;       // of the bodies that met
     double speed = 0;                        // m/s, against each other, that it shall have
-    double give_piece = 0, give_struck = 0;  // 1/kg; 0 of a piece: the ground takes what it gives
+    double inverse_mass_piece = 0, inverse_mass_struck = 0;  // 1/kg; 0 of a piece: the ground takes what it gives
     double paid = 0;                         // J, for broken bonds
     double impulse = 0;                      // N s, that is given back in the end
 };

@@ -243,22 +243,22 @@ private:
     static void keep_shapes(physics::World& world, Destructible& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
     void push_through(physics::World& world, double dt);
-    void agree();
+    void merge_mutual_impacts();
     void mark_knocked();
     void store_pre_step_state(const physics::World& world, std::uint32_t whole, Piece& piece);
     void store_pre_step_state(const physics::World& world, std::uint32_t whole, physics::BodyId body);
     const physics::BodyState* pre_step_body(physics::BodyId body) const;
     const destruction_detail::PreStepState* find_pre_step_state(physics::BodyId body) const;
-    void settle_grounded(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
+    void limit_grounded_pieces(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
                          double dt);
-    static double speed_left(const destruction_detail::ChunkContact& chunk_contact);
-    double speed_back(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
-    std::size_t meet(const physics::World& world, std::vector<destruction_detail::ReversalBody>& bodies,
+    static double remaining_speed(const destruction_detail::ChunkContact& chunk_contact);
+    double restored_speed(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
+    std::size_t add_reversal_body(const physics::World& world, std::vector<destruction_detail::ReversalBody>& bodies,
                      physics::BodyId id, const Piece* piece, double dt) const;
-    void add_bystanders(const physics::World& world, std::uint32_t whole, double dt,
+    void add_nearby_bodies(const physics::World& world, std::uint32_t whole, double dt,
                         std::vector<destruction_detail::ReversalBody>& bodies,
                         std::vector<std::size_t>& added) const;
-    destruction_detail::Links links_of(const physics::World& world, double dt,
+    destruction_detail::Links shared_energy_pairs(const physics::World& world, double dt,
                                        std::vector<destruction_detail::ReversalBody>& bodies) const;
     void let_through(physics::World& world, double dt);
     const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;

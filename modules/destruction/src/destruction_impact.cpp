@@ -223,8 +223,8 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t whole, dou
 }
 
 // Which bodies share one ledger: those of a whole, and of the wholes that they touch.
-Links Destruction::shared_energy_pairs(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
-    Links links;
+BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
+    BodyPairs links;
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
@@ -279,7 +279,7 @@ void Destruction::let_through(World& world, double dt) {
              .paid = chunk_contact.paid});
     }
     if (all.empty()) return;
-    const Links links = shared_energy_pairs(world, dt, bodies);
+    const BodyPairs links = shared_energy_pairs(world, dt, bodies);
     reverse_impulses(bodies, all, links);
     for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;

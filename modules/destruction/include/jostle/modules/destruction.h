@@ -41,7 +41,7 @@ struct ReversedContact;
 struct Group;
 struct ReversalBody;
 struct PreStepState;
-using Links = std::vector<std::pair<std::size_t, std::size_t>>;
+using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 struct ChunkContact;
 // Upon a chunk: at its centre of mass, in the frame of the whole.
 struct Push {
@@ -258,7 +258,7 @@ private:
     void add_nearby_bodies(const physics::World& world, std::uint32_t whole, double dt,
                         std::vector<destruction_detail::ReversalBody>& bodies,
                         std::vector<std::size_t>& added) const;
-    destruction_detail::Links shared_energy_pairs(const physics::World& world, double dt,
+    destruction_detail::BodyPairs shared_energy_pairs(const physics::World& world, double dt,
                                        std::vector<destruction_detail::ReversalBody>& bodies) const;
     void let_through(physics::World& world, double dt);
     const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;

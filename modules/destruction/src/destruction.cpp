@@ -90,7 +90,7 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     }
     for (const FractureBond& bond : shape.bonds) whole.bonds.push_back({bond, false});
     // Chunks that no bond holds part with the first step.
-    piece.cut = true;
+    piece.split_pending = true;
     whole.pieces.push_back(std::move(piece));
     derived_ = false;
     return DestructibleId{static_cast<std::uint32_t>(at), generation};
@@ -125,7 +125,7 @@ std::size_t Destruction::break_near(const World& world, Vec3 center, double radi
 }
 
 std::size_t Destruction::break_near(const World& world, Destructible& whole, Vec3 center, double radius) {
-    derive();
+    rebuild_derived_state();
     std::size_t count = 0;
     for (Piece& piece : whole.pieces) {
         const Result<BodyState> body = world.body(piece.body);
@@ -135,7 +135,7 @@ std::size_t Destruction::break_near(const World& world, Destructible& whole, Vec
             Bond& bond = whole.bonds[k];
             if (length_squared(bond.face.center - here) > radius * radius) continue;
             bond.broken = true;
-            piece.cut = true;
+            piece.split_pending = true;
             count++;
         }
     }

@@ -21,7 +21,7 @@ constexpr double same_round = 0.5;
 // Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
 constexpr double noticeable_share = 0.05, noticeable_weight = 0.05;
 constexpr double standard_gravity = 9.81;
-constexpr double most_push = 1e29;      // N, J, m: less than what a load takes
+constexpr double load_max = 1e29;      // N, J, m: less than what a load takes
 constexpr double shortest_beam = 1e-6;  // m
 constexpr std::uint32_t nowhere = 0xffffffff;
 
@@ -33,7 +33,7 @@ struct Unknowns {
 }  // namespace
 
 // By bonds that hold, in order of the lowest chunk.
-std::vector<Group> Destruction::parts_of(const Destructible& whole, const Group& group) {
+std::vector<Group> Destruction::connected_groups(const Destructible& whole, const Group& group) {
     std::vector<std::uint32_t> part(whole.chunks.size(), nowhere);
     std::vector<std::vector<std::uint32_t>> near(whole.chunks.size());
     for (const std::uint32_t k : group.bonds) {
@@ -195,7 +195,7 @@ Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Pi
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
+bool Destruction::break_bonds(Destructible& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
                         Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
@@ -206,8 +206,8 @@ bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push>
                 ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
             if (answer == Answer::no_time) return round > 0;
             if (answer == Answer::held) continue;
-            piece.cut = true;
-            for (Group& part : parts_of(whole, group)) next.push_back(std::move(part));
+            piece.split_pending = true;
+            for (Group& part : connected_groups(whole, group)) next.push_back(std::move(part));
         }
         groups = std::move(next);
     }
@@ -215,13 +215,13 @@ bool Destruction::crack(Destructible& whole, Piece& piece, std::span<const Push>
 }
 
 // Whether loads changed enough to ask; then asks.
-void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
+void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
                                   std::span<ChunkContact> chunk_contacts) {
     Destructible& whole = destructibles_[w];
     Piece& piece = whole.pieces[p];
-    if (piece.cut) return;
+    if (piece.split_pending) return;
     const Result<BodyState> body = world.body(piece.body);
-    if (!body.ok() || (!body->awake && !piece.anchored && !piece.check)) return;
+    if (!body.ok() || (!body->awake && !piece.anchored && !piece.solve_pending)) return;
     const Quat back = conjugate(body->pose.rotation);
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
@@ -238,13 +238,13 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
         sum += length(chunk_contact.push) + length(chunk_contact.point) + chunk_contact.energy;
     }
     // What ran away is in quarantine after this step: what it pressed means nothing.
-    if (!(sum < most_push)) return;
+    if (!(sum < load_max)) return;
     for (const std::uint32_t c : piece.chunks) {
         const Chunk& chunk = whole.chunks[c];
         mass += chunk.mass;
         change += length(pushes[c].force - chunk.force);
         before += length(chunk.force);
-        if (piece.carried) pushes[c] = {chunk.force, chunk.torque};
+        if (piece.loads_pending) pushes[c] = {chunk.force, chunk.torque};
     }
     const double size = length(whole.chunks[piece.chunks.back()].center -
                                whole.chunks[piece.chunks.front()].center);
@@ -252,28 +252,28 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     before += piece.spin2 * mass * size;
     const bool noticeable =
         change > noticeable_share * before + noticeable_weight * standard_gravity * mass;
-    if (!piece.check && !piece.carried && !noticeable) return;
-    if (piece.carried) energy = piece.energy;
+    if (!piece.solve_pending && !piece.loads_pending && !noticeable) return;
+    if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
-    const bool asked = crack(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
+    const bool asked = break_bonds(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
-        if (hit && asked && chunk_contact.impact && !piece.carried) {
+        if (hit && asked && chunk_contact.impact && !piece.loads_pending) {
             chunk_contact.paid = (energy - left) * (chunk_contact.energy / energy);
-            chunk_contact.worst = piece.cut ? worst_ : 0;
+            chunk_contact.worst = piece.split_pending ? worst_ : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
         whole.chunks[c].force = pushes[c].force;
         whole.chunks[c].torque = pushes[c].torque;
     }
     piece.loaded = !chunk_contacts.empty();
-    piece.carried = !asked;
+    piece.loads_pending = !asked;
     piece.energy = asked ? 0 : energy;
-    piece.check = piece.check && !asked;
+    piece.solve_pending = piece.solve_pending && !asked;
     piece.spin2 = spin2;
 }
 
-void Destruction::crack_all(const World& world) {
+void Destruction::break_all_bonds(const World& world) {
     work_left_ = limits_.work_per_step;
     std::size_t next = 0;
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
@@ -284,9 +284,9 @@ void Destruction::crack_all(const World& world) {
                 next++;
             const Piece& piece = destructibles_[w].pieces[p];
             if (piece.chunks.size() < 2) continue;
-            if (next == first && !piece.loaded && !piece.check && !piece.carried && piece.anchored)
+            if (next == first && !piece.loaded && !piece.solve_pending && !piece.loads_pending && piece.anchored)
                 continue;
-            crack_if_loaded(world, w, p, std::span(chunk_contacts_).subspan(first, next - first));
+            break_bonds_if_loaded(world, w, p, std::span(chunk_contacts_).subspan(first, next - first));
         }
 }
 
@@ -304,7 +304,7 @@ Result<double> Destruction::worst_load(const World& world, DestructibleId id) co
             if (here[whole->bonds[k].face.a] && here[whole->bonds[k].face.b])
                 all.bonds.push_back(k);
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
-        for (const Group& group : parts_of(*whole, all)) {
+        for (const Group& group : connected_groups(*whole, all)) {
             const Unknowns unknowns = unknowns_of(whole->chunks, group);
             const BlockFactor factor(
                 stiffness_of(beams_of(*whole, group, unknowns), unknowns.count, whole->material));

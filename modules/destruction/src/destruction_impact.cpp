@@ -17,7 +17,7 @@ using namespace destruction_detail;
 
 namespace {
 
-constexpr double knocked_time = 0.2;  // s
+constexpr double passing_seconds = 0.2;  // s
 
 bool precedes(const PreStepState& noted, BodyId id) {
     return noted.state.id < id;
@@ -27,8 +27,8 @@ bool precedes(const PreStepState& noted, BodyId id) {
 
 // As bodies moved before the step: pieces, what touches them or is near; and who was knocked out.
 void Destruction::before_step(World& world, double dt) {
-    derive();
-    knocked_.clear();
+    rebuild_derived_state();
+    passing_bodies_.clear();
     reversed_bodies_.clear();
     pre_step_states_.clear();
     for (const ReversedContact& again : reversed_contacts_)
@@ -36,9 +36,9 @@ void Destruction::before_step(World& world, double dt) {
             reversed_bodies_.push_back(*body);
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
         for (Piece& piece : destructibles_[w].pieces) {
-            if (piece.knocked > 0) {
-                knocked_.emplace_back(piece.body, w);
-                piece.knocked = maximum(0, piece.knocked - dt);
+            if (piece.passing_time > 0) {
+                passing_bodies_.emplace_back(piece.body, w);
+                piece.passing_time = maximum(0, piece.passing_time - dt);
             }
             if (!bonded_shapes_.empty()) store_pre_step_state(world, w, piece);
         }
@@ -60,7 +60,7 @@ void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, 
 void Destruction::pre_solve(PreSolve& pair) {
     if (const BondedShape* at = find_bonded_shape(pair.shape_a)) store_pre_step_state(pair.world, at->whole, pair.body_b);
     if (const BondedShape* at = find_bonded_shape(pair.shape_b)) store_pre_step_state(pair.world, at->whole, pair.body_a);
-    for (const auto& [body, whole] : knocked_) {
+    for (const auto& [body, whole] : passing_bodies_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
         for (const Piece& piece : destructibles_[whole].pieces)
@@ -89,19 +89,19 @@ const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
 }
 
 // What was struck and parted from what it hung on.
-void Destruction::mark_knocked() {
+void Destruction::start_passing() {
     for (const ReversedContact& again : reversed_contacts_) {
         Destructible& whole = destructibles_[again.whole];
         const std::uint32_t at = whole.chunks[again.chunk].piece;
         if (at >= whole.pieces.size()) continue;
         Piece& piece = whole.pieces[at];
-        if (!piece.anchored && piece.chunks.size() == 1) piece.knocked = knocked_time;
+        if (!piece.anchored && piece.chunks.size() == 1) piece.passing_time = passing_seconds;
     }
 }
 
 // All but 1 / worst of the impulse was more than the bonds bear. It is taken back from both at the
 // point where it acted, so momenta stay what they were.
-void Destruction::push_through(World& world, double dt) {
+void Destruction::reverse_excess_impulses(World& world, double dt) {
     reversed_contacts_.clear();
     merge_mutual_impacts();
     for (std::size_t first = 0; first < chunk_contacts_.size();) {
@@ -111,7 +111,7 @@ void Destruction::push_through(World& world, double dt) {
         limit_grounded_pieces(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
         first = end;
     }
-    let_through(world, dt);
+    reverse_impacts(world, dt);
 }
 
 // Of two breaking bodies the weaker one says what both bear; both pay.
@@ -254,7 +254,7 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::v
 }
 
 // All that go on, at once; then each impulse acts on both at its point.
-void Destruction::let_through(World& world, double dt) {
+void Destruction::reverse_impacts(World& world, double dt) {
     std::vector<ReversalBody> bodies;
     std::vector<ImpulseReversal> all;
     for (const ChunkContact& chunk_contact : chunk_contacts_) {

@@ -16,13 +16,13 @@ using namespace destruction_detail;
 
 namespace {
 
-constexpr double least_impact = 0.5;  // m/s
+constexpr double impact_speed_min = 0.5;  // m/s
 
 }  // namespace
 
 // After anything changed: which piece chunks are in, which bonds hold within it, which shapes
 // bonds hold.
-void Destruction::derive() {
+void Destruction::rebuild_derived_state() {
     if (derived_) return;
     constexpr std::uint32_t nowhere = 0xffffffff;
     bonded_shapes_.clear();
@@ -51,11 +51,11 @@ void Destruction::derive() {
     derived_ = true;
 }
 
-void Destruction::note_gravity(const World& world) {
+void Destruction::update_gravity(const World& world) {
     if (world.gravity() == gravity_) return;
     gravity_ = world.gravity();
     for (Destructible& whole : destructibles_)
-        for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
+        for (Piece& piece : whole.pieces) piece.solve_pending = piece.solve_pending || piece.anchored;
 }
 
 const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) const {
@@ -119,7 +119,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
     const BondedShape *at_a = find_bonded_shape(stay.shape_a), *at_b = find_bonded_shape(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
-    if (const double approach = pre_step_approach_speed(stay); approach > least_impact) {
+    if (const double approach = pre_step_approach_speed(stay); approach > impact_speed_min) {
         add_impact(world, dt, stay.shape_a, stay.shape_b, stay.body_a, stay.body_b, stay.point,
                    stay.normal, approach);
         return;
@@ -145,7 +145,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
 
 // What got its speed back and was stopped again without an event: by sweeps, which end at what is
 // static. It pressed on what is near it.
-void Destruction::add_unseen(const World& world, double dt) {
+void Destruction::add_unreported_impacts(const World& world, double dt) {
     for (const BodyState& mover : reversed_bodies_) {
         if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(), [&](const ChunkContact& chunk_contact) {
                 return chunk_contact.impact && chunk_contact.other_body == mover.id;
@@ -156,7 +156,7 @@ void Destruction::add_unseen(const World& world, double dt) {
         for (const ContactInfo& c : *near) {
             const double sign = c.body_a == mover.id ? 1 : -1;
             const double approach = sign * dot(mover.linear_velocity, c.normal);
-            if (c.count > 0 && approach > least_impact)
+            if (c.count > 0 && approach > impact_speed_min)
                 add_impact(world, dt, c.shape_a, c.shape_b, c.body_a, c.body_b, c.point[0],
                            c.normal, approach);
         }
@@ -164,7 +164,7 @@ void Destruction::add_unseen(const World& world, double dt) {
 }
 
 // What meets a piece in several places at once presses on each with its share.
-void Destruction::share_impacts() {
+void Destruction::distribute_impacts() {
     std::vector<BodyId> others;
     for (const ChunkContact& chunk_contact : chunk_contacts_)
         if (chunk_contact.impact) others.push_back(chunk_contact.other_body);
@@ -179,7 +179,7 @@ void Destruction::share_impacts() {
 }
 
 // Sorted by whole and piece, in the events' order within.
-void Destruction::gather(const World& world, double dt) {
+void Destruction::gather_contacts(const World& world, double dt) {
     chunk_contacts_.clear();
     if (bonded_shapes_.empty()) return;
     const Events events = world.events();
@@ -198,8 +198,8 @@ void Destruction::gather(const World& world, double dt) {
                    e.other_body, e.point, e.normal, e.approach);
     }
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
-    add_unseen(world, dt);
-    share_impacts();
+    add_unreported_impacts(world, dt);
+    distribute_impacts();
     const auto key = [&](const ChunkContact& p) {
         return std::pair(p.whole, destructibles_[p.whole].chunks[p.chunk].piece);
     };

@@ -47,13 +47,13 @@ Vec3 center_of(const Destructible& whole, const Group& group) {
 
 }  // namespace
 
-bool Destruction::passes(const Destructible& whole, const Group& group) const {
+bool Destruction::is_passing_debris(const Destructible& whole, const Group& group) const {
     return group.chunks.size() == 1 && !is_anchored(whole, group) &&
            whole.chunks[group.chunks[0]].mass < whole.density * limits_.passing_volume;
 }
 
 // Those that leave, as bodies; then the old body without them. All or nothing.
-Status Destruction::part(World& world, Destructible& whole, std::size_t p, std::span<const Group> leaving,
+Status Destruction::detach_groups(World& world, Destructible& whole, std::size_t p, std::span<const Group> leaving,
                          const Group& staying) {
     const BodyId old = whole.pieces[p].body;
     const Result<BodyState> body = world.body(old);
@@ -77,7 +77,7 @@ Status Destruction::part(World& world, Destructible& whole, std::size_t p, std::
                 return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
             def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
             Filter& filter = def.shapes.back().filter;
-            if (filter.group != 0 || !passes(whole, group)) continue;
+            if (filter.group != 0 || !is_passing_debris(whole, group)) continue;
             filter.group = passing_group;
             def.body.continuous = false;
         }
@@ -100,10 +100,10 @@ Status Destruction::part(World& world, Destructible& whole, std::size_t p, std::
     }
     Piece& rest = whole.pieces[p];
     rest.chunks = staying.chunks;
-    rest.check = true;
+    rest.solve_pending = true;
     rest.solved = false;
     rest.factor.reset();
-    keep_shapes(world, whole, rest, leaving);
+    remove_detached_shapes(world, whole, rest, leaving);
     whole.pieces.insert(whole.pieces.end(), std::make_move_iterator(made.begin()),
                         std::make_move_iterator(made.end()));
     derived_ = false;
@@ -111,7 +111,7 @@ Status Destruction::part(World& world, Destructible& whole, std::size_t p, std::
 }
 
 // Takes the shapes of what left from the old body.
-void Destruction::keep_shapes(World& world, Destructible& whole, Piece& piece,
+void Destruction::remove_detached_shapes(World& world, Destructible& whole, Piece& piece,
                               std::span<const Group> leaving) {
     std::size_t gone = 0;
     for (const Group& group : leaving) gone += group.chunks.size();
@@ -149,7 +149,7 @@ int Destruction::split(World& world, Destructible& whole, std::size_t p, int mos
         for (const std::uint32_t c : all.chunks) here[c] = true;
         for (std::uint32_t k = 0; k < whole.bonds.size(); k++)
             if (here[whole.bonds[k].face.a] && here[whole.bonds[k].face.b]) all.bonds.push_back(k);
-        parts = parts_of(whole, all);
+        parts = connected_groups(whole, all);
     }
     std::size_t stays = 0;
     const auto rank = [&](std::size_t k) {
@@ -170,10 +170,10 @@ int Destruction::split(World& world, Destructible& whole, std::size_t p, int mos
     std::sort(staying.chunks.begin(), staying.chunks.end());
     const bool all = leaving.size() + 1 == parts.size();
     // What cannot be parted, as where the world takes no more bodies, stays as it is.
-    const bool parted = leaving.empty() || part(world, whole, p, leaving, staying).ok();
+    const bool parted = leaving.empty() || detach_groups(world, whole, p, leaving, staying).ok();
     Piece& rest = whole.pieces[p];
-    rest.cut = parted && !all;
-    rest.check = true;
+    rest.split_pending = parted && !all;
+    rest.solve_pending = true;
     rest.solved = false;
     rest.factor.reset();
     derived_ = false;
@@ -189,7 +189,7 @@ void Destruction::split_all(World& world) {
     for (Destructible& whole : destructibles_) {
         const std::size_t count = whole.pieces.size();  // those made here hang together
         for (std::size_t p = 0; p < count && most > 0; p++)
-            if (whole.pieces[p].cut) most -= split(world, whole, p, most);
+            if (whole.pieces[p].split_pending) most -= split(world, whole, p, most);
         std::erase_if(whole.pieces, [](const Piece& piece) { return piece.chunks.empty(); });
     }
 }
@@ -213,14 +213,14 @@ void Destruction::drop_debris(World& world, double dt) {
 
 void Destruction::after_step(World& world, double dt) {
     drop_lost_bodies(world);
-    derive();
-    note_gravity(world);
-    gather(world, dt);
-    crack_all(world);
-    push_through(world, dt);
+    rebuild_derived_state();
+    update_gravity(world);
+    gather_contacts(world, dt);
+    break_all_bonds(world);
+    reverse_excess_impulses(world, dt);
     split_all(world);
-    derive();
-    mark_knocked();
+    rebuild_derived_state();
+    start_passing();
     drop_debris(world, dt);
 }
 

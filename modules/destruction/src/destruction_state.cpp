@@ -17,7 +17,7 @@ using namespace destruction_detail;
 
 namespace {
 
-constexpr double most_load = 1e30;  // N, N m
+constexpr double load_max = 1e30;  // N, N m
 
 void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
     v.field(name, value);
@@ -63,8 +63,8 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
         bounded(v, "inertia_z", chunk.inertia.z, most_inertia);
         v.field("shape", chunk.shape);
         v.field("anchored", chunk.anchored);
-        bounded(v, "force", chunk.force, most_load);
-        bounded(v, "torque", chunk.torque, most_load);
+        bounded(v, "force", chunk.force, load_max);
+        bounded(v, "torque", chunk.torque, load_max);
     });
     v.all("bonds", whole.bonds, [&](Bond& bond) {
         visit_bond(v, bond.face);
@@ -75,15 +75,15 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
         bounded(v, "origin", piece.origin, furthest);
         v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
         v.field("anchored", piece.anchored);
-        v.field("check", piece.check);
+        v.field("check", piece.solve_pending);
         v.field("solved", piece.solved);
         v.field("loaded", piece.loaded);
-        v.field("carried", piece.carried);
-        v.field("cut", piece.cut);
+        v.field("carried", piece.loads_pending);
+        v.field("cut", piece.split_pending);
         bounded(v, "spin2", piece.spin2, 0, 1e13);
-        bounded(v, "energy", piece.energy, 0, most_load);
+        bounded(v, "energy", piece.energy, 0, load_max);
         bounded(v, "age", piece.age, 0, 1e7);
-        bounded(v, "knocked", piece.knocked, 0, 1);
+        bounded(v, "knocked", piece.passing_time, 0, 1);
         if (v.loading()) piece.factor.reset();
     });
     if (v.loading()) check_destructible(v, whole);

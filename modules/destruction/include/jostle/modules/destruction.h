@@ -159,15 +159,15 @@ private:
         physics::Vec3 origin;  // of the body, in the frame of the whole
         std::vector<std::uint32_t> chunks;
         bool anchored = false;
-        bool check = true;     // is to be asked, whatever its loads
+        bool solve_pending = true;     // is to be asked, whatever its loads
         bool solved = false;   // its factor was made, and paid for
         bool loaded = false;   // by contacts, when last asked
-        bool carried = false;  // its loads wait in its chunks: there was no time to ask
-        bool cut = false;      // bonds broke: it is to be parted
+        bool loads_pending = false;  // its loads wait in its chunks: there was no time to ask
+        bool split_pending = false;      // bonds broke: it is to be parted
         double spin2 = 0;      // rad^2/s^2, when last asked
         double energy = 0;     // J of the impacts whose loads wait
         double age = 0;        // s, of a loose single chunk
-        double knocked = 0;    // s, for which it passes what it broke out of
+        double passing_time = 0;    // s, for which it passes what it broke out of
 
         physics::Vec3 linear, angular;  // m/s, rad/s: before the step
 
@@ -200,24 +200,24 @@ private:
     static void check_destructible(physics::StateVisitor& v, const Destructible& whole);
 
     // destruction_loads.cpp: what contacts press.
-    void derive();
-    void note_gravity(const physics::World& world);
-    void gather(const physics::World& world, double dt);
+    void rebuild_derived_state();
+    void update_gravity(const physics::World& world);
+    void gather_contacts(const physics::World& world, double dt);
     void add_impact(const physics::World& world, double dt, physics::ShapeId a, physics::ShapeId b,
                     physics::BodyId body_a, physics::BodyId body_b, physics::Vec3 point,
                     physics::Vec3 normal, double approach);
     void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
-    void add_unseen(const physics::World& world, double dt);
+    void add_unreported_impacts(const physics::World& world, double dt);
     double pre_step_approach_speed(const physics::ContactStay& stay) const;
-    void share_impacts();
+    void distribute_impacts();
     const BondedShape* find_bonded_shape(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
 
     // destruction_crack.cpp: which bonds break.
-    void crack_all(const physics::World& world);
-    void crack_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
+    void break_all_bonds(const physics::World& world);
+    void break_bonds_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
                          std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool crack(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
+    bool break_bonds(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
     Answer ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
                std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
@@ -226,7 +226,7 @@ private:
                                         const destruction_detail::BlockFactor& factor,
                                         std::span<const destruction_detail::Push> pushes,
                                         physics::Vec3 spin, physics::Vec3 gravity);
-    static std::vector<destruction_detail::Group> parts_of(const Destructible& whole,
+    static std::vector<destruction_detail::Group> connected_groups(const Destructible& whole,
                                                            const destruction_detail::Group& group);
 
     // destruction_losses.cpp: what others destroyed.
@@ -236,15 +236,15 @@ private:
     // destruction_split.cpp: pieces become bodies.
     void split_all(physics::World& world);
     int split(physics::World& world, Destructible& whole, std::size_t piece, int most);
-    bool passes(const Destructible& whole, const destruction_detail::Group& group) const;
-    physics::Status part(physics::World& world, Destructible& whole, std::size_t piece,
+    bool is_passing_debris(const Destructible& whole, const destruction_detail::Group& group) const;
+    physics::Status detach_groups(physics::World& world, Destructible& whole, std::size_t piece,
                          std::span<const destruction_detail::Group> leaving,
                          const destruction_detail::Group& staying);
-    static void keep_shapes(physics::World& world, Destructible& whole, Piece& piece,
+    static void remove_detached_shapes(physics::World& world, Destructible& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
-    void push_through(physics::World& world, double dt);
+    void reverse_excess_impulses(physics::World& world, double dt);
     void merge_mutual_impacts();
-    void mark_knocked();
+    void start_passing();
     void store_pre_step_state(const physics::World& world, std::uint32_t whole, Piece& piece);
     void store_pre_step_state(const physics::World& world, std::uint32_t whole, physics::BodyId body);
     const physics::BodyState* pre_step_body(physics::BodyId body) const;
@@ -260,7 +260,7 @@ private:
                         std::vector<std::size_t>& added) const;
     destruction_detail::BodyPairs shared_energy_pairs(const physics::World& world, double dt,
                                        std::vector<destruction_detail::ReversalBody>& bodies) const;
-    void let_through(physics::World& world, double dt);
+    void reverse_impacts(physics::World& world, double dt);
     const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;
     void drop_debris(physics::World& world, double dt);
 
@@ -274,7 +274,7 @@ private:
     std::vector<BondedShape> bonded_shapes_;  // by shape
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
-    std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
+    std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;  // bodies, of wholes
     std::vector<physics::BodyState> reversed_bodies_;         // what got its speed back, before the step
     std::vector<destruction_detail::PreStepState> pre_step_states_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;

@@ -20,11 +20,11 @@ struct Group {
 // How the two ends of a bond lie apart, and the six springs in between.
 struct Beam {
     const FractureBond* face = nullptr;
-    std::uint32_t a = 0, b = 0;  // unknowns; not_free: held
+    std::uint32_t a = 0, b = 0;  // unknowns; fixed_unknown: held
     physics::Vec3 arm_a, arm_b;  // from the centres to the face
     double length = 0;           // m, between the centres along the normal
 };
-inline constexpr std::uint32_t not_free = 0xffffffff;
+inline constexpr std::uint32_t fixed_unknown = 0xffffffff;
 
 BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
                          const BondMaterial& material);

@@ -61,7 +61,7 @@ void sort_about(std::vector<Vec3>& points, Vec3 normal) {
         turned.emplace_back(arc_tangent(dot(p - middle, y), dot(p - middle, x)), p);
     std::stable_sort(turned.begin(), turned.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 0; k < points.size(); k++) points[k] = turned[k].second;
+    for (std::size_t k = 0; k < points.size(); k++) points[k] = turned[k].is_duplicate;
 }
 
 }  // namespace

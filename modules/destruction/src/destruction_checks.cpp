@@ -24,7 +24,7 @@ Status within(const Range (&ranges)[n]) {
 }
 
 bool is_near(Vec3 at) {
-    return is_finite(at) && length_squared(at) <= furthest * furthest;
+    return is_finite(at) && length_squared(at) <= coordinate_max * coordinate_max;
 }
 
 bool is_unit(Vec3 v) {
@@ -39,11 +39,11 @@ Status check_bond(const FractureBond& bond, std::size_t chunks) {
         return invalid_argument(
             "has no place, or its normal and axis are not two unit vectors at a right "
             "angle");
-    return within({{"area", bond.area, least_area, most_area},
+    return within({{"area", bond.area, area_min, area_max},
                    {"moment_u", bond.moment_u, least_moment, most_moment},
                    {"moment_v", bond.moment_v, least_moment, most_moment},
-                   {"reach_u", bond.reach_u, 0, furthest},
-                   {"reach_v", bond.reach_v, 0, furthest}});
+                   {"reach_u", bond.reach_u, 0, coordinate_max},
+                   {"reach_v", bond.reach_v, 0, coordinate_max}});
 }
 
 }  // namespace

@@ -17,13 +17,13 @@ using namespace destruction_detail;
 namespace {
 
 // Of the worst load: bonds that bear as much break in the same round.
-constexpr double same_round = 0.5;
+constexpr double same_round_load_ratio = 0.5;
 // Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
-constexpr double noticeable_share = 0.05, noticeable_weight = 0.05;
+constexpr double load_change_share = 0.05, load_change_weight_share = 0.05;
 constexpr double standard_gravity = 9.81;
 constexpr double load_max = 1e29;      // N, J, m: less than what a load takes
-constexpr double shortest_beam = 1e-6;  // m
-constexpr std::uint32_t nowhere = 0xffffffff;
+constexpr double beam_length_min = 1e-6;  // m
+constexpr std::uint32_t no_piece = 0xffffffff;
 
 struct Unknowns {
     std::vector<std::uint32_t> of_chunk;  // by chunk of the whole
@@ -34,7 +34,7 @@ struct Unknowns {
 
 // By bonds that hold, in order of the lowest chunk.
 std::vector<Group> Destruction::connected_groups(const Destructible& whole, const Group& group) {
-    std::vector<std::uint32_t> part(whole.chunks.size(), nowhere);
+    std::vector<std::uint32_t> part(whole.chunks.size(), no_piece);
     std::vector<std::vector<std::uint32_t>> near(whole.chunks.size());
     for (const std::uint32_t k : group.bonds) {
         if (whole.bonds[k].broken) continue;
@@ -45,7 +45,7 @@ std::vector<Group> Destruction::connected_groups(const Destructible& whole, cons
     std::vector<Group> parts;
     std::vector<std::uint32_t> open;
     for (const std::uint32_t first : group.chunks) {
-        if (part[first] != nowhere) continue;
+        if (part[first] != no_piece) continue;
         const auto number = static_cast<std::uint32_t>(parts.size());
         parts.emplace_back();
         part[first] = number;
@@ -54,7 +54,7 @@ std::vector<Group> Destruction::connected_groups(const Destructible& whole, cons
             const std::uint32_t chunk = open.back();
             open.pop_back();
             for (const std::uint32_t next : near[chunk]) {
-                if (part[next] != nowhere) continue;
+                if (part[next] != no_piece) continue;
                 part[next] = number;
                 open.push_back(next);
             }
@@ -72,7 +72,7 @@ namespace {
 // so nothing pulls at it.
 template <class Chunk>
 Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
-    Unknowns unknowns{std::vector<std::uint32_t>(chunks.size(), not_free), 0};
+    Unknowns unknowns{std::vector<std::uint32_t>(chunks.size(), fixed_unknown), 0};
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
                                   [&](std::uint32_t c) { return chunks[c].anchored; });
     for (const std::uint32_t c : group.chunks)
@@ -92,7 +92,7 @@ std::vector<Beam> beams_of(const Destructible& whole, const Group& group, const 
                          .b = unknowns.of_chunk[face.b],
                          .arm_a = face.center - a,
                          .arm_b = face.center - b,
-                         .length = maximum(dot(b - a, face.normal), shortest_beam)});
+                         .length = maximum(dot(b - a, face.normal), beam_length_min)});
     }
     return beams;
 }
@@ -145,15 +145,15 @@ std::vector<double> Destruction::loads_of(const Destructible& whole, const Group
         add_inertia(whole, group, spin, pushes);
     std::vector<Block6> moved(unknowns.count);
     for (const std::uint32_t c : group.chunks)
-        if (const std::uint32_t at = unknowns.of_chunk[c]; at != not_free)
+        if (const std::uint32_t at = unknowns.of_chunk[c]; at != fixed_unknown)
             moved[at] = {pushes[c].force.x,  pushes[c].force.y,  pushes[c].force.z,
                          pushes[c].torque.x, pushes[c].torque.y, pushes[c].torque.z};
     factor.solve(moved);
     constexpr Block6 still = {};
     std::vector<double> loads;
     for (const Beam& beam : beams_of(whole, group, unknowns))
-        loads.push_back(load_of(beam, beam.a == not_free ? still : moved[beam.a],
-                                beam.b == not_free ? still : moved[beam.b], whole.material));
+        loads.push_back(load_of(beam, beam.a == fixed_unknown ? still : moved[beam.a],
+                                beam.b == fixed_unknown ? still : moved[beam.b], whole.material));
     return loads;
 }
 
@@ -162,8 +162,8 @@ Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Pi
                                      std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
-    const bool paid = cached && cached->solved;
-    if (!paid && work_left_ <= 0) return Answer::no_time;
+    const bool dissipated_energy = cached && cached->solved;
+    if (!dissipated_energy && work_left_ <= 0) return Answer::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(whole.chunks, group);
         factor = std::make_shared<BlockFactor>(
@@ -171,11 +171,11 @@ Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Pi
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
-    if (!paid) work_left_ -= static_cast<std::int64_t>(factor->work());
+    if (!dissipated_energy) work_left_ -= static_cast<std::int64_t>(factor->work());
     const std::vector<double> loads = loads_of(whole, group, *factor, pushes, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
-    if (cached) worst_ = worst;
-    const double limit = maximum(1, same_round * worst);
+    if (cached) max_load_ratio_ = worst;
+    const double limit = maximum(1, same_round_load_ratio * worst);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < loads.size(); k++)
         if (loads[k] > 1 && loads[k] >= limit) order.push_back(k);
@@ -225,17 +225,17 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const Quat back = conjugate(body->pose.rotation);
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
-    if (pushes_.size() < whole.chunks.size()) pushes_.resize(whole.chunks.size());
-    const std::span<Push> pushes(pushes_.data(), whole.chunks.size());
+    if (chunk_loads_.size() < whole.chunks.size()) chunk_loads_.resize(whole.chunks.size());
+    const std::span<Push> pushes(chunk_loads_.data(), whole.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
-        const Vec3 force = rotate(back, chunk_contact.push);
+        const Vec3 force = rotate(back, chunk_contact.force);
         const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
         pushes[chunk_contact.chunk].force += force;
         pushes[chunk_contact.chunk].torque += cross(at - whole.chunks[chunk_contact.chunk].center, force);
         energy += chunk_contact.energy;
-        sum += length(chunk_contact.push) + length(chunk_contact.point) + chunk_contact.energy;
+        sum += length(chunk_contact.force) + length(chunk_contact.point) + chunk_contact.energy;
     }
     // What ran away is in quarantine after this step: what it pressed means nothing.
     if (!(sum < load_max)) return;
@@ -251,7 +251,7 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     change += absolute(spin2 - piece.spin2) * mass * size;
     before += piece.spin2 * mass * size;
     const bool noticeable =
-        change > noticeable_share * before + noticeable_weight * standard_gravity * mass;
+        change > load_change_share * before + load_change_weight_share * standard_gravity * mass;
     if (!piece.solve_pending && !piece.loads_pending && !noticeable) return;
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
@@ -259,8 +259,8 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const bool asked = break_bonds(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
         if (hit && asked && chunk_contact.impact && !piece.loads_pending) {
-            chunk_contact.paid = (energy - left) * (chunk_contact.energy / energy);
-            chunk_contact.worst = piece.split_pending ? worst_ : 0;
+            chunk_contact.dissipated_energy = (energy - left) * (chunk_contact.energy / energy);
+            chunk_contact.load_ratio = piece.split_pending ? max_load_ratio_ : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
         whole.chunks[c].force = pushes[c].force;

@@ -118,14 +118,14 @@ void Destruction::reverse_excess_impulses(World& world, double dt) {
 void Destruction::merge_mutual_impacts() {
     for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
         ChunkContact& chunk_contact = chunk_contacts_[k];
-        if (!chunk_contact.twin || !chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
+        if (!chunk_contact.mutual || !chunk_contact.impact || !(chunk_contact.load_ratio > 1)) continue;
         for (std::size_t i = 0; i < k; i++) {
             ChunkContact& other = chunk_contacts_[i];
-            if (other.own != chunk_contact.other || other.other != chunk_contact.own || !(other.worst > 1))
+            if (other.own != chunk_contact.other || other.other != chunk_contact.own || !(other.load_ratio > 1))
                 continue;
-            chunk_contact.worst = other.worst = maximum(chunk_contact.worst, other.worst);
-            chunk_contact.paid = other.paid = chunk_contact.paid + other.paid;
-            chunk_contact.second = true;
+            chunk_contact.load_ratio = other.load_ratio = maximum(chunk_contact.load_ratio, other.load_ratio);
+            chunk_contact.dissipated_energy = other.dissipated_energy = chunk_contact.dissipated_energy + other.dissipated_energy;
+            chunk_contact.is_duplicate = true;
         }
     }
 }
@@ -141,7 +141,7 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
     double worst = 0;
     bool free = true;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
-        worst = maximum(worst, chunk_contact.worst);
+        worst = maximum(worst, chunk_contact.load_ratio);
         const Result<BodyState> other = world.body(chunk_contact.other_body);
         free = free && other.ok() && other->type == BodyType::dynamic;
     }
@@ -162,9 +162,9 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
 // The speed against each other that is left: the energy that the bonds took comes off it,
 // E = (v0^2 - v^2) / (2 inv). Negative: they part.
 double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
-    const double kept = chunk_contact.approach - (chunk_contact.approach + chunk_contact.parting) / chunk_contact.worst;
+    const double kept = chunk_contact.approach - (chunk_contact.approach + chunk_contact.separation_speed) / chunk_contact.load_ratio;
     if (!(kept > 0)) return kept;
-    const double left2 = kept * kept - 2 * chunk_contact.paid * chunk_contact.inv;
+    const double left2 = kept * kept - 2 * chunk_contact.dissipated_energy * chunk_contact.inverse_mass;
     return left2 > 0 ? square_root(left2) : 0;
 }
 
@@ -186,7 +186,7 @@ double Destruction::restored_speed(const World& world, const ChunkContact& chunk
 std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies, BodyId id,
                               const Piece* piece, double dt) const {
     std::size_t at = 0;
-    while (at < bodies.size() && bodies[at].now.id != id) at++;
+    while (at < bodies.size() && bodies[at].state.id != id) at++;
     if (at == bodies.size()) {
         const BodyState now = *world.body(id);
         const BodyState* before = pre_step_body(id);
@@ -197,7 +197,7 @@ std::size_t Destruction::add_reversal_body(const World& world, std::vector<Rever
     if (piece) {
         bodies[at].linear = piece->linear;
         bodies[at].angular = piece->angular;
-        bodies[at].fall = world.gravity() * dt;
+        bodies[at].gravity_velocity = world.gravity() * dt;
     }
     return at;
 }
@@ -209,7 +209,7 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t whole, dou
     const std::size_t known = bodies.size();
     for (const PreStepState& noted : pre_step_states_) {
         if (noted.whole != whole) continue;
-        const auto same = [&](const ReversalBody& met) { return met.now.id == noted.state.id; };
+        const auto same = [&](const ReversalBody& met) { return met.state.id == noted.state.id; };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
             continue;
         const Result<BodyState> now = world.body(noted.state.id);
@@ -233,14 +233,14 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::v
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
             return entry.first == noted->whole;
         });
-        if (known != wholes.end()) return void(links.emplace_back(known->second, body));
+        if (known != wholes.end()) return void(links.emplace_back(known->is_duplicate, body));
         wholes.emplace_back(noted->whole, body);
         added.clear();
         add_nearby_bodies(world, noted->whole, dt, bodies, added);
         for (const std::size_t k : added) links.emplace_back(body, k);
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
-        const BodyId id = bodies[k].now.id;
+        const BodyId id = bodies[k].state.id;
         link(k, id);
         for (const ChunkContact& chunk_contact : chunk_contacts_) {
             if (chunk_contact.other_body == id) link(k, piece_of(chunk_contact).body);
@@ -258,14 +258,14 @@ void Destruction::reverse_impacts(World& world, double dt) {
     std::vector<ReversalBody> bodies;
     std::vector<ImpulseReversal> all;
     for (const ChunkContact& chunk_contact : chunk_contacts_) {
-        if (!chunk_contact.impact || !(chunk_contact.worst > 1)) continue;
+        if (!chunk_contact.impact || !(chunk_contact.load_ratio > 1)) continue;
         const Piece& piece = piece_of(chunk_contact);
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
         const double speed = restored_speed(world, chunk_contact);
         if (speed > 0)
             reversed_contacts_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
                               -press.normal, speed});
-        if (chunk_contact.second) continue;
+        if (chunk_contact.is_duplicate) continue;
         const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),
                           other = add_reversal_body(world, bodies, chunk_contact.other_body, nullptr, dt);
         all.push_back(
@@ -274,9 +274,9 @@ void Destruction::reverse_impacts(World& world, double dt) {
              .piece = own,
              .struck = other,
              .speed = speed,
-             .inverse_mass_piece = chunk_contact.grounded ? 0 : inverse_effective_mass(bodies[own].now, chunk_contact.point, chunk_contact.normal),
-             .inverse_mass_struck = inverse_effective_mass(bodies[other].now, chunk_contact.point, chunk_contact.normal),
-             .paid = chunk_contact.paid});
+             .inverse_mass_piece = chunk_contact.grounded ? 0 : inverse_effective_mass(bodies[own].state, chunk_contact.point, chunk_contact.normal),
+             .inverse_mass_struck = inverse_effective_mass(bodies[other].state, chunk_contact.point, chunk_contact.normal),
+             .dissipated_energy = chunk_contact.dissipated_energy});
     }
     if (all.empty()) return;
     const BodyPairs links = shared_energy_pairs(world, dt, bodies);
@@ -284,7 +284,7 @@ void Destruction::reverse_impacts(World& world, double dt) {
     for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;
         const Vec3 push = one.normal * one.impulse;
-        const BodyId struck = bodies[one.struck].now.id, piece = bodies[one.piece].now.id;
+        const BodyId struck = bodies[one.struck].state.id, piece = bodies[one.piece].state.id;
         static_cast<void>(world.apply_impulse(struck, push, one.point).ok());
         if (one.inverse_mass_piece > 0)
             static_cast<void>(world.apply_impulse(piece, -push, one.point).ok());

@@ -19,10 +19,10 @@ struct ChunkContact {
     physics::Vec3 point, push;  // m; N, world
     bool impact = false;
     physics::Vec3 normal;                       // unit, against the chunk
-    double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
+    double approach = 0, separation_speed = 0, inv = 0;  // m/s; 1/kg of both there
     double energy = 0;                          // J
-    bool twin = false;      // bonds hold the other one, too: there is a press upon it
-    double paid = 0;        // J, for broken bonds
+    bool mutual = false;      // bonds hold the other one, too: there is a press upon it
+    double dissipated_energy = 0;        // J, for broken bonds
     double worst = 0;       // what the worst bond had to bear, as a share of its strength
     bool second = false;    // of two twins that both broke: the first one says it all
     bool grounded = false;  // something static presses on the piece, too

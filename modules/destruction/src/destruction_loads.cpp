@@ -24,11 +24,11 @@ constexpr double impact_speed_min = 0.5;  // m/s
 // bonds hold.
 void Destruction::rebuild_derived_state() {
     if (derived_) return;
-    constexpr std::uint32_t nowhere = 0xffffffff;
+    constexpr std::uint32_t no_piece = 0xffffffff;
     bonded_shapes_.clear();
     for (std::uint32_t w = 0; w < destructibles_.size(); w++) {
         Destructible& whole = destructibles_[w];
-        for (Chunk& chunk : whole.chunks) chunk.piece = nowhere;
+        for (Chunk& chunk : whole.chunks) chunk.piece = no_piece;
         for (std::uint32_t p = 0; p < whole.pieces.size(); p++) {
             Piece& piece = whole.pieces[p];
             piece.bonds.clear();
@@ -40,7 +40,7 @@ void Destruction::rebuild_derived_state() {
         for (std::uint32_t k = 0; k < whole.bonds.size(); k++) {
             const Bond& bond = whole.bonds[k];
             const std::uint32_t piece = whole.chunks[bond.face.a].piece;
-            if (bond.broken || piece == nowhere || piece != whole.chunks[bond.face.b].piece)
+            if (bond.broken || piece == no_piece || piece != whole.chunks[bond.face.b].piece)
                 continue;
             whole.pieces[piece].bonds.push_back(k);
         }
@@ -80,9 +80,9 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
     if (!first.ok() || !second.ok()) return;
     const double inv = inverse_effective_mass(*first, point, normal) + inverse_effective_mass(*second, point, normal);
-    const double parting = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
-    if (!(inv > 0) || !(approach + parting > 0)) return;
-    const double impulse = (approach + parting) / inv;
+    const double separation_speed = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
+    if (!(inv > 0) || !(approach + separation_speed > 0)) return;
+    const double impulse = (approach + separation_speed) / inv;
     for (const BondedShape* at : {at_a, at_b}) {
         if (!at) continue;
         const Destructible& whole = destructibles_[at->whole];
@@ -94,14 +94,14 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
                     .other = at == at_a ? b : a,
                     .other_body = at == at_a ? body_b : body_a,
                     .point = point,
-                    .push = against * (impulse / time),
+                    .force = against * (impulse / time),
                     .impact = true,
                     .normal = against,
                     .approach = approach,
-                    .parting = parting,
-                    .inv = inv,
+                    .separation_speed = separation_speed,
+                    .inverse_mass = inv,
                     .energy = 0.5 * approach * approach / inv};
-        chunk_contact.twin = at_a && at_b;
+        chunk_contact.mutual = at_a && at_b;
         chunk_contacts_.push_back(chunk_contact);
     }
 }
@@ -132,7 +132,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .other = stay.shape_b,
                             .other_body = stay.body_b,
                             .point = stay.point,
-                            .push = -push});
+                            .force = -push});
     if (at_b)
         chunk_contacts_.push_back({.whole = at_b->whole,
                             .chunk = at_b->chunk,
@@ -140,7 +140,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .other = stay.shape_a,
                             .other_body = stay.body_a,
                             .point = stay.point,
-                            .push = push});
+                            .force = push});
 }
 
 // What got its speed back and was stopped again without an event: by sweeps, which end at what is
@@ -172,8 +172,8 @@ void Destruction::distribute_impacts() {
     for (ChunkContact& chunk_contact : chunk_contacts_) {
         if (!chunk_contact.impact) continue;
         const auto range = std::equal_range(others.begin(), others.end(), chunk_contact.other_body);
-        const double share = 1 / static_cast<double>(range.second - range.first);
-        chunk_contact.push = chunk_contact.push * share;
+        const double share = 1 / static_cast<double>(range.is_duplicate - range.first);
+        chunk_contact.force = chunk_contact.force * share;
         chunk_contact.energy *= share;
     }
 }

@@ -16,7 +16,7 @@ using namespace destruction_detail;
 namespace {
 
 // Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
-constexpr std::size_t few_shapes = 4;
+constexpr std::size_t removed_one_by_one_max = 4;
 
 // Of debris that passes each other: shapes of one negative group do not meet.
 constexpr std::int32_t passing_group = -0x6a6f7374;
@@ -120,7 +120,7 @@ void Destruction::remove_detached_shapes(World& world, Destructible& whole, Piec
     std::vector<ShapeId> kept;
     for (const std::uint32_t c : piece.chunks) kept.push_back(whole.chunks[c].shape);
     std::sort(kept.begin(), kept.end());
-    if (gone <= few_shapes) {
+    if (gone <= removed_one_by_one_max) {
         for (const ShapeId shape : world.shapes_of(piece.body))
             if (!std::binary_search(kept.begin(), kept.end(), shape))
                 static_cast<void>(world.destroy_shape(shape).ok());

@@ -28,14 +28,14 @@ void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
 void visit_bond(StateVisitor& v, FractureBond& bond) {
     v.field("a", bond.a);
     v.field("b", bond.b);
-    bounded(v, "center", bond.center, furthest);
+    bounded(v, "center", bond.center, coordinate_max);
     unit_vector(v, "normal", bond.normal);
     unit_vector(v, "axis", bond.axis);
-    bounded(v, "area", bond.area, least_area, most_area);
+    bounded(v, "area", bond.area, area_min, area_max);
     bounded(v, "moment_u", bond.moment_u, least_moment, most_moment);
     bounded(v, "moment_v", bond.moment_v, least_moment, most_moment);
-    bounded(v, "reach_u", bond.reach_u, 0, furthest);
-    bounded(v, "reach_v", bond.reach_v, 0, furthest);
+    bounded(v, "reach_u", bond.reach_u, 0, coordinate_max);
+    bounded(v, "reach_v", bond.reach_v, 0, coordinate_max);
 }
 
 void visit_material(StateVisitor& v, BondMaterial& m) {
@@ -56,7 +56,7 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
     visit_material(v, whole.material);
     bounded(v, "density", whole.density, 0, 1e6);
     v.all("chunks", whole.chunks, [&](Chunk& chunk) {
-        bounded(v, "center", chunk.center, furthest);
+        bounded(v, "center", chunk.center, coordinate_max);
         bounded(v, "mass", chunk.mass, least_mass, most_mass);
         bounded(v, "inertia_x", chunk.inertia.x, most_inertia);
         bounded(v, "inertia_y", chunk.inertia.y, most_inertia);
@@ -72,7 +72,7 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
     });
     v.all("pieces", whole.pieces, [&](Piece& piece) {
         v.field("body", piece.body);
-        bounded(v, "origin", piece.origin, furthest);
+        bounded(v, "origin", piece.origin, coordinate_max);
         v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
         v.field("anchored", piece.anchored);
         v.field("check", piece.solve_pending);

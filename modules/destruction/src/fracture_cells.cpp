@@ -77,19 +77,19 @@ std::uint32_t chunk_at(std::span<const Cut> cuts, std::uint32_t seed, std::uint3
 }
 
 // Within parts: a cell's face says whose lies beyond.
-void bond_within(FracturedShape& shape, std::span<const Cut> cuts, double least_area) {
+void bond_within(FracturedShape& shape, std::span<const Cut> cuts, double area_min) {
     for (std::uint32_t a = 0; a < cuts.size(); a++)
         for (const CellFace& face : cuts[a].cell.faces) {
             if (face.neighbour == outer_face) continue;
             const std::uint32_t b = chunk_at(cuts, face.neighbour, cuts[a].part);
             if (b == outer_face || b < a) continue;
             const FractureBond bond = bond_of(face.points, face.normal, a, b);
-            if (bond.area > least_area) shape.bonds.push_back(bond);
+            if (bond.area > area_min) shape.bonds.push_back(bond);
         }
 }
 
 // Of two parts, where outer faces lie on each other. Pairs by their boxes, swept along x.
-void bond_across(FracturedShape& shape, std::span<const Cut> cuts, double size, double least_area) {
+void bond_across(FracturedShape& shape, std::span<const Cut> cuts, double size, double area_min) {
     const double near = face_contact_share * size;
     std::vector<std::uint32_t> order(cuts.size());
     for (std::uint32_t k = 0; k < order.size(); k++) order[k] = k;
@@ -105,7 +105,7 @@ void bond_across(FracturedShape& shape, std::span<const Cut> cuts, double size, 
                 continue;
             for (const FaceContact& contact : face_contacts(cuts[a].cell, cuts[b].cell, near)) {
                 const FractureBond bond = bond_of(contact.points, contact.normal, a, b);
-                if (bond.area > least_area) shape.bonds.push_back(bond);
+                if (bond.area > area_min) shape.bonds.push_back(bond);
             }
         }
     std::stable_sort(shape.bonds.begin() + static_cast<std::ptrdiff_t>(before), shape.bonds.end(),
@@ -212,9 +212,9 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
             cuts.push_back(std::move(cut));
         }
     }
-    const double least_area = least_face_share * cutter.size() * cutter.size();
-    bond_within(made.shape, cuts, least_area);
-    if (parts.size() > 1) bond_across(made.shape, cuts, cutter.size(), least_area);
+    const double area_min = least_face_share * cutter.size() * cutter.size();
+    bond_within(made.shape, cuts, area_min);
+    if (parts.size() > 1) bond_across(made.shape, cuts, cutter.size(), area_min);
     if (progress) progress(seeds.size(), seeds.size());
     return made;
 }

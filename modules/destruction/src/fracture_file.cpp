@@ -185,7 +185,7 @@ Result<FractureChunk> read_chunk(Reader& in) {
     chunk.unit_inertia = {{on.x, off.x, off.y}, {off.x, on.y, off.z}, {off.y, off.z, on.z}};
     const Quat r = chunk.pose.rotation;
     if (!(absolute(r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w - 1) < 1e-6) ||
-        !(length_squared(chunk.pose.position) <= furthest * furthest))
+        !(length_squared(chunk.pose.position) <= coordinate_max * coordinate_max))
         return damaged("its pose is no unit rotation, or is too far off");
     Result<Geometry> geometry = read_geometry(in, kind);
     if (!geometry.ok()) return geometry.error();

@@ -12,7 +12,7 @@ using namespace physics;
 
 namespace {
 
-constexpr int rounds_of_giving = 16;
+constexpr int solver_iterations = 16;
 
 void push(BodyState& body, Vec3 impulse, Vec3 point) {
     if (!(body.mass > 0)) return;
@@ -21,20 +21,20 @@ void push(BodyState& body, Vec3 impulse, Vec3 point) {
 }
 
 void push(std::span<ReversalBody> bodies, const ImpulseReversal& one, double impulse) {
-    push(bodies[one.struck].now, one.normal * impulse, one.point);
-    if (one.inverse_mass_piece > 0) push(bodies[one.piece].now, one.normal * -impulse, one.point);
+    push(bodies[one.struck].state, one.normal * impulse, one.point);
+    if (one.inverse_mass_piece > 0) push(bodies[one.piece].state, one.normal * -impulse, one.point);
 }
 
 // The piece gives no more than it got since before the step.
 void share(std::span<ReversalBody> bodies, ImpulseReversal& one) {
     if (!(one.inverse_mass_piece + one.inverse_mass_struck > 0)) return;
-    const BodyState &piece = bodies[one.piece].now, &struck = bodies[one.struck].now;
+    const BodyState &piece = bodies[one.piece].state, &struck = bodies[one.struck].state;
     const double now =
         dot(velocity_at(struck, one.point) - velocity_at(piece, one.point), one.normal);
     double more = (one.speed - now) / (one.inverse_mass_piece + one.inverse_mass_struck);
     if (one.inverse_mass_piece > 0) {
         const ReversalBody& met = bodies[one.piece];
-        const Vec3 got = piece.linear_velocity - met.linear - met.fall +
+        const Vec3 got = piece.linear_velocity - met.linear - met.gravity_velocity +
                          cross(piece.angular_velocity - met.angular, one.point - piece.center);
         more = minimum(more, dot(got, one.normal) / one.inverse_mass_piece);
     }
@@ -70,12 +70,12 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
 struct Ledger {
     double before = 0, after = 0;     // the step
     double given = 0, of_change = 0;  // after all was given; of the change of velocity alone
-    double paid = 0;
+    double dissipated_energy = 0;
 
     // The share of what is given at which there is no more than there was:
     // after + b s + of_change s^2 = most.
     double share() const {
-        const double most = maximum(before - paid, after), b = given - after - of_change;
+        const double most = maximum(before - dissipated_energy, after), b = given - after - of_change;
         if (!(given > most) || !(of_change > 0)) return 1;
         const double root = square_root(b * b + 4 * of_change * (most - after));
         // Both are the same; each has its rounding.
@@ -102,12 +102,12 @@ double ReversalBody::energy_before() const {
 void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                std::span<const std::pair<std::size_t, std::size_t>> links) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
-    for (int round = 0; round < rounds_of_giving; round++)
+    for (int round = 0; round < solver_iterations; round++)
         for (ImpulseReversal& one : all) share(bodies, one);
     const std::vector<std::size_t> group = groups_of(bodies, all, links);
     std::vector<Ledger> ledgers(bodies.size());
     for (std::size_t k = 0; k < bodies.size(); k++) {
-        const BodyState &now = bodies[k].now, &was = after[k].now;
+        const BodyState &now = bodies[k].state, &was = after[k].state;
         Ledger& ledger = ledgers[group[k]];
         ledger.before += after[k].energy_before();
         ledger.after += after[k].energy();
@@ -115,7 +115,7 @@ void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal>
         ledger.of_change += energy_of(now, now.linear_velocity - was.linear_velocity,
                                       now.angular_velocity - was.angular_velocity);
     }
-    for (const ImpulseReversal& one : all) ledgers[group[one.struck]].paid += one.paid;
+    for (const ImpulseReversal& one : all) ledgers[group[one.struck]].dissipated_energy += one.dissipated_energy;
     std::copy(after.begin(), after.end(), bodies.begin());
     for (ImpulseReversal& one : all) {
         one.impulse *= ledgers[group[one.struck]].share();

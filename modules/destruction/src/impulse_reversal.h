@@ -30,7 +30,7 @@ struct ImpulseReversal {
     std::size_t piece = 0, struck = 0;       // of the bodies that met
     double speed = 0;                        // m/s, against each other, that it shall have
     double inverse_mass_piece = 0, inverse_mass_struck = 0;  // 1/kg; 0 of a piece: the ground takes what it gives
-    double paid = 0;                         // J, for broken bonds
+    double dissipated_energy = 0;                         // J, for broken bonds
     double impulse = 0;                      // N s, that is given back in the end
 };
 

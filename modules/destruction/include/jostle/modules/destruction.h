@@ -273,12 +273,12 @@ private:
     bool derived_ = false;
     std::vector<BondedShape> bonded_shapes_;  // by shape
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
-    std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
+    std::vector<destruction_detail::Push> chunk_loads_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;  // bodies, of wholes
     std::vector<physics::BodyState> reversed_bodies_;         // what got its speed back, before the step
     std::vector<destruction_detail::PreStepState> pre_step_states_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;
-    double worst_ = 0;  // of the piece that was asked last, before anything broke
+    double max_load_ratio_ = 0;  // of the piece that was asked last, before anything broke
 };
 
 }  // namespace jostle::modules

@@ -20,14 +20,14 @@ void note(std::vector<Vec3>& rim, Vec3 point) {
 }
 
 // The part of one face below the plane; what of it lies on the plane goes to the rim.
-CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double grain,
+CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double plane_tolerance,
                       std::vector<Vec3>& rim) {
     CellFace kept{.normal = face.normal, .neighbour = face.neighbour, .points = {}};
     const std::size_t count = face.points.size();
     std::vector<double> height(count);
     for (std::size_t k = 0; k < count; k++) {
         const double h = dot(normal, face.points[k]) - offset;
-        height[k] = absolute(h) <= grain ? 0 : h;
+        height[k] = absolute(h) <= plane_tolerance ? 0 : h;
     }
     for (std::size_t k = 0; k < count; k++) {
         const std::size_t next = k + 1 == count ? 0 : k + 1;
@@ -44,9 +44,9 @@ CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double g
 }
 
 // A face that only touches the plane from below, or lies in it.
-bool is_flat(const CellFace& face, Vec3 normal, double offset, double grain) {
+bool is_flat(const CellFace& face, Vec3 normal, double offset, double plane_tolerance) {
     return std::all_of(face.points.begin(), face.points.end(),
-                       [&](Vec3 p) { return absolute(dot(normal, p) - offset) <= grain; });
+                       [&](Vec3 p) { return absolute(dot(normal, p) - offset) <= plane_tolerance; });
 }
 
 // Points of a convex face, in any order, about its normal.
@@ -69,14 +69,14 @@ void sort_about(std::vector<Vec3>& points, Vec3 normal) {
 namespace {
 
 // Of the size: how far corners of a flat face may lie off its plane, by rounding.
-constexpr double flat_share = 1e-13;
+constexpr double flatness_tolerance = 1e-13;
 // Of the size, and of the cosine: planes that differ by less are one.
-constexpr double same_plane_share = 1e-9, same_direction = 1 - 1e-9;
+constexpr double same_plane_tolerance = 1e-9, same_direction = 1 - 1e-9;
 
 bool is_flat(const ConvexHull& hull, const HullFace& face, double size) {
     const auto corners = hull.vertices_of(face);
     return std::all_of(corners.begin(), corners.end(), [&](std::uint16_t v) {
-        return face.offset - dot(face.normal, hull.vertices[v]) <= flat_share * size;
+        return face.offset - dot(face.normal, hull.vertices[v]) <= flatness_tolerance * size;
     });
 }
 
@@ -99,7 +99,7 @@ ConvexCell below_faces(const ConvexHull& hull) {
     for (CellFace& face : cell.faces)
         for (Vec3& p : face.points) p += middle;
     for (const HullFace& face : hull.faces)
-        cell = clipped(cell, face.normal, face.offset, outer_face, same_plane_share * length(half));
+        cell = clipped(cell, face.normal, face.offset, outer_face, same_plane_tolerance * length(half));
     return cell;
 }
 
@@ -140,21 +140,21 @@ ConvexCell cell_of_box(Vec3 e) {
 }
 
 ConvexCell clipped(const ConvexCell& cell, Vec3 normal, double offset, std::uint32_t neighbour,
-                   double grain) {
+                   double plane_tolerance) {
     bool below = false, above = false;
     for (const CellFace& face : cell.faces)
         for (const Vec3 p : face.points) {
             const double h = dot(normal, p) - offset;
             below = below || h < -grain;
-            above = above || h > grain;
+            above = above || h > plane_tolerance;
         }
     if (!above) return cell;
     if (!below) return {};
     ConvexCell kept;
     std::vector<Vec3> rim;
     for (const CellFace& face : cell.faces) {
-        CellFace part = clipped_face(face, normal, offset, grain, rim);
-        if (part.points.size() >= 3 && !is_flat(part, normal, offset, grain))
+        CellFace part = clipped_face(face, normal, offset, plane_tolerance, rim);
+        if (part.points.size() >= 3 && !is_flat(part, normal, offset, plane_tolerance))
             kept.faces.push_back(std::move(part));
     }
     if (rim.size() >= 3) {

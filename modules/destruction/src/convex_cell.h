@@ -37,7 +37,7 @@ ConvexCell cell_of(const physics::ConvexHull& hull);
 ConvexCell cell_of_box(physics::Vec3 half_extents);
 // Keeps what lies at dot(normal, x) <= offset. Points within `grain` of the plane are on it.
 ConvexCell clipped(const ConvexCell& cell, physics::Vec3 normal, double offset,
-                   std::uint32_t neighbour, double grain);
+                   std::uint32_t neighbour, double plane_tolerance);
 CellMass mass_of(const ConvexCell& cell);
 physics::Aabb bounds_of(const ConvexCell& cell);  // of one that is not empty
 // Whether boxes overlap, or are no further apart than that along each axis.

@@ -40,8 +40,8 @@ Status check_bond(const FractureBond& bond, std::size_t chunks) {
             "has no place, or its normal and axis are not two unit vectors at a right "
             "angle");
     return within({{"area", bond.area, area_min, area_max},
-                   {"moment_u", bond.moment_u, least_moment, most_moment},
-                   {"moment_v", bond.moment_v, least_moment, most_moment},
+                   {"moment_u", bond.moment_u, second_moment_min, second_moment_max},
+                   {"moment_v", bond.moment_v, second_moment_min, second_moment_max},
                    {"reach_u", bond.reach_u, 0, coordinate_max},
                    {"reach_v", bond.reach_v, 0, coordinate_max}});
 }

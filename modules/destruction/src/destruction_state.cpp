@@ -32,8 +32,8 @@ void visit_bond(StateVisitor& v, FractureBond& bond) {
     unit_vector(v, "normal", bond.normal);
     unit_vector(v, "axis", bond.axis);
     bounded(v, "area", bond.area, area_min, area_max);
-    bounded(v, "moment_u", bond.moment_u, least_moment, most_moment);
-    bounded(v, "moment_v", bond.moment_v, least_moment, most_moment);
+    bounded(v, "moment_u", bond.moment_u, second_moment_min, second_moment_max);
+    bounded(v, "moment_v", bond.moment_v, second_moment_min, second_moment_max);
     bounded(v, "reach_u", bond.reach_u, 0, coordinate_max);
     bounded(v, "reach_v", bond.reach_v, 0, coordinate_max);
 }
@@ -57,10 +57,10 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
     bounded(v, "density", whole.density, 0, 1e6);
     v.all("chunks", whole.chunks, [&](Chunk& chunk) {
         bounded(v, "center", chunk.center, coordinate_max);
-        bounded(v, "mass", chunk.mass, least_mass, most_mass);
-        bounded(v, "inertia_x", chunk.inertia.x, most_inertia);
-        bounded(v, "inertia_y", chunk.inertia.y, most_inertia);
-        bounded(v, "inertia_z", chunk.inertia.z, most_inertia);
+        bounded(v, "mass", chunk.mass, mass_min, mass_max);
+        bounded(v, "inertia_x", chunk.inertia.x, inertia_max);
+        bounded(v, "inertia_y", chunk.inertia.y, inertia_max);
+        bounded(v, "inertia_z", chunk.inertia.z, inertia_max);
         v.field("shape", chunk.shape);
         v.field("anchored", chunk.anchored);
         bounded(v, "force", chunk.force, load_max);

@@ -10,7 +10,7 @@
 namespace jostle::modules::destruction_detail {
 
 // Of the size: faces that are so near and so parallel lie on each other.
-inline constexpr double face_contact_share = 1e-6;
+inline constexpr double face_contact_tolerance_ratio = 1e-6;
 
 struct FaceContact {
     physics::Vec3 normal;               // unit, from a to b

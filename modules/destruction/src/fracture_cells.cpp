@@ -16,10 +16,10 @@ using namespace physics;
 namespace {
 
 // Of the square of the size: faces that are smaller hold nothing.
-constexpr double least_face_share = 1e-8;
+constexpr double face_area_share_min = 1e-8;
 // Of the mean volume: what several parts leave of a cell and is less is left out.
 constexpr double splinter_share = 1e-6;
-constexpr std::size_t seeds_a_report = 50;
+constexpr std::size_t seeds_per_progress_call = 50;
 
 // Without points that are nearer than that to one before.
 std::vector<Vec3> welded(std::span<const Vec3> points, double distance) {
@@ -90,7 +90,7 @@ void bond_within(FracturedShape& shape, std::span<const Cut> cuts, double area_m
 
 // Of two parts, where outer faces lie on each other. Pairs by their boxes, swept along x.
 void bond_across(FracturedShape& shape, std::span<const Cut> cuts, double size, double area_min) {
-    const double near = face_contact_share * size;
+    const double near = face_contact_tolerance_ratio * size;
     std::vector<std::uint32_t> order(cuts.size());
     for (std::uint32_t k = 0; k < order.size(); k++) order[k] = k;
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -147,10 +147,10 @@ public:
     std::vector<Cut> cut(std::uint32_t seed) const {
         std::vector<Cut> cuts;
         if (parts_.size() == 1) {
-            add(cuts, seed, 0, voronoi_cell(parts_[0], seeds_, seed, grain()));
+            add(cuts, seed, 0, voronoi_cell(parts_[0], seeds_, seed, plane_tolerance()));
             return cuts;
         }
-        const ConvexCell own = voronoi_cell(around_, seeds_, seed, grain());
+        const ConvexCell own = voronoi_cell(around_, seeds_, seed, plane_tolerance());
         if (own.empty()) return cuts;
         const Aabb reach = bounds_of(own);
         for (std::uint32_t p = 0; p < parts_.size(); p++) {
@@ -158,14 +158,14 @@ public:
             ConvexCell cell = parts_[p];
             for (const CellFace& face : own.faces)
                 if (face.neighbour != outer_face && !cell.empty())
-                    cell = nearer_to(cell, seeds_, seed, face.neighbour, grain());
+                    cell = clip_by_bisector(cell, seeds_, seed, face.neighbour, plane_tolerance());
             add(cuts, seed, p, std::move(cell));
         }
         return cuts;
     }
 
 private:
-    double grain() const { return grain_share * size_; }
+    double plane_tolerance() const { return plane_tolerance_ratio * size_; }
     static void add(std::vector<Cut>& cuts, std::uint32_t seed, std::uint32_t part,
                     ConvexCell cell) {
         if (cell.empty()) return;
@@ -192,7 +192,7 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
     std::vector<Cut> cuts;
     const double least_volume = parts.size() == 1 ? 0 : splinter_share * cutter.mean_volume();
     for (std::uint32_t seed = 0; seed < seeds.size(); seed++) {
-        if (progress && seed % seeds_a_report == 0) progress(seed, seeds.size());
+        if (progress && seed % seeds_per_progress_call == 0) progress(seed, seeds.size());
         for (Cut& cut : cutter.cut(seed)) {
             const CellMass mass = mass_of(cut.cell);
             if (!(mass.volume > 0)) continue;
@@ -212,7 +212,7 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
             cuts.push_back(std::move(cut));
         }
     }
-    const double area_min = least_face_share * cutter.size() * cutter.size();
+    const double area_min = face_area_share_min * cutter.size() * cutter.size();
     bond_within(made.shape, cuts, area_min);
     if (parts.size() > 1) bond_across(made.shape, cuts, cutter.size(), area_min);
     if (progress) progress(seeds.size(), seeds.size());

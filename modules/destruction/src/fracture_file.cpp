@@ -18,7 +18,7 @@ using namespace destruction_detail;
 namespace {
 
 constexpr char magic[8] = {'J', 'F', 'R', 'A', 'C', 'T', '\r', '\n'};
-constexpr std::size_t least_chunk_bytes = 2 + 17 * 8 + 24, bond_bytes = 8 + 14 * 8;
+constexpr std::size_t chunk_bytes_min = 2 + 17 * 8 + 24, bond_bytes = 8 + 14 * 8;
 // Of a hull that is built anew: its volume and that of the cell that it was may differ so.
 constexpr double volume_slack = 1e-3;
 enum Kind : std::uint8_t { box = 0, hull = 1 };
@@ -252,7 +252,7 @@ Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     Reader in(bytes.subspan(fracture_head_bytes));
     const std::size_t chunks = in.bits<std::uint32_t>(), bonds = in.bits<std::uint32_t>();
     if (chunks < 1 || chunks > most_chunks || bonds > bonds_max ||
-        chunks * least_chunk_bytes + bonds * bond_bytes > in.left())
+        chunks * chunk_bytes_min + bonds * bond_bytes > in.left())
         return damaged("it says that it has " + std::to_string(chunks) + " chunks and " +
                        std::to_string(bonds) + " bonds, and is too short for them, or too many");
     FracturedShape shape;

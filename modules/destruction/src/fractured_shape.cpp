@@ -116,7 +116,7 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
 std::vector<Vec3> scattered_seeds(Vec3 e, int count, std::uint64_t seed) {
     std::vector<Vec3> points;
     for (int k = 0; k < count; k++) {
-        const double x = next_chance(seed), y = next_chance(seed), z = next_chance(seed);
+        const double x = next_uniform(seed), y = next_uniform(seed), z = next_uniform(seed);
         points.push_back(scaled(e, {2 * x - 1, 2 * y - 1, 2 * z - 1}));
     }
     return points;

@@ -8,7 +8,7 @@
 namespace jostle::modules::destruction_detail {
 
 // 0 to 1, without 1.
-inline double next_chance(std::uint64_t& state) {
+inline double next_uniform(std::uint64_t& state) {
     std::uint64_t z = state += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

@@ -11,11 +11,11 @@
 namespace jostle::modules {
 
 using namespace physics;
-using destruction_detail::next_chance;
+using destruction_detail::next_uniform;
 
 namespace {
 
-constexpr int most_tries = 200;  // for each seed that is asked for
+constexpr int attempts_max = 200;  // for each seed that is asked for
 
 Status check(const Aabb& bounds, const SeedPlan& plan) {
     for (int k = 0; k < 3; k++) {
@@ -42,22 +42,22 @@ double longest_side(const Aabb& bounds) {
     return maximum(sides.x, maximum(sides.y, sides.z));
 }
 
-Vec3 anywhere(const Aabb& bounds, std::uint64_t& state) {
-    const double x = next_chance(state), y = next_chance(state), z = next_chance(state);
+Vec3 random_point(const Aabb& bounds, std::uint64_t& state) {
+    const double x = next_uniform(state), y = next_uniform(state), z = next_uniform(state);
     return bounds.low + scaled(bounds.high - bounds.low, {x, y, z});
 }
 
 // The sum of twelve chances is near enough to a bell.
-double bell(std::uint64_t& state) {
+double random_gaussian(std::uint64_t& state) {
     double sum = -6;
-    for (int k = 0; k < 12; k++) sum += next_chance(state);
+    for (int k = 0; k < 12; k++) sum += next_uniform(state);
     return sum;
 }
 
 // Four of five in the cluster.
 Vec3 in_cluster(const Aabb& bounds, const SeedPlan& plan, Vec3 center, std::uint64_t& state) {
-    if (next_chance(state) < 0.2) return anywhere(bounds, state);
-    const double x = bell(state), y = bell(state), z = bell(state);
+    if (next_uniform(state) < 0.2) return random_point(bounds, state);
+    const double x = random_gaussian(state), y = random_gaussian(state), z = random_gaussian(state);
     return center + Vec3{x, y, z} * (0.5 * plan.spread * longest_side(bounds));
 }
 
@@ -67,19 +67,19 @@ bool is_within(const Aabb& bounds, Vec3 p) {
     return true;
 }
 
-Result<std::vector<Vec3>> strewn(const Aabb& bounds, const SeedPlan& plan,
+Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPlan& plan,
                                  const std::function<bool(Vec3)>& inside) {
     std::uint64_t state = plan.seed;
     const Vec3 center = plan.center.value_or(middle_of(bounds));
     std::vector<Vec3> seeds;
     const auto count = static_cast<std::size_t>(plan.count);
     for (std::size_t tries = 0; seeds.size() < count; tries++) {
-        if (tries == most_tries * count)
+        if (tries == attempts_max * count)
             return invalid_argument(
                 "of " + std::to_string(tries) + " places only " + std::to_string(seeds.size()) +
                 " are inside: the solid is too thin for its bounds, or center is far");
         const Vec3 p = plan.pattern == SeedPattern::uniform
-                           ? anywhere(bounds, state)
+                           ? random_point(bounds, state)
                            : in_cluster(bounds, plan, center, state);
         if (is_within(bounds, p) && (!inside || inside(p))) seeds.push_back(p);
     }
@@ -130,12 +130,12 @@ std::vector<Vec3> rings(const Aabb& bounds, const SeedPlan& plan) {
     std::vector<Vec3> seeds;
     for (int ring = 0; ring < count; ring++)
         for (int spoke = 0; spoke < spokes; spoke++) {
-            const double way = (ring + 0.3 + 0.4 * next_chance(state)) / count;
-            const double turn = 2 * pi * (spoke + 0.3 * next_chance(state)) / spokes;
+            const double way = (ring + 0.3 + 0.4 * next_uniform(state)) / count;
+            const double turn = 2 * pi * (spoke + 0.3 * next_uniform(state)) / spokes;
             Vec3 p = center;
             p[u] += reach * way * way * sin_cos(turn).cos;
             p[v] += reach * way * way * sin_cos(turn).sin;
-            p[axis] = bounds.low[axis] + sides[axis] * (0.4 + 0.2 * next_chance(state));
+            p[axis] = bounds.low[axis] + sides[axis] * (0.4 + 0.2 * next_uniform(state));
             if (is_within(bounds, p)) seeds.push_back(p);
         }
     if (seeds.empty()) seeds.push_back(middle_of(bounds));
@@ -153,7 +153,7 @@ Result<std::vector<Vec3>> planned_seeds(const Aabb& bounds, const SeedPlan& plan
         case SeedPattern::radial:
             return rings(bounds, plan);
         default:
-            return strewn(bounds, plan, inside);
+            return random_points(bounds, plan, inside);
     }
 }
 

@@ -67,17 +67,17 @@ Status check_seeds(std::span<const Vec3> seeds) {
     return {};
 }
 
-ConvexCell nearer_to(const ConvexCell& whole, std::span<const Vec3> seeds, std::size_t own,
-                     std::uint32_t other, double grain) {
+ConvexCell clip_by_bisector(const ConvexCell& whole, std::span<const Vec3> seeds, std::size_t own,
+                     std::uint32_t other, double plane_tolerance) {
     const Vec3 apart = seeds[other] - seeds[own];
     const Vec3 normal = apart / square_root(length_squared(apart));
-    return clipped(whole, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other, grain);
+    return clipped(whole, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other, plane_tolerance);
 }
 
 // Others are cut off by distance: when one is so far that its plane lies beyond the furthest
 // corner, so do all that follow.
 ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const Vec3> seeds, std::size_t own,
-                        double grain) {
+                        double plane_tolerance) {
     const Vec3 here = seeds[own];
     std::vector<Distance> all;
     for (std::size_t k = 0; k < seeds.size(); k++)
@@ -89,7 +89,7 @@ ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const Vec3> seeds, st
     for (std::size_t k = 0; k < others.size(); k++) {
         const auto& [distance2, other] = others.at(k);
         if (cell.empty() || distance2 > 4 * reach2) break;
-        cell = nearer_to(cell, seeds, own, other, grain);
+        cell = clip_by_bisector(cell, seeds, own, other, plane_tolerance);
         reach2 = furthest_squared(cell, here);
     }
     return cell;

@@ -6,7 +6,7 @@
 #include "modules/destruction/src/convex_cell.h"
 #include "modules/destruction/src/disjoint_cells.h"
 #include "modules/destruction/src/fracture_cells.h"
-#include "modules/destruction/src/random_chance.h"
+#include "modules/destruction/src/next_uniform.h"
 
 namespace jostle::modules {
 

@@ -6,7 +6,7 @@
 
 #include "jostle/modules/fractured_shape.h"
 #include "jostle/physics/scalar.h"
-#include "modules/destruction/src/random_chance.h"
+#include "modules/destruction/src/next_uniform.h"
 
 namespace jostle::modules {
 

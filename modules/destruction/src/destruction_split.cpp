@@ -184,7 +184,7 @@ int Destruction::split(World& world, Destructible& whole, std::size_t p, int mos
     return static_cast<int>(leaving.size());
 }
 
-void Destruction::split_all(World& world) {
+void Destruction::split_all_pieces(World& world) {
     int most = limits_.pieces_per_step;
     for (Destructible& whole : destructibles_) {
         const std::size_t count = whole.pieces.size();  // those made here hang together
@@ -218,7 +218,7 @@ void Destruction::after_step(World& world, double dt) {
     gather_contacts(world, dt);
     break_all_bonds(world);
     reverse_excess_impulses(world, dt);
-    split_all(world);
+    split_all_pieces(world);
     rebuild_derived_state();
     start_passing();
     drop_debris(world, dt);

@@ -234,7 +234,7 @@ private:
     void drop_lost_chunks(const physics::World& world, Destructible& whole, Piece& piece);
 
     // destruction_split.cpp: pieces become bodies.
-    void split_all(physics::World& world);
+    void split_all_pieces(physics::World& world);
     int split(physics::World& world, Destructible& whole, std::size_t piece, int most);
     bool is_passing_debris(const Destructible& whole, const destruction_detail::Group& group) const;
     physics::Status detach_groups(physics::World& world, Destructible& whole, std::size_t piece,

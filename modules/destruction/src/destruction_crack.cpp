@@ -158,12 +158,12 @@ std::vector<double> Destruction::loads_of(const Destructible& whole, const Group
 }
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
-Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Piece* cached,
+Destruction::SolveResult Destruction::ask(Destructible& whole, const Group& group, Piece* cached,
                                      std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
-    if (!dissipated_energy && work_left_ <= 0) return Answer::no_time;
+    if (!dissipated_energy && work_left_ <= 0) return SolveResult::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(whole.chunks, group);
         factor = std::make_shared<BlockFactor>(
@@ -190,7 +190,7 @@ Destruction::Answer Destruction::ask(Destructible& whole, const Group& group, Pi
         bond.broken = true;
         broke = true;
     }
-    return broke ? Answer::broke : Answer::held;
+    return broke ? SolveResult::broke : SolveResult::held;
 }
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
@@ -202,10 +202,10 @@ bool Destruction::break_bonds(Destructible& whole, Piece& piece, std::span<const
         std::vector<Group> next;
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
-            const Answer answer =
+            const SolveResult answer =
                 ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
-            if (answer == Answer::no_time) return round > 0;
-            if (answer == Answer::held) continue;
+            if (answer == SolveResult::no_time) return round > 0;
+            if (answer == SolveResult::held) continue;
             piece.split_pending = true;
             for (Group& part : connected_groups(whole, group)) next.push_back(std::move(part));
         }

@@ -188,7 +188,7 @@ private:
         physics::ShapeId shape;
         std::uint32_t whole = 0, chunk = 0;
     };
-    enum class Answer : std::uint8_t { held, broke, no_time };
+    enum class SolveResult : std::uint8_t { held, broke, no_time };
 
     const Destructible* find(DestructibleId id) const;
     Destructible* find(DestructibleId id);
@@ -219,7 +219,7 @@ private:
                          std::span<destruction_detail::ChunkContact> chunk_contacts);
     bool break_bonds(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
-    Answer ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
+    SolveResult ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
                std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
                physics::Vec3 gravity, double& energy);
     static std::vector<double> loads_of(const Destructible& whole, const destruction_detail::Group& group,

@@ -18,8 +18,8 @@ Destruction::~Destruction() = default;
 
 const Destruction::Destructible* Destruction::find(DestructibleId id) const {
     if (id.index >= destructibles_.size()) return nullptr;
-    const Destructible& whole = destructibles_[id.index];
-    return whole.alive && whole.generation == id.generation ? &whole : nullptr;
+    const Destructible& destructible = destructibles_[id.index];
+    return destructible.alive && destructible.generation == id.generation ? &destructible : nullptr;
 }
 
 Destruction::Destructible* Destruction::find(DestructibleId id) {
@@ -72,67 +72,67 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
         static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
     if (at == destructibles_.size()) destructibles_.emplace_back();
     const std::uint32_t generation = destructibles_[at].generation + 1;
-    Destructible& whole = destructibles_[at] = {};
-    whole.alive = true;
-    whole.generation = generation;
-    whole.material = def.bonds;
-    whole.density = def.density;
+    Destructible& destructible = destructibles_[at] = {};
+    destructible.alive = true;
+    destructible.generation = generation;
+    destructible.material = def.bonds;
+    destructible.density = def.density;
     const std::vector<ShapeId> made = world.shapes_of(body);
     Piece piece{.body = body, .anchored = anchored};
     for (std::uint32_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
-        whole.chunks.push_back({.center = chunk.center,
+        destructible.chunks.push_back({.center = chunk.center,
                                 .mass = chunk.volume * def.density,
                                 .inertia = chunk.unit_inertia * def.density,
                                 .shape = made[k],
                                 .anchored = chunk.anchored});
         piece.chunks.push_back(k);
     }
-    for (const FractureBond& bond : shape.bonds) whole.bonds.push_back({bond, false});
+    for (const FractureBond& bond : shape.bonds) destructible.bonds.push_back({bond, false});
     // Chunks that no bond holds part with the first step.
     piece.split_pending = true;
-    whole.pieces.push_back(std::move(piece));
+    destructible.pieces.push_back(std::move(piece));
     derived_ = false;
     return DestructibleId{static_cast<std::uint32_t>(at), generation};
 }
 
 Status Destruction::remove(World& world, DestructibleId id) {
-    Destructible* whole = find(id);
-    if (!whole) return unknown(id);
-    for (const Piece& piece : whole->pieces)
+    Destructible* destructible = find(id);
+    if (!destructible) return unknown(id);
+    for (const Piece& piece : destructible->pieces)
         if (world.contains(piece.body)) static_cast<void>(world.destroy_body(piece.body).ok());
-    *whole = {.generation = whole->generation};
-    std::erase_if(reversed_contacts_, [&](const ReversedContact& again) { return again.whole == id.index; });
+    *destructible = {.generation = destructible->generation};
+    std::erase_if(reversed_contacts_, [&](const ReversedContact& again) { return again.destructible == id.index; });
     derived_ = false;
     return {};
 }
 
 Result<std::size_t> Destruction::break_near(const World& world, DestructibleId id, Vec3 center,
                                             double radius) {
-    Destructible* whole = find(id);
-    if (!whole) return unknown(id);
+    Destructible* destructible = find(id);
+    if (!destructible) return unknown(id);
     if (!is_finite(center) || !(radius >= 0 && radius <= 1e7))
         return Error{ErrorCode::invalid_argument,
                      "center is not finite, or radius is not 0 to 1e7 m"};
-    return break_near(world, *whole, center, radius);
+    return break_near(world, *destructible, center, radius);
 }
 
 std::size_t Destruction::break_near(const World& world, Vec3 center, double radius) {
     std::size_t count = 0;
-    for (Destructible& whole : destructibles_)
-        if (whole.alive) count += break_near(world, whole, center, radius);
+    for (Destructible& destructible : destructibles_)
+        if (destructible.alive) count += break_near(world, destructible, center, radius);
     return count;
 }
 
-std::size_t Destruction::break_near(const World& world, Destructible& whole, Vec3 center, double radius) {
+std::size_t Destruction::break_near(const World& world, Destructible& destructible, Vec3 center, double radius) {
     rebuild_derived_state();
     std::size_t count = 0;
-    for (Piece& piece : whole.pieces) {
+    for (Piece& piece : destructible.pieces) {
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok()) continue;
         const Vec3 here = apply_inverse(body->pose, center) + piece.origin;
         for (const std::uint32_t k : piece.bonds) {
-            Bond& bond = whole.bonds[k];
+            Bond& bond = destructible.bonds[k];
             if (length_squared(bond.face.center - here) > radius * radius) continue;
             bond.broken = true;
             piece.split_pending = true;
@@ -144,17 +144,17 @@ std::size_t Destruction::break_near(const World& world, Destructible& whole, Vec
 }
 
 Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
-    const Destructible* whole = find(id);
-    if (!whole) return unknown(id);
+    const Destructible* destructible = find(id);
+    if (!destructible) return unknown(id);
     std::vector<BodyId> bodies;
-    for (const Piece& piece : whole->pieces) bodies.push_back(piece.body);
+    for (const Piece& piece : destructible->pieces) bodies.push_back(piece.body);
     return bodies;
 }
 
 Result<std::size_t> Destruction::bonds_left(DestructibleId id) const {
-    const Destructible* whole = find(id);
-    if (!whole) return unknown(id);
-    return static_cast<std::size_t>(std::count_if(whole->bonds.begin(), whole->bonds.end(),
+    const Destructible* destructible = find(id);
+    if (!destructible) return unknown(id);
+    return static_cast<std::size_t>(std::count_if(destructible->bonds.begin(), destructible->bonds.end(),
                                                   [](const Bond& b) { return !b.broken; }));
 }
 

@@ -33,12 +33,12 @@ struct Unknowns {
 }  // namespace
 
 // By bonds that hold, in order of the lowest chunk.
-std::vector<Group> Destruction::connected_groups(const Destructible& whole, const Group& group) {
-    std::vector<std::uint32_t> part(whole.chunks.size(), no_piece);
-    std::vector<std::vector<std::uint32_t>> near(whole.chunks.size());
+std::vector<Group> Destruction::connected_groups(const Destructible& destructible, const Group& group) {
+    std::vector<std::uint32_t> part(destructible.chunks.size(), no_piece);
+    std::vector<std::vector<std::uint32_t>> near(destructible.chunks.size());
     for (const std::uint32_t k : group.bonds) {
-        if (whole.bonds[k].broken) continue;
-        const FractureBond& face = whole.bonds[k].face;
+        if (destructible.bonds[k].broken) continue;
+        const FractureBond& face = destructible.bonds[k].face;
         near[face.a].push_back(face.b);
         near[face.b].push_back(face.a);
     }
@@ -62,7 +62,7 @@ std::vector<Group> Destruction::connected_groups(const Destructible& whole, cons
     }
     for (const std::uint32_t chunk : group.chunks) parts[part[chunk]].chunks.push_back(chunk);
     for (const std::uint32_t k : group.bonds)
-        if (!whole.bonds[k].broken) parts[part[whole.bonds[k].face.a]].bonds.push_back(k);
+        if (!destructible.bonds[k].broken) parts[part[destructible.bonds[k].face.a]].bonds.push_back(k);
     return parts;
 }
 
@@ -82,11 +82,11 @@ Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
 }
 
 template <class Destructible>
-std::vector<Beam> beams_of(const Destructible& whole, const Group& group, const Unknowns& unknowns) {
+std::vector<Beam> beams_of(const Destructible& destructible, const Group& group, const Unknowns& unknowns) {
     std::vector<Beam> beams;
     for (const std::uint32_t k : group.bonds) {
-        const FractureBond& face = whole.bonds[k].face;
-        const Vec3 a = whole.chunks[face.a].center, b = whole.chunks[face.b].center;
+        const FractureBond& face = destructible.bonds[k].face;
+        const Vec3 a = destructible.chunks[face.a].center, b = destructible.chunks[face.b].center;
         beams.push_back({.face = &face,
                          .a = unknowns.of_chunk[face.a],
                          .b = unknowns.of_chunk[face.b],
@@ -100,17 +100,17 @@ std::vector<Beam> beams_of(const Destructible& whole, const Group& group, const 
 // What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
 // the acceleration that the whole takes there. Weight pulls at all alike and cancels.
 template <class Destructible>
-void add_inertia(const Destructible& whole, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
+void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
     double mass = 0;
     Vec3 center, force, torque;
     for (const std::uint32_t c : group.chunks) {
-        mass += whole.chunks[c].mass;
-        center += whole.chunks[c].center * whole.chunks[c].mass;
+        mass += destructible.chunks[c].mass;
+        center += destructible.chunks[c].center * destructible.chunks[c].mass;
     }
     center = center / mass;
     Mat3 inertia = diagonal({0, 0, 0});
     for (const std::uint32_t c : group.chunks) {
-        const auto& chunk = whole.chunks[c];
+        const auto& chunk = destructible.chunks[c];
         const Vec3 r = chunk.center - center;
         const double r2 = length_squared(r) * chunk.mass;
         inertia = inertia + chunk.inertia + diagonal({r2, r2, r2}) -
@@ -121,7 +121,7 @@ void add_inertia(const Destructible& whole, const Group& group, Vec3 spin, std::
     const Vec3 linear = force / mass;
     const Vec3 angular = inverse(inertia) * (torque - cross(spin, inertia * spin));
     for (const std::uint32_t c : group.chunks) {
-        const auto& chunk = whole.chunks[c];
+        const auto& chunk = destructible.chunks[c];
         const Vec3 r = chunk.center - center;
         pushes[c].force += (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
         pushes[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
@@ -131,18 +131,18 @@ void add_inertia(const Destructible& whole, const Group& group, Vec3 spin, std::
 }  // namespace
 
 // What each bond of the group bears, as a share of its strength.
-std::vector<double> Destruction::loads_of(const Destructible& whole, const Group& group,
-                                          const BlockFactor& factor, std::span<const Push> given,
+std::vector<double> Destruction::loads_of(const Destructible& destructible, const Group& group,
+                                          const BlockFactor& factor, std::span<const Push> contact_loads,
                                           Vec3 spin, Vec3 gravity) {
-    const Unknowns unknowns = unknowns_of(whole.chunks, group);
-    std::vector<Push> pushes(given.begin(), given.end());
+    const Unknowns unknowns = unknowns_of(destructible.chunks, group);
+    std::vector<Push> pushes(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
-                                  [&](std::uint32_t c) { return whole.chunks[c].anchored; });
+                                  [&](std::uint32_t c) { return destructible.chunks[c].anchored; });
     if (held)
         for (const std::uint32_t c : group.chunks)
-            pushes[c].force += gravity * whole.chunks[c].mass;
+            pushes[c].force += gravity * destructible.chunks[c].mass;
     else
-        add_inertia(whole, group, spin, pushes);
+        add_inertia(destructible, group, spin, pushes);
     std::vector<Block6> moved(unknowns.count);
     for (const std::uint32_t c : group.chunks)
         if (const std::uint32_t at = unknowns.of_chunk[c]; at != fixed_unknown)
@@ -151,28 +151,28 @@ std::vector<double> Destruction::loads_of(const Destructible& whole, const Group
     factor.solve(moved);
     constexpr Block6 still = {};
     std::vector<double> loads;
-    for (const Beam& beam : beams_of(whole, group, unknowns))
+    for (const Beam& beam : beams_of(destructible, group, unknowns))
         loads.push_back(load_of(beam, beam.a == fixed_unknown ? still : moved[beam.a],
-                                beam.b == fixed_unknown ? still : moved[beam.b], whole.material));
+                                beam.b == fixed_unknown ? still : moved[beam.b], destructible.material));
     return loads;
 }
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
-Destruction::SolveResult Destruction::ask(Destructible& whole, const Group& group, Piece* cached,
+Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group, Piece* cached,
                                      std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
     if (!dissipated_energy && work_left_ <= 0) return SolveResult::no_time;
     if (!factor) {
-        const Unknowns unknowns = unknowns_of(whole.chunks, group);
+        const Unknowns unknowns = unknowns_of(destructible.chunks, group);
         factor = std::make_shared<BlockFactor>(
-            stiffness_of(beams_of(whole, group, unknowns), unknowns.count, whole.material));
+            stiffness_of(beams_of(destructible, group, unknowns), unknowns.count, destructible.material));
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
     if (!dissipated_energy) work_left_ -= static_cast<std::int64_t>(factor->work());
-    const std::vector<double> loads = loads_of(whole, group, *factor, pushes, spin, gravity);
+    const std::vector<double> loads = loads_of(destructible, group, *factor, pushes, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
     if (cached) max_load_ratio_ = worst;
     const double limit = maximum(1, same_round_load_ratio * worst);
@@ -183,8 +183,8 @@ Destruction::SolveResult Destruction::ask(Destructible& whole, const Group& grou
                      [&](std::size_t a, std::size_t b) { return loads[a] > loads[b]; });
     bool broke = false;
     for (const std::size_t k : order) {
-        Bond& bond = whole.bonds[group.bonds[k]];
-        const double cost = whole.material.fracture_energy * bond.face.area;
+        Bond& bond = destructible.bonds[group.bonds[k]];
+        const double cost = destructible.material.fracture_energy * bond.face.area;
         if (cost > energy) break;
         energy -= cost;
         bond.broken = true;
@@ -195,19 +195,19 @@ Destruction::SolveResult Destruction::ask(Destructible& whole, const Group& grou
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::break_bonds(Destructible& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
+bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const Push> pushes, Vec3 spin,
                         Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
         std::vector<Group> next;
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
-            const SolveResult answer =
-                ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
-            if (answer == SolveResult::no_time) return round > 0;
-            if (answer == SolveResult::held) continue;
+            const SolveResult result =
+                solve_group(destructible, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
+            if (result == SolveResult::no_time) return round > 0;
+            if (result == SolveResult::held) continue;
             piece.split_pending = true;
-            for (Group& part : connected_groups(whole, group)) next.push_back(std::move(part));
+            for (Group& part : connected_groups(destructible, group)) next.push_back(std::move(part));
         }
         groups = std::move(next);
     }
@@ -217,37 +217,37 @@ bool Destruction::break_bonds(Destructible& whole, Piece& piece, std::span<const
 // Whether loads changed enough to ask; then asks.
 void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
                                   std::span<ChunkContact> chunk_contacts) {
-    Destructible& whole = destructibles_[w];
-    Piece& piece = whole.pieces[p];
+    Destructible& destructible = destructibles_[w];
+    Piece& piece = destructible.pieces[p];
     if (piece.split_pending) return;
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok() || (!body->awake && !piece.anchored && !piece.solve_pending)) return;
     const Quat back = conjugate(body->pose.rotation);
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
-    if (chunk_loads_.size() < whole.chunks.size()) chunk_loads_.resize(whole.chunks.size());
-    const std::span<Push> pushes(chunk_loads_.data(), whole.chunks.size());
+    if (chunk_loads_.size() < destructible.chunks.size()) chunk_loads_.resize(destructible.chunks.size());
+    const std::span<Push> pushes(chunk_loads_.data(), destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
         const Vec3 force = rotate(back, chunk_contact.force);
         const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
         pushes[chunk_contact.chunk].force += force;
-        pushes[chunk_contact.chunk].torque += cross(at - whole.chunks[chunk_contact.chunk].center, force);
+        pushes[chunk_contact.chunk].torque += cross(at - destructible.chunks[chunk_contact.chunk].center, force);
         energy += chunk_contact.energy;
         sum += length(chunk_contact.force) + length(chunk_contact.point) + chunk_contact.energy;
     }
     // What ran away is in quarantine after this step: what it pressed means nothing.
     if (!(sum < load_max)) return;
     for (const std::uint32_t c : piece.chunks) {
-        const Chunk& chunk = whole.chunks[c];
+        const Chunk& chunk = destructible.chunks[c];
         mass += chunk.mass;
         change += length(pushes[c].force - chunk.force);
         before += length(chunk.force);
         if (piece.loads_pending) pushes[c] = {chunk.force, chunk.torque};
     }
-    const double size = length(whole.chunks[piece.chunks.back()].center -
-                               whole.chunks[piece.chunks.front()].center);
+    const double size = length(destructible.chunks[piece.chunks.back()].center -
+                               destructible.chunks[piece.chunks.front()].center);
     change += absolute(spin2 - piece.spin2) * mass * size;
     before += piece.spin2 * mass * size;
     const bool noticeable =
@@ -256,20 +256,20 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
-    const bool asked = break_bonds(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
+    const bool evaluated = break_bonds(destructible, piece, pushes, spin, rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
-        if (hit && asked && chunk_contact.impact && !piece.loads_pending) {
+        if (hit && evaluated && chunk_contact.impact && !piece.loads_pending) {
             chunk_contact.dissipated_energy = (energy - left) * (chunk_contact.energy / energy);
             chunk_contact.load_ratio = piece.split_pending ? max_load_ratio_ : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
-        whole.chunks[c].force = pushes[c].force;
-        whole.chunks[c].torque = pushes[c].torque;
+        destructible.chunks[c].force = pushes[c].force;
+        destructible.chunks[c].torque = pushes[c].torque;
     }
     piece.loaded = !chunk_contacts.empty();
-    piece.loads_pending = !asked;
-    piece.energy = asked ? 0 : energy;
-    piece.solve_pending = piece.solve_pending && !asked;
+    piece.loads_pending = !evaluated;
+    piece.energy = evaluated ? 0 : energy;
+    piece.solve_pending = piece.solve_pending && !evaluated;
     piece.spin2 = spin2;
 }
 
@@ -279,7 +279,7 @@ void Destruction::break_all_bonds(const World& world) {
     for (std::uint32_t w = 0; w < destructibles_.size(); w++)
         for (std::uint32_t p = 0; p < destructibles_[w].pieces.size(); p++) {
             const std::size_t first = next;
-            while (next < chunk_contacts_.size() && chunk_contacts_[next].whole == w &&
+            while (next < chunk_contacts_.size() && chunk_contacts_[next].destructible == w &&
                    destructibles_[w].chunks[chunk_contacts_[next].chunk].piece == p)
                 next++;
             const Piece& piece = destructibles_[w].pieces[p];
@@ -291,25 +291,25 @@ void Destruction::break_all_bonds(const World& world) {
 }
 
 Result<double> Destruction::worst_load(const World& world, DestructibleId id) const {
-    const Destructible* whole = find(id);
-    if (!whole) return unknown(id);
+    const Destructible* destructible = find(id);
+    if (!destructible) return unknown(id);
     double worst = 0;
-    for (const Piece& piece : whole->pieces) {
+    for (const Piece& piece : destructible->pieces) {
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok() || !piece.anchored) continue;
         Group all{piece.chunks, {}};
-        std::vector<bool> here(whole->chunks.size());
+        std::vector<bool> here(destructible->chunks.size());
         for (const std::uint32_t c : piece.chunks) here[c] = true;
-        for (std::uint32_t k = 0; k < whole->bonds.size(); k++)
-            if (here[whole->bonds[k].face.a] && here[whole->bonds[k].face.b])
+        for (std::uint32_t k = 0; k < destructible->bonds.size(); k++)
+            if (here[destructible->bonds[k].face.a] && here[destructible->bonds[k].face.b])
                 all.bonds.push_back(k);
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
-        for (const Group& group : connected_groups(*whole, all)) {
-            const Unknowns unknowns = unknowns_of(whole->chunks, group);
+        for (const Group& group : connected_groups(*destructible, all)) {
+            const Unknowns unknowns = unknowns_of(destructible->chunks, group);
             const BlockFactor factor(
-                stiffness_of(beams_of(*whole, group, unknowns), unknowns.count, whole->material));
-            for (const double load : loads_of(*whole, group, factor,
-                                              std::vector<Push>(whole->chunks.size()), {}, gravity))
+                stiffness_of(beams_of(*destructible, group, unknowns), unknowns.count, destructible->material));
+            for (const double load : loads_of(*destructible, group, factor,
+                                              std::vector<Push>(destructible->chunks.size()), {}, gravity))
                 worst = maximum(worst, load);
         }
     }

@@ -44,12 +44,12 @@ void Destruction::before_step(World& world, double dt) {
         }
 }
 
-void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, Piece& piece) {
-    store_pre_step_state(world, whole, piece.body);
+void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible, Piece& piece) {
+    store_pre_step_state(world, destructible, piece.body);
     if (piece.chunks.size() < 2) return;
     if (const Result<std::vector<ContactInfo>> near = world.contacts_of(piece.body); near.ok())
         for (const ContactInfo& c : *near)
-            store_pre_step_state(world, whole, c.body_a == piece.body ? c.body_b : c.body_a);
+            store_pre_step_state(world, destructible, c.body_a == piece.body ? c.body_b : c.body_a);
     if (piece.anchored) return;
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok()) return;
@@ -58,22 +58,22 @@ void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, 
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
-    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) store_pre_step_state(pair.world, at->whole, pair.body_b);
-    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) store_pre_step_state(pair.world, at->whole, pair.body_a);
-    for (const auto& [body, whole] : passing_bodies_) {
+    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) store_pre_step_state(pair.world, at->destructible, pair.body_b);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) store_pre_step_state(pair.world, at->destructible, pair.body_a);
+    for (const auto& [body, destructible] : passing_bodies_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
-        for (const Piece& piece : destructibles_[whole].pieces)
+        for (const Piece& piece : destructibles_[destructible].pieces)
             if (piece.body == other) pair.enabled = false;
     }
 }
 
 // As it was before the first thing that met it in this step.
-void Destruction::store_pre_step_state(const World& world, std::uint32_t whole, BodyId body) {
+void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible, BodyId body) {
     const auto at = std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
     if (at != pre_step_states_.end() && at->state.id == body) return;
     const Result<BodyState> state = world.body(body);
-    if (state.ok() && state->mass > 0) pre_step_states_.insert(at, {*state, whole});
+    if (state.ok() && state->mass > 0) pre_step_states_.insert(at, {*state, destructible});
 }
 
 const BodyState* Destruction::pre_step_body(BodyId body) const {
@@ -91,10 +91,10 @@ const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
 // What was struck and parted from what it hung on.
 void Destruction::start_passing() {
     for (const ReversedContact& again : reversed_contacts_) {
-        Destructible& whole = destructibles_[again.whole];
-        const std::uint32_t at = whole.chunks[again.chunk].piece;
-        if (at >= whole.pieces.size()) continue;
-        Piece& piece = whole.pieces[at];
+        Destructible& destructible = destructibles_[again.destructible];
+        const std::uint32_t at = destructible.chunks[again.chunk].piece;
+        if (at >= destructible.pieces.size()) continue;
+        Piece& piece = destructible.pieces[at];
         if (!piece.anchored && piece.chunks.size() == 1) piece.passing_time = passing_seconds;
     }
 }
@@ -131,8 +131,8 @@ void Destruction::merge_mutual_impacts() {
 }
 
 const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contact) const {
-    const Destructible& whole = destructibles_[chunk_contact.whole];
-    return whole.pieces[whole.chunks[chunk_contact.chunk].piece];
+    const Destructible& destructible = destructibles_[chunk_contact.destructible];
+    return destructible.pieces[destructible.chunks[chunk_contact.chunk].piece];
 }
 
 // A piece that something static presses, too: it is not known who gave what. It keeps of its change
@@ -204,11 +204,11 @@ std::size_t Destruction::add_reversal_body(const World& world, std::vector<Rever
 
 // What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
 // who shall not get it back as well.
-void Destruction::add_nearby_bodies(const World& world, std::uint32_t whole, double dt,
+void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructible, double dt,
                                  std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
     for (const PreStepState& noted : pre_step_states_) {
-        if (noted.whole != whole) continue;
+        if (noted.destructible != destructible) continue;
         const auto same = [&](const ReversalBody& met) { return met.state.id == noted.state.id; };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
             continue;
@@ -231,12 +231,12 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::v
         const PreStepState* noted = find_pre_step_state(touched);
         if (!noted) return;
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
-            return entry.first == noted->whole;
+            return entry.first == noted->destructible;
         });
         if (known != wholes.end()) return void(links.emplace_back(known->is_duplicate, body));
-        wholes.emplace_back(noted->whole, body);
+        wholes.emplace_back(noted->destructible, body);
         added.clear();
-        add_nearby_bodies(world, noted->whole, dt, bodies, added);
+        add_nearby_bodies(world, noted->destructible, dt, bodies, added);
         for (const std::size_t k : added) links.emplace_back(body, k);
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
@@ -263,7 +263,7 @@ void Destruction::reverse_impacts(World& world, double dt) {
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
         const double speed = restored_speed(world, chunk_contact);
         if (speed > 0)
-            reversed_contacts_.push_back({chunk_contact.whole, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
+            reversed_contacts_.push_back({chunk_contact.destructible, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
                               -press.normal, speed});
         if (chunk_contact.is_duplicate) continue;
         const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),

@@ -13,7 +13,7 @@ namespace jostle::modules::destruction_detail {
 
 // A contact of the last step upon a chunk.
 struct ChunkContact {
-    std::uint32_t whole = 0, chunk = 0;
+    std::uint32_t destructible = 0, chunk = 0;
     physics::ShapeId own, other;
     physics::BodyId other_body;
     physics::Vec3 point, push;  // m; N, world
@@ -29,7 +29,7 @@ struct ChunkContact {
 };
 // What got its speed back and is still in touch: that is no new contact.
 struct ReversedContact {
-    std::uint32_t whole = 0, chunk = 0;
+    std::uint32_t destructible = 0, chunk = 0;
     physics::ShapeId other;
     physics::BodyId other_body;
     physics::Vec3 point, normal;  // from the chunk
@@ -39,7 +39,7 @@ struct ReversedContact {
 // A body of a whole, or near one, before the step.
 struct PreStepState {
     physics::BodyState state;
-    std::uint32_t whole = 0;
+    std::uint32_t destructible = 0;
 };
 
 }  // namespace jostle::modules::destruction_detail

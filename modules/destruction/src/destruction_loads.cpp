@@ -27,26 +27,26 @@ void Destruction::rebuild_derived_state() {
     constexpr std::uint32_t no_piece = 0xffffffff;
     bonded_shapes_.clear();
     for (std::uint32_t w = 0; w < destructibles_.size(); w++) {
-        Destructible& whole = destructibles_[w];
-        for (Chunk& chunk : whole.chunks) chunk.piece = no_piece;
-        for (std::uint32_t p = 0; p < whole.pieces.size(); p++) {
-            Piece& piece = whole.pieces[p];
+        Destructible& destructible = destructibles_[w];
+        for (Chunk& chunk : destructible.chunks) chunk.piece = no_piece;
+        for (std::uint32_t p = 0; p < destructible.pieces.size(); p++) {
+            Piece& piece = destructible.pieces[p];
             piece.bonds.clear();
             for (const std::uint32_t c : piece.chunks) {
-                whole.chunks[c].piece = p;
-                if (piece.chunks.size() > 1) bonded_shapes_.push_back({whole.chunks[c].shape, w, c});
+                destructible.chunks[c].piece = p;
+                if (piece.chunks.size() > 1) bonded_shapes_.push_back({destructible.chunks[c].shape, w, c});
             }
         }
-        for (std::uint32_t k = 0; k < whole.bonds.size(); k++) {
-            const Bond& bond = whole.bonds[k];
-            const std::uint32_t piece = whole.chunks[bond.face.a].piece;
-            if (bond.broken || piece == no_piece || piece != whole.chunks[bond.face.b].piece)
+        for (std::uint32_t k = 0; k < destructible.bonds.size(); k++) {
+            const Bond& bond = destructible.bonds[k];
+            const std::uint32_t piece = destructible.chunks[bond.face.a].piece;
+            if (bond.broken || piece == no_piece || piece != destructible.chunks[bond.face.b].piece)
                 continue;
-            whole.pieces[piece].bonds.push_back(k);
+            destructible.pieces[piece].bonds.push_back(k);
         }
     }
     std::sort(bonded_shapes_.begin(), bonded_shapes_.end(), [](const BondedShape& a, const BondedShape& b) {
-        return std::tuple(a.shape, a.whole, a.chunk) < std::tuple(b.shape, b.whole, b.chunk);
+        return std::tuple(a.shape, a.destructible, a.chunk) < std::tuple(b.shape, b.destructible, b.chunk);
     });
     derived_ = true;
 }
@@ -54,8 +54,8 @@ void Destruction::rebuild_derived_state() {
 void Destruction::update_gravity(const World& world) {
     if (world.gravity() == gravity_) return;
     gravity_ = world.gravity();
-    for (Destructible& whole : destructibles_)
-        for (Piece& piece : whole.pieces) piece.solve_pending = piece.solve_pending || piece.anchored;
+    for (Destructible& destructible : destructibles_)
+        for (Piece& piece : destructible.pieces) piece.solve_pending = piece.solve_pending || piece.anchored;
 }
 
 const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) const {
@@ -85,10 +85,10 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     const double impulse = (approach + separation_speed) / inv;
     for (const BondedShape* at : {at_a, at_b}) {
         if (!at) continue;
-        const Destructible& whole = destructibles_[at->whole];
-        const double time = minimum(dt, whole.material.contact_time);
+        const Destructible& destructible = destructibles_[at->destructible];
+        const double time = minimum(dt, destructible.material.contact_time);
         const Vec3 against = at == at_a ? -normal : normal;
-        ChunkContact chunk_contact{.whole = at->whole,
+        ChunkContact chunk_contact{.destructible = at->destructible,
                     .chunk = at->chunk,
                     .own = at == at_a ? a : b,
                     .other = at == at_a ? b : a,
@@ -126,7 +126,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
     }
     const Vec3 push = stay.normal * (stay.normal_impulse / dt);
     if (at_a)
-        chunk_contacts_.push_back({.whole = at_a->whole,
+        chunk_contacts_.push_back({.destructible = at_a->destructible,
                             .chunk = at_a->chunk,
                             .own = stay.shape_a,
                             .other = stay.shape_b,
@@ -134,7 +134,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .point = stay.point,
                             .force = -push});
     if (at_b)
-        chunk_contacts_.push_back({.whole = at_b->whole,
+        chunk_contacts_.push_back({.destructible = at_b->destructible,
                             .chunk = at_b->chunk,
                             .own = stay.shape_b,
                             .other = stay.shape_a,
@@ -191,17 +191,17 @@ void Destruction::gather_contacts(const World& world, double dt) {
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
                        e.approach);
     for (const ReversedContact& e : reversed_contacts_) {
-        const Destructible& whole = destructibles_[e.whole];
-        const ShapeId own = whole.chunks[e.chunk].shape;
+        const Destructible& destructible = destructibles_[e.destructible];
+        const ShapeId own = destructible.chunks[e.chunk].shape;
         if (!find_bonded_shape(own) || is_impact(own, e.other)) continue;
-        add_impact(world, dt, own, e.other, whole.pieces[whole.chunks[e.chunk].piece].body,
+        add_impact(world, dt, own, e.other, destructible.pieces[destructible.chunks[e.chunk].piece].body,
                    e.other_body, e.point, e.normal, e.approach);
     }
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
     add_unreported_impacts(world, dt);
     distribute_impacts();
     const auto key = [&](const ChunkContact& p) {
-        return std::pair(p.whole, destructibles_[p.whole].chunks[p.chunk].piece);
+        return std::pair(p.destructible, destructibles_[p.destructible].chunks[p.chunk].piece);
     };
     std::stable_sort(chunk_contacts_.begin(), chunk_contacts_.end(),
                      [&](const ChunkContact& a, const ChunkContact& b) { return key(a) < key(b); });

@@ -14,23 +14,23 @@ using namespace destruction_detail;
 
 // Pieces without a body go. Their chunks are then in no piece, and bonds to them hold nothing.
 void Destruction::drop_lost_bodies(const World& world) {
-    for (Destructible& whole : destructibles_)
-        if (std::erase_if(whole.pieces,
+    for (Destructible& destructible : destructibles_)
+        if (std::erase_if(destructible.pieces,
                           [&](const Piece& piece) { return !world.contains(piece.body); }) > 0)
             derived_ = false;
 }
 
 // Before a piece is parted: of chunks whose shape is not the body's any more. What is left may hang
 // together no longer.
-void Destruction::drop_lost_chunks(const World& world, Destructible& whole, Piece& piece) {
+void Destruction::drop_lost_chunks(const World& world, Destructible& destructible, Piece& piece) {
     const auto is_lost = [&](std::uint32_t c) {
-        const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+        const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
         return !shape.ok() || shape->body != piece.body;
     };
-    std::vector<bool> lost(whole.chunks.size());
+    std::vector<bool> lost(destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) lost[c] = is_lost(c);
     if (std::erase_if(piece.chunks, [&](std::uint32_t c) { return lost[c]; }) == 0) return;
-    for (Bond& bond : whole.bonds)
+    for (Bond& bond : destructible.bonds)
         bond.broken = bond.broken || lost[bond.face.a] || lost[bond.face.b];
     derived_ = false;
 }

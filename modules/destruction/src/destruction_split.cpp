@@ -29,55 +29,55 @@ ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
 }
 
 template <class Destructible>
-bool is_anchored(const Destructible& whole, const Group& group) {
+bool is_anchored(const Destructible& destructible, const Group& group) {
     return std::any_of(group.chunks.begin(), group.chunks.end(),
-                       [&](std::uint32_t c) { return whole.chunks[c].anchored; });
+                       [&](std::uint32_t c) { return destructible.chunks[c].anchored; });
 }
 
 template <class Destructible>
-Vec3 center_of(const Destructible& whole, const Group& group) {
+Vec3 center_of(const Destructible& destructible, const Group& group) {
     double mass = 0;
     Vec3 sum;
     for (const std::uint32_t c : group.chunks) {
-        mass += whole.chunks[c].mass;
-        sum += whole.chunks[c].center * whole.chunks[c].mass;
+        mass += destructible.chunks[c].mass;
+        sum += destructible.chunks[c].center * destructible.chunks[c].mass;
     }
     return sum / mass;
 }
 
 }  // namespace
 
-bool Destruction::is_passing_debris(const Destructible& whole, const Group& group) const {
-    return group.chunks.size() == 1 && !is_anchored(whole, group) &&
-           whole.chunks[group.chunks[0]].mass < whole.density * limits_.passing_volume;
+bool Destruction::is_passing_debris(const Destructible& destructible, const Group& group) const {
+    return group.chunks.size() == 1 && !is_anchored(destructible, group) &&
+           destructible.chunks[group.chunks[0]].mass < destructible.density * limits_.passing_volume;
 }
 
 // Those that leave, as bodies; then the old body without them. All or nothing.
-Status Destruction::detach_groups(World& world, Destructible& whole, std::size_t p, std::span<const Group> leaving,
+Status Destruction::detach_groups(World& world, Destructible& destructible, std::size_t p, std::span<const Group> leaving,
                          const Group& staying) {
-    const BodyId old = whole.pieces[p].body;
+    const BodyId old = destructible.pieces[p].body;
     const Result<BodyState> body = world.body(old);
     if (!body.ok()) return body.error();
-    const Vec3 origin = whole.pieces[p].origin;
+    const Vec3 origin = destructible.pieces[p].origin;
     std::vector<BodyAndShapes> defs;
     std::vector<Piece> made;
     for (const Group& group : leaving) {
-        Piece piece{.origin = center_of(whole, group),
+        Piece piece{.origin = center_of(destructible, group),
                     .chunks = group.chunks,
-                    .anchored = is_anchored(whole, group)};
+                    .anchored = is_anchored(destructible, group)};
         BodyAndShapes& def = defs.emplace_back();
         def.body = {.type = piece.anchored ? BodyType::static_body : BodyType::dynamic,
                     .pose = {apply(body->pose, piece.origin - origin), body->pose.rotation},
                     .sleep_allowed = body->sleep_allowed,
                     .user_data = body->user_data};
         for (const std::uint32_t c : group.chunks) {
-            const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+            const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
             if (!shape.ok()) return shape.error();
             if (shape->body != old)
                 return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
             def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
             Filter& filter = def.shapes.back().filter;
-            if (filter.group != 0 || !is_passing_debris(whole, group)) continue;
+            if (filter.group != 0 || !is_passing_debris(destructible, group)) continue;
             filter.group = passing_group;
             def.body.continuous = false;
         }
@@ -90,7 +90,7 @@ Status Destruction::detach_groups(World& world, Destructible& whole, std::size_t
         piece.body = (*bodies)[k];
         const std::vector<ShapeId> shapes = world.shapes_of(piece.body);
         for (std::size_t c = 0; c < piece.chunks.size(); c++)
-            whole.chunks[piece.chunks[c]].shape = shapes[c];
+            destructible.chunks[piece.chunks[c]].shape = shapes[c];
         if (!piece.anchored && body->type == BodyType::dynamic) {
             const Result<BodyState> now = world.body(piece.body);
             const Vec3 v =
@@ -98,86 +98,86 @@ Status Destruction::detach_groups(World& world, Destructible& whole, std::size_t
             static_cast<void>(world.set_velocity(piece.body, v, body->angular_velocity).ok());
         }
     }
-    Piece& rest = whole.pieces[p];
+    Piece& rest = destructible.pieces[p];
     rest.chunks = staying.chunks;
     rest.solve_pending = true;
     rest.solved = false;
     rest.factor.reset();
-    remove_detached_shapes(world, whole, rest, leaving);
-    whole.pieces.insert(whole.pieces.end(), std::make_move_iterator(made.begin()),
+    remove_detached_shapes(world, destructible, rest, leaving);
+    destructible.pieces.insert(destructible.pieces.end(), std::make_move_iterator(made.begin()),
                         std::make_move_iterator(made.end()));
     derived_ = false;
     return {};
 }
 
 // Takes the shapes of what left from the old body.
-void Destruction::remove_detached_shapes(World& world, Destructible& whole, Piece& piece,
+void Destruction::remove_detached_shapes(World& world, Destructible& destructible, Piece& piece,
                               std::span<const Group> leaving) {
-    std::size_t gone = 0;
-    for (const Group& group : leaving) gone += group.chunks.size();
+    std::size_t removed = 0;
+    for (const Group& group : leaving) removed += group.chunks.size();
     std::vector<ShapeDef> defs;
     std::vector<std::uint32_t> owners;
-    std::vector<ShapeId> kept;
-    for (const std::uint32_t c : piece.chunks) kept.push_back(whole.chunks[c].shape);
-    std::sort(kept.begin(), kept.end());
-    if (gone <= removed_one_by_one_max) {
+    std::vector<ShapeId> remaining;
+    for (const std::uint32_t c : piece.chunks) remaining.push_back(destructible.chunks[c].shape);
+    std::sort(remaining.begin(), remaining.end());
+    if (removed <= removed_one_by_one_max) {
         for (const ShapeId shape : world.shapes_of(piece.body))
-            if (!std::binary_search(kept.begin(), kept.end(), shape))
+            if (!std::binary_search(remaining.begin(), remaining.end(), shape))
                 static_cast<void>(world.destroy_shape(shape).ok());
         return;
     }
     for (const std::uint32_t c : piece.chunks) {
-        const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+        const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
         if (!shape.ok() || shape->body != piece.body) continue;
         defs.push_back(shifted(*shape, {}, piece.chunks.size() > 1));
         owners.push_back(c);
     }
     const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
     if (!shapes.ok()) return;
-    for (std::size_t k = 0; k < owners.size(); k++) whole.chunks[owners[k]].shape = (*shapes)[k];
+    for (std::size_t k = 0; k < owners.size(); k++) destructible.chunks[owners[k]].shape = (*shapes)[k];
 }
 
 // The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
 // many others leave. How many did.
-int Destruction::split(World& world, Destructible& whole, std::size_t p, int most) {
-    drop_lost_chunks(world, whole, whole.pieces[p]);
-    if (whole.pieces[p].chunks.empty()) return 0;
-    std::vector<Group> parts;
+int Destruction::split(World& world, Destructible& destructible, std::size_t p, int limit) {
+    drop_lost_chunks(world, destructible, destructible.pieces[p]);
+    if (destructible.pieces[p].chunks.empty()) return 0;
+    std::vector<Group> groups;
     {
-        Group all{whole.pieces[p].chunks, {}};
-        std::vector<bool> here(whole.chunks.size());
+        Group all{destructible.pieces[p].chunks, {}};
+        std::vector<bool> here(destructible.chunks.size());
         for (const std::uint32_t c : all.chunks) here[c] = true;
-        for (std::uint32_t k = 0; k < whole.bonds.size(); k++)
-            if (here[whole.bonds[k].face.a] && here[whole.bonds[k].face.b]) all.bonds.push_back(k);
-        parts = connected_groups(whole, all);
+        for (std::uint32_t k = 0; k < destructible.bonds.size(); k++)
+            if (here[destructible.bonds[k].face.a] && here[destructible.bonds[k].face.b]) all.bonds.push_back(k);
+        groups = connected_groups(destructible, all);
     }
     std::size_t stays = 0;
     const auto rank = [&](std::size_t k) {
-        return std::pair(is_anchored(whole, parts[k]), parts[k].chunks.size());
+        return std::pair(is_anchored(destructible, groups[k]), groups[k].chunks.size());
     };
-    for (std::size_t k = 1; k < parts.size(); k++)
+    for (std::size_t k = 1; k < groups.size(); k++)
         if (rank(k) > rank(stays)) stays = k;
     std::vector<Group> leaving;
-    Group staying = parts[stays];
-    for (std::size_t k = 0; k < parts.size(); k++) {
+    Group staying = groups[stays];
+    for (std::size_t k = 0; k < groups.size(); k++) {
         if (k == stays) continue;
-        if (static_cast<int>(leaving.size()) < most)
-            leaving.push_back(std::move(parts[k]));
+        if (static_cast<int>(leaving.size()) < limit)
+            leaving.push_back(std::move(groups[k]));
         else
-            staying.chunks.insert(staying.chunks.end(), parts[k].chunks.begin(),
-                                  parts[k].chunks.end());
+            staying.chunks.insert(staying.chunks.end(), groups[k].chunks.begin(),
+                                  groups[k].chunks.end());
     }
     std::sort(staying.chunks.begin(), staying.chunks.end());
-    const bool all = leaving.size() + 1 == parts.size();
+    const bool all = leaving.size() + 1 == groups.size();
     // What cannot be parted, as where the world takes no more bodies, stays as it is.
-    const bool parted = leaving.empty() || detach_groups(world, whole, p, leaving, staying).ok();
-    Piece& rest = whole.pieces[p];
+    const bool parted = leaving.empty() || detach_groups(world, destructible, p, leaving, staying).ok();
+    Piece& rest = destructible.pieces[p];
     rest.split_pending = parted && !all;
     rest.solve_pending = true;
     rest.solved = false;
     rest.factor.reset();
     derived_ = false;
-    if (parted && rest.anchored && !is_anchored(whole, staying)) {
+    if (parted && rest.anchored && !is_anchored(destructible, staying)) {
         static_cast<void>(world.set_type(rest.body, BodyType::dynamic).ok());
         rest.anchored = false;
     }
@@ -185,29 +185,29 @@ int Destruction::split(World& world, Destructible& whole, std::size_t p, int mos
 }
 
 void Destruction::split_all_pieces(World& world) {
-    int most = limits_.pieces_per_step;
-    for (Destructible& whole : destructibles_) {
-        const std::size_t count = whole.pieces.size();  // those made here hang together
-        for (std::size_t p = 0; p < count && most > 0; p++)
-            if (whole.pieces[p].split_pending) most -= split(world, whole, p, most);
-        std::erase_if(whole.pieces, [](const Piece& piece) { return piece.chunks.empty(); });
+    int limit = limits_.pieces_per_step;
+    for (Destructible& destructible : destructibles_) {
+        const std::size_t count = destructible.pieces.size();  // those made here hang together
+        for (std::size_t p = 0; p < count && limit > 0; p++)
+            if (destructible.pieces[p].split_pending) limit -= split(world, destructible, p, limit);
+        std::erase_if(destructible.pieces, [](const Piece& piece) { return piece.chunks.empty(); });
     }
 }
 
 void Destruction::drop_debris(World& world, double dt) {
     if (!(limits_.debris_life > 0)) return;
-    for (Destructible& whole : destructibles_) {
-        const std::size_t count = whole.pieces.size();
-        std::erase_if(whole.pieces, [&](Piece& piece) {
+    for (Destructible& destructible : destructibles_) {
+        const std::size_t count = destructible.pieces.size();
+        std::erase_if(destructible.pieces, [&](Piece& piece) {
             if (piece.anchored || piece.chunks.size() != 1) return false;
-            if (whole.chunks[piece.chunks[0]].mass >= whole.density * limits_.debris_volume)
+            if (destructible.chunks[piece.chunks[0]].mass >= destructible.density * limits_.debris_volume)
                 return false;
             piece.age += dt;
             if (piece.age < limits_.debris_life) return false;
             static_cast<void>(world.destroy_body(piece.body).ok());
             return true;
         });
-        derived_ = derived_ && whole.pieces.size() == count;
+        derived_ = derived_ && destructible.pieces.size() == count;
     }
 }
 

@@ -50,12 +50,12 @@ void visit_material(StateVisitor& v, BondMaterial& m) {
 
 }  // namespace
 
-void Destruction::visit(StateVisitor& v, Destructible& whole) {
-    v.field("alive", whole.alive);
-    v.field("generation", whole.generation);
-    visit_material(v, whole.material);
-    bounded(v, "density", whole.density, 0, 1e6);
-    v.all("chunks", whole.chunks, [&](Chunk& chunk) {
+void Destruction::visit(StateVisitor& v, Destructible& destructible) {
+    v.field("alive", destructible.alive);
+    v.field("generation", destructible.generation);
+    visit_material(v, destructible.material);
+    bounded(v, "density", destructible.density, 0, 1e6);
+    v.all("chunks", destructible.chunks, [&](Chunk& chunk) {
         bounded(v, "center", chunk.center, coordinate_max);
         bounded(v, "mass", chunk.mass, mass_min, mass_max);
         bounded(v, "inertia_x", chunk.inertia.x, inertia_max);
@@ -66,11 +66,11 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
         bounded(v, "force", chunk.force, load_max);
         bounded(v, "torque", chunk.torque, load_max);
     });
-    v.all("bonds", whole.bonds, [&](Bond& bond) {
+    v.all("bonds", destructible.bonds, [&](Bond& bond) {
         visit_bond(v, bond.face);
         v.field("broken", bond.broken);
     });
-    v.all("pieces", whole.pieces, [&](Piece& piece) {
+    v.all("pieces", destructible.pieces, [&](Piece& piece) {
         v.field("body", piece.body);
         bounded(v, "origin", piece.origin, coordinate_max);
         v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
@@ -86,31 +86,31 @@ void Destruction::visit(StateVisitor& v, Destructible& whole) {
         bounded(v, "knocked", piece.passing_time, 0, 1);
         if (v.loading()) piece.factor.reset();
     });
-    if (v.loading()) check_destructible(v, whole);
+    if (v.loading()) check_destructible(v, destructible);
 }
 
 // What fields say of each other. Each chunk is in one piece, or in none: then it is gone.
-void Destruction::check_destructible(StateVisitor& v, const Destructible& whole) {
-    if (whole.alive == whole.chunks.empty())
+void Destruction::check_destructible(StateVisitor& v, const Destructible& destructible) {
+    if (destructible.alive == destructible.chunks.empty())
         v.fail("chunks", "are there when the whole is, and only then");
-    if (whole.chunks.size() > most_chunks) v.fail("chunks", "are too many");
-    for (const Bond& bond : whole.bonds)
-        if (!(bond.face.a < bond.face.b && bond.face.b < whole.chunks.size())) {
+    if (destructible.chunks.size() > most_chunks) v.fail("chunks", "are too many");
+    for (const Bond& bond : destructible.bonds)
+        if (!(bond.face.a < bond.face.b && bond.face.b < destructible.chunks.size())) {
             v.fail("bonds", "name no two chunks");
             return;
         }
-    std::vector<bool> taken(whole.chunks.size());
-    for (const Piece& piece : whole.pieces) {
+    std::vector<bool> taken(destructible.chunks.size());
+    for (const Piece& piece : destructible.pieces) {
         if (piece.chunks.empty()) v.fail("pieces", "have no chunks");
         bool anchored = false;
         for (std::size_t k = 0; k < piece.chunks.size(); k++) {
             const std::uint32_t c = piece.chunks[k];
-            if (c >= whole.chunks.size() || taken[c] || (k > 0 && c <= piece.chunks[k - 1])) {
+            if (c >= destructible.chunks.size() || taken[c] || (k > 0 && c <= piece.chunks[k - 1])) {
                 v.fail("pieces", "name a chunk that is not there, or twice, or out of order");
                 return;
             }
             taken[c] = true;
-            anchored = anchored || whole.chunks[c].anchored;
+            anchored = anchored || destructible.chunks[c].anchored;
         }
         if (anchored != piece.anchored) v.fail("anchored", "is not what its chunks say");
     }
@@ -133,12 +133,12 @@ void Destruction::visit_limits(StateVisitor& v) {
 void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
     bounded(v, "gravity", gravity_, 1e5);
-    v.all("wholes", destructibles_, [&](Destructible& whole) { visit(v, whole); });
+    v.all("wholes", destructibles_, [&](Destructible& destructible) { visit(v, destructible); });
     v.all("again", reversed_contacts_, [&](ReversedContact& again) {
-        v.field("whole", again.whole);
+        v.field("whole", again.destructible);
         v.field("chunk", again.chunk);
         if (v.loading() &&
-            (again.whole >= destructibles_.size() || again.chunk >= destructibles_[again.whole].chunks.size()))
+            (again.destructible >= destructibles_.size() || again.chunk >= destructibles_[again.destructible].chunks.size()))
             v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
@@ -152,12 +152,12 @@ void Destruction::visit(StateVisitor& v) {
 void Destruction::publish(const World&, ChannelWriter& channels) const {
     const auto count = [&](std::size_t value) { channels.value(static_cast<std::int32_t>(value)); };
     if (size() == 0 || !channels.begin(0)) return;
-    for (const Destructible& whole : destructibles_) {
-        if (!whole.alive) continue;
-        count(whole.pieces.size());
-        count(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),
+    for (const Destructible& destructible : destructibles_) {
+        if (!destructible.alive) continue;
+        count(destructible.pieces.size());
+        count(static_cast<std::size_t>(std::count_if(destructible.bonds.begin(), destructible.bonds.end(),
                                                      [](const Bond& b) { return !b.broken; })));
-        count(whole.bonds.size());
+        count(destructible.bonds.size());
     }
 }
 

@@ -186,18 +186,18 @@ private:
     };
     struct BondedShape {  // of a shape that bonds hold
         physics::ShapeId shape;
-        std::uint32_t whole = 0, chunk = 0;
+        std::uint32_t destructible = 0, chunk = 0;
     };
     enum class SolveResult : std::uint8_t { held, broke, no_time };
 
     const Destructible* find(DestructibleId id) const;
     Destructible* find(DestructibleId id);
     static physics::Error unknown(DestructibleId id);
-    std::size_t break_near(const physics::World& world, Destructible& whole, physics::Vec3 center,
+    std::size_t break_near(const physics::World& world, Destructible& destructible, physics::Vec3 center,
                            double radius);
-    static void visit(physics::StateVisitor& v, Destructible& whole);
+    static void visit(physics::StateVisitor& v, Destructible& destructible);
     void visit_limits(physics::StateVisitor& v);
-    static void check_destructible(physics::StateVisitor& v, const Destructible& whole);
+    static void check_destructible(physics::StateVisitor& v, const Destructible& destructible);
 
     // destruction_loads.cpp: what contacts press.
     void rebuild_derived_state();
@@ -215,38 +215,38 @@ private:
 
     // destruction_crack.cpp: which bonds break.
     void break_all_bonds(const physics::World& world);
-    void break_bonds_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
+    void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible, std::uint32_t piece,
                          std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool break_bonds(Destructible& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
+    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
-    SolveResult ask(Destructible& whole, const destruction_detail::Group& group, Piece* cached,
+    SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group, Piece* cached,
                std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
                physics::Vec3 gravity, double& energy);
-    static std::vector<double> loads_of(const Destructible& whole, const destruction_detail::Group& group,
+    static std::vector<double> loads_of(const Destructible& destructible, const destruction_detail::Group& group,
                                         const destruction_detail::BlockFactor& factor,
                                         std::span<const destruction_detail::Push> pushes,
                                         physics::Vec3 spin, physics::Vec3 gravity);
-    static std::vector<destruction_detail::Group> connected_groups(const Destructible& whole,
+    static std::vector<destruction_detail::Group> connected_groups(const Destructible& destructible,
                                                            const destruction_detail::Group& group);
 
     // destruction_losses.cpp: what others destroyed.
     void drop_lost_bodies(const physics::World& world);
-    void drop_lost_chunks(const physics::World& world, Destructible& whole, Piece& piece);
+    void drop_lost_chunks(const physics::World& world, Destructible& destructible, Piece& piece);
 
     // destruction_split.cpp: pieces become bodies.
     void split_all_pieces(physics::World& world);
-    int split(physics::World& world, Destructible& whole, std::size_t piece, int most);
-    bool is_passing_debris(const Destructible& whole, const destruction_detail::Group& group) const;
-    physics::Status detach_groups(physics::World& world, Destructible& whole, std::size_t piece,
+    int split(physics::World& world, Destructible& destructible, std::size_t piece, int most);
+    bool is_passing_debris(const Destructible& destructible, const destruction_detail::Group& group) const;
+    physics::Status detach_groups(physics::World& world, Destructible& destructible, std::size_t piece,
                          std::span<const destruction_detail::Group> leaving,
                          const destruction_detail::Group& staying);
-    static void remove_detached_shapes(physics::World& world, Destructible& whole, Piece& piece,
+    static void remove_detached_shapes(physics::World& world, Destructible& destructible, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
     void reverse_excess_impulses(physics::World& world, double dt);
     void merge_mutual_impacts();
     void start_passing();
-    void store_pre_step_state(const physics::World& world, std::uint32_t whole, Piece& piece);
-    void store_pre_step_state(const physics::World& world, std::uint32_t whole, physics::BodyId body);
+    void store_pre_step_state(const physics::World& world, std::uint32_t destructible, Piece& piece);
+    void store_pre_step_state(const physics::World& world, std::uint32_t destructible, physics::BodyId body);
     const physics::BodyState* pre_step_body(physics::BodyId body) const;
     const destruction_detail::PreStepState* find_pre_step_state(physics::BodyId body) const;
     void limit_grounded_pieces(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
@@ -255,7 +255,7 @@ private:
     double restored_speed(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
     std::size_t add_reversal_body(const physics::World& world, std::vector<destruction_detail::ReversalBody>& bodies,
                      physics::BodyId id, const Piece* piece, double dt) const;
-    void add_nearby_bodies(const physics::World& world, std::uint32_t whole, double dt,
+    void add_nearby_bodies(const physics::World& world, std::uint32_t destructible, double dt,
                         std::vector<destruction_detail::ReversalBody>& bodies,
                         std::vector<std::size_t>& added) const;
     destruction_detail::BodyPairs shared_energy_pairs(const physics::World& world, double dt,

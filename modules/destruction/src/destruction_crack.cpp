@@ -100,7 +100,7 @@ std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
 // What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
 // the acceleration that the whole takes there. Weight pulls at all alike and cancels.
 template <class Destructible>
-void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
+void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<ChunkLoad>& pushes) {
     double mass = 0;
     Vec3 center, force, torque;
     for (const std::uint32_t c : group.chunks) {
@@ -132,10 +132,10 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
 
 // What each bond of the group bears, as a share of its strength.
 std::vector<double> Destruction::loads_of(const Destructible& destructible, const Group& group,
-                                          const BlockFactor& factor, std::span<const Push> contact_loads,
+                                          const BlockFactor& factor, std::span<const ChunkLoad> contact_loads,
                                           Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(destructible.chunks, group);
-    std::vector<Push> pushes(contact_loads.begin(), contact_loads.end());
+    std::vector<ChunkLoad> pushes(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
                                   [&](std::uint32_t c) { return destructible.chunks[c].anchored; });
     if (held)
@@ -159,7 +159,7 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
 Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group, Piece* cached,
-                                     std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
+                                     std::span<const ChunkLoad> pushes, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
@@ -195,7 +195,7 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const Push> pushes, Vec3 spin,
+bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const ChunkLoad> pushes, Vec3 spin,
                         Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
@@ -226,7 +226,7 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
     if (chunk_loads_.size() < destructible.chunks.size()) chunk_loads_.resize(destructible.chunks.size());
-    const std::span<Push> pushes(chunk_loads_.data(), destructible.chunks.size());
+    const std::span<ChunkLoad> pushes(chunk_loads_.data(), destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
@@ -309,7 +309,7 @@ Result<double> Destruction::worst_load(const World& world, DestructibleId id) co
             const BlockFactor factor(
                 stiffness_of(beams_of(*destructible, group, unknowns), unknowns.count, destructible->material));
             for (const double load : loads_of(*destructible, group, factor,
-                                              std::vector<Push>(destructible->chunks.size()), {}, gravity))
+                                              std::vector<ChunkLoad>(destructible->chunks.size()), {}, gravity))
                 worst = maximum(worst, load);
         }
     }

@@ -44,7 +44,7 @@ struct PreStepState;
 using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 struct ChunkContact;
 // Upon a chunk: at its centre of mass, in the frame of the whole.
-struct Push {
+struct ChunkLoad {
     physics::Vec3 force, torque;  // N, N m
 };
 }  // namespace destruction_detail
@@ -217,14 +217,14 @@ private:
     void break_all_bonds(const physics::World& world);
     void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible, std::uint32_t piece,
                          std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::Push> pushes,
+    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::ChunkLoad> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
     SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group, Piece* cached,
-               std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
+               std::span<const destruction_detail::ChunkLoad> pushes, physics::Vec3 spin,
                physics::Vec3 gravity, double& energy);
     static std::vector<double> loads_of(const Destructible& destructible, const destruction_detail::Group& group,
                                         const destruction_detail::BlockFactor& factor,
-                                        std::span<const destruction_detail::Push> pushes,
+                                        std::span<const destruction_detail::ChunkLoad> pushes,
                                         physics::Vec3 spin, physics::Vec3 gravity);
     static std::vector<destruction_detail::Group> connected_groups(const Destructible& destructible,
                                                            const destruction_detail::Group& group);
@@ -273,7 +273,7 @@ private:
     bool derived_ = false;
     std::vector<BondedShape> bonded_shapes_;  // by shape
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
-    std::vector<destruction_detail::Push> chunk_loads_;  // by chunk; valid for one piece's
+    std::vector<destruction_detail::ChunkLoad> chunk_loads_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;  // bodies, of wholes
     std::vector<physics::BodyState> reversed_bodies_;         // what got its speed back, before the step
     std::vector<destruction_detail::PreStepState> pre_step_states_;  // pieces, and what meets them; by body

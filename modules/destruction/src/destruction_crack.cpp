@@ -100,7 +100,7 @@ std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
 // What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
 // the acceleration that the whole takes there. Weight pulls at all alike and cancels.
 template <class Destructible>
-void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<ChunkLoad>& pushes) {
+void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<ChunkLoad>& chunk_loads) {
     double mass = 0;
     Vec3 center, force, torque;
     for (const std::uint32_t c : group.chunks) {
@@ -115,16 +115,16 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
         const double r2 = length_squared(r) * chunk.mass;
         inertia = inertia + chunk.inertia + diagonal({r2, r2, r2}) -
                   Mat3{r * (r.x * chunk.mass), r * (r.y * chunk.mass), r * (r.z * chunk.mass)};
-        force += pushes[c].force;
-        torque += pushes[c].torque + cross(r, pushes[c].force);
+        force += chunk_loads[c].force;
+        torque += chunk_loads[c].torque + cross(r, chunk_loads[c].force);
     }
     const Vec3 linear = force / mass;
     const Vec3 angular = inverse(inertia) * (torque - cross(spin, inertia * spin));
     for (const std::uint32_t c : group.chunks) {
         const auto& chunk = destructible.chunks[c];
         const Vec3 r = chunk.center - center;
-        pushes[c].force += (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
-        pushes[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
+        chunk_loads[c].force += (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
+        chunk_loads[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
     }
 }
 
@@ -135,19 +135,19 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
                                           const BlockFactor& factor, std::span<const ChunkLoad> contact_loads,
                                           Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(destructible.chunks, group);
-    std::vector<ChunkLoad> pushes(contact_loads.begin(), contact_loads.end());
+    std::vector<ChunkLoad> chunk_loads(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
                                   [&](std::uint32_t c) { return destructible.chunks[c].anchored; });
     if (held)
         for (const std::uint32_t c : group.chunks)
-            pushes[c].force += gravity * destructible.chunks[c].mass;
+            chunk_loads[c].force += gravity * destructible.chunks[c].mass;
     else
-        add_inertia(destructible, group, spin, pushes);
+        add_inertia(destructible, group, spin, chunk_loads);
     std::vector<Block6> moved(unknowns.count);
     for (const std::uint32_t c : group.chunks)
         if (const std::uint32_t at = unknowns.of_chunk[c]; at != fixed_unknown)
-            moved[at] = {pushes[c].force.x,  pushes[c].force.y,  pushes[c].force.z,
-                         pushes[c].torque.x, pushes[c].torque.y, pushes[c].torque.z};
+            moved[at] = {chunk_loads[c].force.x,  chunk_loads[c].force.y,  chunk_loads[c].force.z,
+                         chunk_loads[c].torque.x, chunk_loads[c].torque.y, chunk_loads[c].torque.z};
     factor.solve(moved);
     constexpr Block6 still = {};
     std::vector<double> loads;
@@ -159,7 +159,7 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
 Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group, Piece* cached,
-                                     std::span<const ChunkLoad> pushes, Vec3 spin, Vec3 gravity,
+                                     std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity,
                                      double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
@@ -172,7 +172,7 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
     }
     if (cached) cached->solved = true;
     if (!dissipated_energy) work_left_ -= static_cast<std::int64_t>(factor->work());
-    const std::vector<double> loads = loads_of(destructible, group, *factor, pushes, spin, gravity);
+    const std::vector<double> loads = loads_of(destructible, group, *factor, chunk_loads, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
     if (cached) max_load_ratio_ = worst;
     const double limit = maximum(1, same_round_load_ratio * worst);
@@ -195,7 +195,7 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const ChunkLoad> pushes, Vec3 spin,
+bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const ChunkLoad> chunk_loads, Vec3 spin,
                         Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
@@ -203,7 +203,7 @@ bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::spa
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
             const SolveResult result =
-                solve_group(destructible, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
+                solve_group(destructible, group, round == 0 ? &piece : nullptr, chunk_loads, spin, gravity, energy);
             if (result == SolveResult::no_time) return round > 0;
             if (result == SolveResult::held) continue;
             piece.split_pending = true;
@@ -226,14 +226,14 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
     if (chunk_loads_.size() < destructible.chunks.size()) chunk_loads_.resize(destructible.chunks.size());
-    const std::span<ChunkLoad> pushes(chunk_loads_.data(), destructible.chunks.size());
-    for (const std::uint32_t c : piece.chunks) pushes[c] = {};
+    const std::span<ChunkLoad> chunk_loads(chunk_loads_.data(), destructible.chunks.size());
+    for (const std::uint32_t c : piece.chunks) chunk_loads[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
         const Vec3 force = rotate(back, chunk_contact.force);
         const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
-        pushes[chunk_contact.chunk].force += force;
-        pushes[chunk_contact.chunk].torque += cross(at - destructible.chunks[chunk_contact.chunk].center, force);
+        chunk_loads[chunk_contact.chunk].force += force;
+        chunk_loads[chunk_contact.chunk].torque += cross(at - destructible.chunks[chunk_contact.chunk].center, force);
         energy += chunk_contact.energy;
         sum += length(chunk_contact.force) + length(chunk_contact.point) + chunk_contact.energy;
     }
@@ -242,9 +242,9 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     for (const std::uint32_t c : piece.chunks) {
         const Chunk& chunk = destructible.chunks[c];
         mass += chunk.mass;
-        change += length(pushes[c].force - chunk.force);
+        change += length(chunk_loads[c].force - chunk.force);
         before += length(chunk.force);
-        if (piece.loads_pending) pushes[c] = {chunk.force, chunk.torque};
+        if (piece.loads_pending) chunk_loads[c] = {chunk.force, chunk.torque};
     }
     const double size = length(destructible.chunks[piece.chunks.back()].center -
                                destructible.chunks[piece.chunks.front()].center);
@@ -256,15 +256,15 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
-    const bool evaluated = break_bonds(destructible, piece, pushes, spin, rotate(back, world.gravity()), left);
+    const bool evaluated = break_bonds(destructible, piece, chunk_loads, spin, rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
         if (hit && evaluated && chunk_contact.impact && !piece.loads_pending) {
             chunk_contact.dissipated_energy = (energy - left) * (chunk_contact.energy / energy);
             chunk_contact.load_ratio = piece.split_pending ? max_load_ratio_ : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
-        destructible.chunks[c].force = pushes[c].force;
-        destructible.chunks[c].torque = pushes[c].torque;
+        destructible.chunks[c].force = chunk_loads[c].force;
+        destructible.chunks[c].torque = chunk_loads[c].torque;
     }
     piece.loaded = !chunk_contacts.empty();
     piece.loads_pending = !evaluated;

@@ -219,8 +219,8 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
     return made;
 }
 
-Result<FracturedShape> fracture_cell(const ConvexCell& whole, std::span<const Vec3> seeds) {
-    Result<FracturedParts> made = fracture_cells(std::span(&whole, 1), seeds, {});
+Result<FracturedShape> fracture_cell(const ConvexCell& solid, std::span<const Vec3> seeds) {
+    Result<FracturedParts> made = fracture_cells(std::span(&solid, 1), seeds, {});
     if (!made.ok()) return made.error();
     return std::move(made->shape);
 }

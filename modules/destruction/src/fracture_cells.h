@@ -11,7 +11,7 @@
 namespace jostle::modules::destruction_detail {
 
 // An error names the seed whose chunk is too thin for a hull.
-physics::Result<FracturedShape> fracture_cell(const ConvexCell& whole,
+physics::Result<FracturedShape> fracture_cell(const ConvexCell& solid,
                                               std::span<const physics::Vec3> seeds);
 // Of parts that do not overlap.
 physics::Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,

@@ -67,16 +67,16 @@ Status check_seeds(std::span<const Vec3> seeds) {
     return {};
 }
 
-ConvexCell clip_by_bisector(const ConvexCell& whole, std::span<const Vec3> seeds, std::size_t own,
+ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const Vec3> seeds, std::size_t own,
                      std::uint32_t other, double plane_tolerance) {
     const Vec3 apart = seeds[other] - seeds[own];
     const Vec3 normal = apart / square_root(length_squared(apart));
-    return clipped(whole, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other, plane_tolerance);
+    return clipped(solid, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other, plane_tolerance);
 }
 
 // Others are cut off by distance: when one is so far that its plane lies beyond the furthest
 // corner, so do all that follow.
-ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const Vec3> seeds, std::size_t own,
+ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const Vec3> seeds, std::size_t own,
                         double plane_tolerance) {
     const Vec3 here = seeds[own];
     std::vector<Distance> all;
@@ -84,7 +84,7 @@ ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const Vec3> seeds, st
         if (k != own)
             all.emplace_back(length_squared(seeds[k] - here), static_cast<std::uint32_t>(k));
     ByDistance others(std::move(all));
-    ConvexCell cell = whole;
+    ConvexCell cell = solid;
     double reach2 = furthest_squared(cell, here);
     for (std::size_t k = 0; k < others.size(); k++) {
         const auto& [distance2, other] = others.at(k);

@@ -17,10 +17,10 @@ inline constexpr double plane_tolerance_ratio = 1e-14;
 // Finite, none twice, 1 to most_chunks.
 physics::Status check_seeds(std::span<const physics::Vec3> seeds);
 // What of the whole is nearer to this seed than to any other.
-ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const physics::Vec3> seeds,
+ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const physics::Vec3> seeds,
                         std::size_t own, double plane_tolerance);
 // What of the whole is on the own side of one other seed.
-ConvexCell clip_by_bisector(const ConvexCell& whole, std::span<const physics::Vec3> seeds, std::size_t own,
+ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const physics::Vec3> seeds, std::size_t own,
                      std::uint32_t other, double plane_tolerance);
 
 }  // namespace jostle::modules::destruction_detail

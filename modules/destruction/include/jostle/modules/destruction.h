@@ -217,14 +217,14 @@ private:
     void break_all_bonds(const physics::World& world);
     void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible, std::uint32_t piece,
                          std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::ChunkLoad> pushes,
+    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::ChunkLoad> chunk_loads,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
     SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group, Piece* cached,
-               std::span<const destruction_detail::ChunkLoad> pushes, physics::Vec3 spin,
+               std::span<const destruction_detail::ChunkLoad> chunk_loads, physics::Vec3 spin,
                physics::Vec3 gravity, double& energy);
     static std::vector<double> loads_of(const Destructible& destructible, const destruction_detail::Group& group,
                                         const destruction_detail::BlockFactor& factor,
-                                        std::span<const destruction_detail::ChunkLoad> pushes,
+                                        std::span<const destruction_detail::ChunkLoad> chunk_loads,
                                         physics::Vec3 spin, physics::Vec3 gravity);
     static std::vector<destruction_detail::Group> connected_groups(const Destructible& destructible,
                                                            const destruction_detail::Group& group);

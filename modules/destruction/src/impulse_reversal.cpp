@@ -67,7 +67,7 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
 }
 
 // Of a group, J.
-struct Ledger {
+struct EnergyBudget {
     double before = 0, after = 0;     // the step
     double given = 0, of_change = 0;  // after all was given; of the change of velocity alone
     double dissipated_energy = 0;
@@ -105,10 +105,10 @@ void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal>
     for (int round = 0; round < solver_iterations; round++)
         for (ImpulseReversal& one : all) share(bodies, one);
     const std::vector<std::size_t> group = groups_of(bodies, all, links);
-    std::vector<Ledger> ledgers(bodies.size());
+    std::vector<EnergyBudget> ledgers(bodies.size());
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const BodyState &now = bodies[k].state, &was = after[k].state;
-        Ledger& ledger = ledgers[group[k]];
+        EnergyBudget& ledger = ledgers[group[k]];
         ledger.before += after[k].energy_before();
         ledger.after += after[k].energy();
         ledger.given += bodies[k].energy();

@@ -49,7 +49,7 @@ double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
 
 // Which bodies hang together: by body, the lowest of them.
 std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::span<const ImpulseReversal> all,
-                                   std::span<const std::pair<std::size_t, std::size_t>> links) {
+                                   std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     std::vector<std::size_t> group(bodies.size());
     for (std::size_t k = 0; k < group.size(); k++) group[k] = k;
     const auto lowest = [&](std::size_t k) {
@@ -61,7 +61,7 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
         group[a > b ? a : b] = a > b ? b : a;
     };
     for (const ImpulseReversal& one : all) join(one.piece, one.struck);
-    for (const auto& [a, b] : links) join(a, b);
+    for (const auto& [a, b] : pairs) join(a, b);
     for (std::size_t k = 0; k < group.size(); k++) group[k] = lowest(k);
     return group;
 }
@@ -69,17 +69,17 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
 // Of a group, J.
 struct EnergyBudget {
     double before = 0, after = 0;     // the step
-    double given = 0, of_change = 0;  // after all was given; of the change of velocity alone
+    double given = 0, velocity_change_energy = 0;  // after all was given; of the change of velocity alone
     double dissipated_energy = 0;
 
     // The share of what is given at which there is no more than there was:
-    // after + b s + of_change s^2 = most.
+    // after + b s + velocity_change_energy s^2 = most.
     double share() const {
-        const double most = maximum(before - dissipated_energy, after), b = given - after - of_change;
-        if (!(given > most) || !(of_change > 0)) return 1;
-        const double root = square_root(b * b + 4 * of_change * (most - after));
+        const double most = maximum(before - dissipated_energy, after), b = given - after - velocity_change_energy;
+        if (!(given > most) || !(velocity_change_energy > 0)) return 1;
+        const double root = square_root(b * b + 4 * velocity_change_energy * (most - after));
         // Both are the same; each has its rounding.
-        const double part = b > 0 ? 2 * (most - after) / (b + root) : (root - b) / (2 * of_change);
+        const double part = b > 0 ? 2 * (most - after) / (b + root) : (root - b) / (2 * velocity_change_energy);
         return clamp(part, 0, 1);
     }
 };
@@ -100,19 +100,19 @@ double ReversalBody::energy_before() const {
 // turned, would then have more energy than it came with: all impulses of a group are lessened
 // alike, which leaves momenta alone.
 void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
-               std::span<const std::pair<std::size_t, std::size_t>> links) {
+               std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
     for (int round = 0; round < solver_iterations; round++)
         for (ImpulseReversal& one : all) share(bodies, one);
-    const std::vector<std::size_t> group = groups_of(bodies, all, links);
+    const std::vector<std::size_t> group = groups_of(bodies, all, pairs);
     std::vector<EnergyBudget> ledgers(bodies.size());
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const BodyState &now = bodies[k].state, &was = after[k].state;
         EnergyBudget& ledger = ledgers[group[k]];
-        ledger.before += after[k].energy_before();
-        ledger.after += after[k].energy();
-        ledger.given += bodies[k].energy();
-        ledger.of_change += energy_of(now, now.linear_velocity - was.linear_velocity,
+        ledger.initial += after[k].energy_before();
+        ledger.final += after[k].energy();
+        ledger.reversed += bodies[k].energy();
+        ledger.velocity_change_energy += energy_of(now, now.linear_velocity - was.linear_velocity,
                                       now.angular_velocity - was.angular_velocity);
     }
     for (const ImpulseReversal& one : all) ledgers[group[one.struck]].dissipated_energy += one.dissipated_energy;

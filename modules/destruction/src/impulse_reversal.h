@@ -38,6 +38,6 @@ struct ImpulseReversal {
 // or by `links`, two bodies each, has in the end no more energy than before the step, less what was
 // paid; or than after it, where something else gave it more.
 void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
-               std::span<const std::pair<std::size_t, std::size_t>> links);
+               std::span<const std::pair<std::size_t, std::size_t>> pairs);
 
 }  // namespace jostle::modules::destruction_detail

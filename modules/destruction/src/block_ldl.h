@@ -17,12 +17,12 @@ using Block = std::array<double, 36>;  // by rows
 using Block6 = std::array<double, 6>;
 
 struct BlockMatrix {
-    struct Link {
+    struct OffDiagonalBlock {
         std::uint32_t row = 0, column = 0;  // row > column: the lower half
         Block block = {};
     };
     std::vector<Block> diagonal;
-    std::vector<Link> links;  // several of a place add up
+    std::vector<OffDiagonalBlock> links;  // several of a place add up
 };
 
 class BlockFactor {

@@ -54,7 +54,7 @@ BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
     matrix.diagonal.assign(unknowns, Block{});
     for (const Beam& beam : beams) {
         const bool a_is_row = beam.a > beam.b;
-        BlockMatrix::Link link{.row = a_is_row ? beam.a : beam.b,
+        BlockMatrix::OffDiagonalBlock link{.row = a_is_row ? beam.a : beam.b,
                                .column = a_is_row ? beam.b : beam.a};
         const bool both = beam.a != fixed_unknown && beam.b != fixed_unknown;
         for (const Spring& s : springs_of(beam, material)) {

@@ -13,7 +13,7 @@ BlockMatrix net(std::uint32_t wide, std::uint32_t high, double held) {
     BlockMatrix matrix;
     matrix.diagonal.assign(wide * high, Block{});
     const auto link = [&](std::uint32_t a, std::uint32_t b) {
-        BlockMatrix::Link made{.row = b, .column = a};
+        BlockMatrix::OffDiagonalBlock made{.row = b, .column = a};
         for (std::size_t k = 0; k < 6; k++) {
             const double s = 1 + 0.1 * static_cast<double>(k + a % 3);
             made.block[7 * k] = -s;
@@ -41,7 +41,7 @@ std::vector<Block6> times(const BlockMatrix& m, const std::vector<Block6>& x) {
                 to[r] += (turned ? b[6 * c + r] : b[6 * r + c]) * v[c];
     };
     for (std::size_t k = 0; k < x.size(); k++) add(f[k], m.diagonal[k], x[k], false);
-    for (const BlockMatrix::Link& link : m.links) {
+    for (const BlockMatrix::OffDiagonalBlock& link : m.links) {
         add(f[link.row], link.block, x[link.column], false);
         add(f[link.column], link.block, x[link.row], true);
     }

@@ -219,7 +219,7 @@ void add_plan(CLI::App& app, Flags& flags) {
         ->check(CLI::IsMember(names))
         ->capture_default_str();
     app.add_option("--chunks", flags.plan.count, "Seeds that are strewn")
-        ->check(CLI::Range(1, static_cast<int>(modules::most_chunks)))
+        ->check(CLI::Range(1, static_cast<int>(modules::chunks_max)))
         ->capture_default_str();
     app.add_option("--seed", flags.plan.seed, "Another number strews them another way")
         ->capture_default_str();

@@ -78,7 +78,7 @@ BlockFactor::BlockFactor(const BlockMatrix& matrix) {
 void BlockFactor::order_by_degree(const BlockMatrix& matrix) {
     const std::size_t n = matrix.diagonal.size();
     std::vector<std::vector<std::uint32_t>> near(n);
-    for (const BlockMatrix::OffDiagonalBlock& link : matrix.links) {
+    for (const BlockMatrix::OffDiagonalBlock& link : matrix.off_diagonal) {
         near[link.row].push_back(link.column);
         near[link.column].push_back(link.row);
     }
@@ -126,7 +126,7 @@ void BlockFactor::scatter(const BlockMatrix& matrix) {
         diagonal_[k] = matrix.diagonal[order_[k]];
         blocks_[k].assign(rows_[k].size(), Block{});
     }
-    for (const BlockMatrix::OffDiagonalBlock& link : matrix.links) {
+    for (const BlockMatrix::OffDiagonalBlock& link : matrix.off_diagonal) {
         const std::uint32_t row = rank_[link.row], column = rank_[link.column];
         Block& to = row > column ? at(row, column) : at(column, row);
         const Block block = row > column ? link.block : turned(link.block);

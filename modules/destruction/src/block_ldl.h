@@ -22,7 +22,7 @@ struct BlockMatrix {
         Block block = {};
     };
     std::vector<Block> diagonal;
-    std::vector<OffDiagonalBlock> links;  // several of a place add up
+    std::vector<OffDiagonalBlock> off_diagonal;  // several of a place add up
 };
 
 class BlockFactor {

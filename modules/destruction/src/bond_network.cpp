@@ -64,7 +64,7 @@ BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
                 add_outer(link.block, a_is_row ? s.g_a : s.g_b, a_is_row ? s.g_b : s.g_a,
                           s.stiffness);
         }
-        if (both) matrix.links.push_back(link);
+        if (both) matrix.off_diagonal.push_back(link);
     }
     return matrix;
 }

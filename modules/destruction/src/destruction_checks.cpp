@@ -58,9 +58,9 @@ Status check_limits(const DestructionLimits& limits) {
 }
 
 Status check_shape(const FracturedShape& shape) {
-    if (shape.chunks.empty() || shape.chunks.size() > most_chunks)
+    if (shape.chunks.empty() || shape.chunks.size() > chunks_max)
         return invalid_argument("there are " + std::to_string(shape.chunks.size()) +
-                                " chunks; give 1 to " + std::to_string(most_chunks));
+                                " chunks; give 1 to " + std::to_string(chunks_max));
     if (shape.bonds.size() > bonds_max)
         return invalid_argument("there are more than " + std::to_string(bonds_max) + " bonds");
     for (std::size_t k = 0; k < shape.chunks.size(); k++) {

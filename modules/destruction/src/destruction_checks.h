@@ -8,7 +8,7 @@
 namespace jostle::modules::destruction_detail {
 
 inline constexpr std::size_t destructibles_max = 10000;
-inline constexpr std::size_t bonds_max = 16 * most_chunks;
+inline constexpr std::size_t bonds_max = 16 * chunks_max;
 
 // The ranges of numbers, for definitions and for saved bytes.
 inline constexpr double coordinate_max = 1e5;                            // m, in the frame of a whole

@@ -93,7 +93,7 @@ void Destruction::visit(StateVisitor& v, Destructible& destructible) {
 void Destruction::check_destructible(StateVisitor& v, const Destructible& destructible) {
     if (destructible.alive == destructible.chunks.empty())
         v.fail("chunks", "are there when the whole is, and only then");
-    if (destructible.chunks.size() > most_chunks) v.fail("chunks", "are too many");
+    if (destructible.chunks.size() > chunks_max) v.fail("chunks", "are too many");
     for (const Bond& bond : destructible.bonds)
         if (!(bond.face.a < bond.face.b && bond.face.b < destructible.chunks.size())) {
             v.fail("bonds", "name no two chunks");

@@ -205,8 +205,8 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
                 made.lost += mass.volume;
                 continue;
             }
-            if (cuts.size() == most_chunks)
-                return invalid_argument("there are more than " + std::to_string(most_chunks) +
+            if (cuts.size() == chunks_max)
+                return invalid_argument("there are more than " + std::to_string(chunks_max) +
                                         " chunks; give fewer seeds or parts");
             made.shape.chunks.push_back(std::move(*chunk));
             cuts.push_back(std::move(cut));

@@ -251,7 +251,7 @@ Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     if (Status s = check_head(bytes); !s.ok()) return s.error();
     Reader in(bytes.subspan(fracture_head_bytes));
     const std::size_t chunks = in.bits<std::uint32_t>(), bonds = in.bits<std::uint32_t>();
-    if (chunks < 1 || chunks > most_chunks || bonds > bonds_max ||
+    if (chunks < 1 || chunks > chunks_max || bonds > bonds_max ||
         chunks * chunk_bytes_min + bonds * bond_bytes > in.left())
         return damaged("it says that it has " + std::to_string(chunks) + " chunks and " +
                        std::to_string(bonds) + " bonds, and is too short for them, or too many");

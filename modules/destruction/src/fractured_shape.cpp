@@ -76,9 +76,9 @@ Result<FracturedShape> fracture_box(Vec3 half_extents, std::span<const Vec3> see
 Result<FracturedParts> fracture_parts(std::span<const std::shared_ptr<const ConvexHull>> parts,
                                       std::span<const Vec3> seeds,
                                       const FractureProgress& progress) {
-    if (parts.empty() || parts.size() > most_parts)
+    if (parts.empty() || parts.size() > fracture_parts_max)
         return invalid_argument("there are " + std::to_string(parts.size()) + " parts; give 1 to " +
-                                std::to_string(most_parts));
+                                std::to_string(fracture_parts_max));
     for (std::size_t k = 0; k < parts.size(); k++)
         if (!parts[k]) return invalid_argument("parts[" + std::to_string(k) + "] is null");
     const std::vector<ConvexCell> cells = disjoint_cells(parts);
@@ -92,8 +92,8 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
         if (count < 1 || count > 1000)
             return invalid_argument("a number of boxes is not 1 to 1000");
     if (static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) >
-        most_chunks)
-        return invalid_argument("there are more than " + std::to_string(most_chunks) + " boxes");
+        chunks_max)
+        return invalid_argument("there are more than " + std::to_string(chunks_max) + " boxes");
     const Vec3 h{e.x / nx, e.y / ny, e.z / nz};
     if (Status s = check_extents(h); !s.ok()) return s.error();
     const int stride[3] = {1, nx, nx * ny};

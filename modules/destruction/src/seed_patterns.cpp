@@ -23,9 +23,9 @@ Status check(const Aabb& bounds, const SeedPlan& plan) {
         if (!(side >= 2 * min_shape_size && side <= 2 * max_shape_size))
             return invalid_argument("a side of the bounds is not 2e-4 to 2e4 m");
     }
-    if (plan.count < 1 || plan.count > static_cast<int>(most_chunks))
+    if (plan.count < 1 || plan.count > static_cast<int>(chunks_max))
         return invalid_argument("count is " + std::to_string(plan.count) + "; give 1 to " +
-                                std::to_string(most_chunks));
+                                std::to_string(chunks_max));
     if (plan.center && !(is_finite(*plan.center) && length_squared(*plan.center) < 1e8))
         return invalid_argument("center is not finite or beyond 10 km");
     if (!(plan.spread >= 1e-3 && plan.spread <= 1))
@@ -101,7 +101,7 @@ std::vector<Vec3> blocks(const Aabb& bounds, int count) {
     for (int k = 0; k < 3; k++) counts[k] = std::max(1, static_cast<int>(sides[k] / edge + 0.5));
     while (static_cast<std::size_t>(counts[0]) * static_cast<std::size_t>(counts[1]) *
                static_cast<std::size_t>(counts[2]) >
-           most_chunks)
+           chunks_max)
         (*std::max_element(counts, counts + 3))--;
     std::vector<Vec3> seeds;
     for (int z = 0; z < counts[2]; z++)

@@ -49,9 +49,9 @@ private:
 }  // namespace
 
 Status check_seeds(std::span<const Vec3> seeds) {
-    if (seeds.empty() || seeds.size() > most_chunks)
+    if (seeds.empty() || seeds.size() > chunks_max)
         return invalid_argument("there are " + std::to_string(seeds.size()) + " seeds; give 1 to " +
-                                std::to_string(most_chunks));
+                                std::to_string(chunks_max));
     for (std::size_t k = 0; k < seeds.size(); k++)
         if (!is_finite(seeds[k]) || !(length_squared(seeds[k]) < 1e8))
             return invalid_argument("seeds[" + std::to_string(k) +

@@ -14,7 +14,7 @@ namespace jostle::modules::destruction_detail {
 // Of the size: what is nearer to a plane than rounding can tell lies on it.
 inline constexpr double plane_tolerance_ratio = 1e-14;
 
-// Finite, none twice, 1 to most_chunks.
+// Finite, none twice, 1 to chunks_max.
 physics::Status check_seeds(std::span<const physics::Vec3> seeds);
 // What of the whole is nearer to this seed than to any other.
 ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const physics::Vec3> seeds,

@@ -21,7 +21,7 @@ BlockMatrix net(std::uint32_t wide, std::uint32_t high, double held) {
             matrix.diagonal[b][7 * k] += s;
         }
         made.block[1] = 0.1;  // not symmetric in itself
-        matrix.links.push_back(made);
+        matrix.off_diagonal.push_back(made);
     };
     for (Block& block : matrix.diagonal)
         for (std::size_t k = 0; k < 6; k++) block[7 * k] += held;
@@ -41,7 +41,7 @@ std::vector<Block6> times(const BlockMatrix& m, const std::vector<Block6>& x) {
                 to[r] += (turned ? b[6 * c + r] : b[6 * r + c]) * v[c];
     };
     for (std::size_t k = 0; k < x.size(); k++) add(f[k], m.diagonal[k], x[k], false);
-    for (const BlockMatrix::OffDiagonalBlock& link : m.links) {
+    for (const BlockMatrix::OffDiagonalBlock& link : m.off_diagonal) {
         add(f[link.row], link.block, x[link.column], false);
         add(f[link.column], link.block, x[link.row], true);
     }
@@ -72,7 +72,7 @@ TEST(BlockLdl, a_net_fills_little) {
 
 TEST(BlockLdl, what_nothing_resists_stays) {
     BlockMatrix matrix = net(3, 1, 0);  // adrift
-    matrix.links[0].block[1] = matrix.links[1].block[1] = 0;
+    matrix.off_diagonal[0].block[1] = matrix.off_diagonal[1].block[1] = 0;
     std::vector<Block6> x(3, Block6{});
     x[0][0] = 1, x[2][0] = -1;
     BlockFactor(matrix).solve(x);

@@ -24,8 +24,8 @@
 
 namespace jostle::modules {
 
-inline constexpr std::size_t most_chunks = 20000;
-inline constexpr std::size_t most_parts = 1024;
+inline constexpr std::size_t chunks_max = 20000;
+inline constexpr std::size_t fracture_parts_max = 1024;
 
 // Places are in the frame of the whole.
 struct FractureChunk {
@@ -54,7 +54,7 @@ struct FracturedShape {
 };
 
 // One chunk for each seed: what of the hull lies nearer to it than to any other (Voronoi). Seeds:
-// 1 to most_chunks, none twice; one whose cell is empty leaves no chunk. An error names the seed.
+// 1 to chunks_max, none twice; one whose cell is empty leaves no chunk. An error names the seed.
 physics::Result<FracturedShape> fracture_hull(const physics::ConvexHull& hull,
                                               std::span<const physics::Vec3> seeds);
 // The same of a box about the origin.

@@ -25,7 +25,7 @@ enum class SeedPattern : std::uint8_t { uniform, radial, grid, clustered };
 
 struct SeedPlan {
     SeedPattern pattern = SeedPattern::uniform;
-    int count = 100;  // 1 to most_chunks; a grid and rings take what fits best
+    int count = 100;  // 1 to chunks_max; a grid and rings take what fits best
     std::uint64_t seed = 1;
     // Of radial and clustered; without one the middle of the bounds.
     std::optional<physics::Vec3> center = {};

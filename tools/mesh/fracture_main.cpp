@@ -57,7 +57,7 @@ struct Flags {
     std::string file, pattern = "uniform", anchor, out, scene, json;
     std::vector<double> box, hull, center;
     convert::Solid solid;
-    modules::SeedPlan plan;
+    modules::SeedPatternOptions plan;
 };
 
 int fail(const std::string& what) {

@@ -66,7 +66,7 @@ void anchor_side(modules::FracturedShape& shape, Vec3 direction, double size) {
 
 }  // namespace
 
-Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
+Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPatternOptions& plan,
                                  std::optional<Vec3> anchor,
                                  const modules::FractureProgress& progress) {
     Result<Parts> parts = parts_of(solid);

@@ -30,7 +30,7 @@ struct FracturedSolid {
 };
 
 // Anchors what reaches as far as any chunk does along `anchor`, if there is one.
-physics::Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPlan& plan,
+physics::Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPatternOptions& plan,
                                           std::optional<physics::Vec3> anchor = {},
                                           const modules::FractureProgress& progress = {});
 

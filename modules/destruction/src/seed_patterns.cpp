@@ -17,7 +17,7 @@ namespace {
 
 constexpr int attempts_max = 200;  // for each seed that is asked for
 
-Status check(const Aabb& bounds, const SeedPlan& plan) {
+Status check(const Aabb& bounds, const SeedPatternOptions& plan) {
     for (int k = 0; k < 3; k++) {
         const double side = bounds.high[k] - bounds.low[k];
         if (!(side >= 2 * min_shape_size && side <= 2 * max_shape_size))
@@ -55,7 +55,7 @@ double random_gaussian(std::uint64_t& state) {
 }
 
 // Four of five in the cluster.
-Vec3 in_cluster(const Aabb& bounds, const SeedPlan& plan, Vec3 center, std::uint64_t& state) {
+Vec3 in_cluster(const Aabb& bounds, const SeedPatternOptions& plan, Vec3 center, std::uint64_t& state) {
     if (next_uniform(state) < 0.2) return random_point(bounds, state);
     const double x = random_gaussian(state), y = random_gaussian(state), z = random_gaussian(state);
     return center + Vec3{x, y, z} * (0.5 * plan.spread * longest_side(bounds));
@@ -67,7 +67,7 @@ bool is_within(const Aabb& bounds, Vec3 p) {
     return true;
 }
 
-Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPlan& plan,
+Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPatternOptions& plan,
                                  const std::function<bool(Vec3)>& inside) {
     std::uint64_t state = plan.seed;
     const Vec3 center = plan.center.value_or(middle_of(bounds));
@@ -115,7 +115,7 @@ std::vector<Vec3> blocks(const Aabb& bounds, int count) {
 
 // About the shortest axis: rings whose widths grow with the square, the same spokes in each, a
 // little askew.
-std::vector<Vec3> rings(const Aabb& bounds, const SeedPlan& plan) {
+std::vector<Vec3> rings(const Aabb& bounds, const SeedPatternOptions& plan) {
     const Vec3 sides = bounds.high - bounds.low;
     int axis = 0;
     for (int k = 1; k < 3; k++)
@@ -144,7 +144,7 @@ std::vector<Vec3> rings(const Aabb& bounds, const SeedPlan& plan) {
 
 }  // namespace
 
-Result<std::vector<Vec3>> planned_seeds(const Aabb& bounds, const SeedPlan& plan,
+Result<std::vector<Vec3>> planned_seeds(const Aabb& bounds, const SeedPatternOptions& plan,
                                         const std::function<bool(Vec3)>& inside) {
     if (Status s = check(bounds, plan); !s.ok()) return s.error();
     switch (plan.pattern) {

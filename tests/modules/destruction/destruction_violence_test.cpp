@@ -63,7 +63,7 @@ Outcome outcome_of(const Hit& hit) {
         .create_body({.type = BodyType::static_body, .pose = {.position = {0, -0.5, 0}}},
                      {.geometry = Box{{60, 0.5, 60}}})
         .value();
-    const SeedPlan plan{
+    const SeedPatternOptions plan{
         .pattern = hit.pattern, .count = hit.chunks, .center = Vec3{0, 0.3 * hit.half.y, 0}};
     FracturedShape shape =
         fracture_box(hit.half, planned_seeds({-hit.half, hit.half}, plan).value()).value();

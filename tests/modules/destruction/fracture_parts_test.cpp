@@ -114,7 +114,7 @@ TEST(SeedPatterns, each_makes_about_as_many_chunks_as_asked_for) {
 TEST(SeedPatterns, a_cluster_breaks_small_about_its_centre) {
     const Vec3 half{2, 1, 0.1}, center{1, 0.5, 0};
     for (const SeedPattern pattern : {SeedPattern::radial, SeedPattern::clustered}) {
-        const SeedPlan plan{.pattern = pattern, .count = 200, .center = center};
+        const SeedPatternOptions plan{.pattern = pattern, .count = 200, .center = center};
         const FracturedShape shape =
             fracture_box(half, planned_seeds({-half, half}, plan).value()).value();
         double near = 0, far = 0, near_count = 0, far_count = 0;

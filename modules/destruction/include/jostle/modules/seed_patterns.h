@@ -23,7 +23,7 @@ namespace jostle::modules {
 
 enum class SeedPattern : std::uint8_t { uniform, radial, grid, clustered };
 
-struct SeedPlan {
+struct SeedPatternOptions {
     SeedPattern pattern = SeedPattern::uniform;
     int count = 100;  // 1 to chunks_max; a grid and rings take what fits best
     std::uint64_t seed = 1;
@@ -35,7 +35,7 @@ struct SeedPlan {
 // Within bounds whose sides are 2e-4 to 2e4 m. Of uniform and clustered only such as `inside`
 // takes, if there is one; an error when it takes next to none.
 physics::Result<std::vector<physics::Vec3>> planned_seeds(
-    const physics::Aabb& bounds, const SeedPlan& plan,
+    const physics::Aabb& bounds, const SeedPatternOptions& plan,
     const std::function<bool(physics::Vec3)>& inside = {});
 
 }  // namespace jostle::modules

@@ -175,7 +175,7 @@ public:
     explicit Walls(int count) : destruction_(add<Destruction>(world_)) {
         add_floor(world_);
         const Vec3 half{2, 1.5, 0.15};
-        FracturedShape wall = must(fracture_box(half, scattered_seeds(half, 150, 1)));
+        FracturedShape wall = must(fracture_box(half, random_seeds(half, 150, 1)));
         anchor(wall, {0, -1, 0}, half.y - 1e-6);
         for (int k = 0; k < count; k++)
             must(destruction_.add(world_, wall,
@@ -213,7 +213,7 @@ public:
         limits.passing_volume = passing ? 1 : 0;
         must(destruction_.set_limits(limits));
         const Vec3 half{0.2 * count / 80, 4, 0.1};
-        const FracturedShape wall = must(hulls ? fracture_box(half, scattered_seeds(half, count, 1))
+        const FracturedShape wall = must(hulls ? fracture_box(half, random_seeds(half, count, 1))
                                                : split_box(half, (count + 39) / 40, 40, 1));
         id_ = must(destruction_.add(world_, wall, {.pose = {.position = {0, half.y + 0.01, 0}}}));
     }

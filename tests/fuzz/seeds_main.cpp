@@ -301,7 +301,7 @@ void write_geometry(const fs::path& folder) {
     modules::FracturedShape boxes = modules::split_box(half, 3, 1, 1).value();
     modules::anchor(boxes, {-1, 0, 0}, 0.99);
     for (const auto& shape :
-         {boxes, modules::fracture_box(half, modules::scattered_seeds(half, 4, 1)).value()}) {
+         {boxes, modules::fracture_box(half, modules::random_seeds(half, 4, 1)).value()}) {
         const auto bytes = modules::write_fracture(shape).value();
         fracture.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
                          .substr(modules::fracture_head_bytes));

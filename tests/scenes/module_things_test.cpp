@@ -69,7 +69,7 @@ TEST(ModuleThings, two_cars_have_each_their_own_wheels) {
 // chunk.
 TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
     modules::FracturedShape wall =
-        modules::fracture_box({2, 1, 0.1}, modules::scattered_seeds({2, 1, 0.1}, 20, 1)).value();
+        modules::fracture_box({2, 1, 0.1}, modules::random_seeds({2, 1, 0.1}, 20, 1)).value();
     modules::anchor(wall, {0, -1, 0}, 0.999);
     std::vector<std::byte> file = modules::write_fracture(wall).value();
     const auto scene_with = [](const std::vector<std::byte>& bytes) {

@@ -74,7 +74,7 @@ Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPat
     Aabb bounds = parts->hulls.front()->bounds;
     for (const Part& part : parts->hulls)
         bounds = {min(bounds.low, part->bounds.low), max(bounds.high, part->bounds.high)};
-    const auto seeds = modules::planned_seeds(bounds, plan, [&](Vec3 p) {
+    const auto seeds = modules::generate_seeds(bounds, plan, [&](Vec3 p) {
         return std::any_of(parts->hulls.begin(), parts->hulls.end(),
                            [&](const Part& part) { return is_inside(part, p); });
     });

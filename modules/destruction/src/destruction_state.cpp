@@ -193,7 +193,7 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     if (Status s = set_limits(limits); !s.ok()) return s;
     const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};
     Result<FracturedShape> shape =
-        file.empty() ? fracture_box(half, scattered_seeds(half, static_cast<int>(chunks),
+        file.empty() ? fracture_box(half, random_seeds(half, static_cast<int>(chunks),
                                                           static_cast<std::uint64_t>(seed)))
                      : read_fracture(file);
     if (!shape.ok()) return shape.error();

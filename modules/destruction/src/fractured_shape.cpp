@@ -113,7 +113,7 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
     return shape;
 }
 
-std::vector<Vec3> scattered_seeds(Vec3 e, int count, std::uint64_t seed) {
+std::vector<Vec3> random_seeds(Vec3 e, int count, std::uint64_t seed) {
     std::vector<Vec3> points;
     for (int k = 0; k < count; k++) {
         const double x = next_uniform(seed), y = next_uniform(seed), z = next_uniform(seed);

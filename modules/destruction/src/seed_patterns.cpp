@@ -144,7 +144,7 @@ std::vector<Vec3> rings(const Aabb& bounds, const SeedPatternOptions& plan) {
 
 }  // namespace
 
-Result<std::vector<Vec3>> planned_seeds(const Aabb& bounds, const SeedPatternOptions& plan,
+Result<std::vector<Vec3>> generate_seeds(const Aabb& bounds, const SeedPatternOptions& plan,
                                         const std::function<bool(Vec3)>& inside) {
     if (Status s = check(bounds, plan); !s.ok()) return s.error();
     switch (plan.pattern) {

@@ -23,7 +23,7 @@ struct Show {
         beside.pose.position.x = 6;
         stage.add(wall(chunks), beside);
         const Vec3 half{0.5, 0.5, 0.5};
-        stage.add(fracture_box(half, scattered_seeds(half, 30, 4)).value(),
+        stage.add(fracture_box(half, random_seeds(half, 30, 4)).value(),
                   {.pose = {.position = {-5, 3, 0}}, .bonds = {.tensile = 2e5, .shear = 4e5}});
         stage.ball({-2, 1.2, 0}, {20, 0, 0});
     }

@@ -31,7 +31,7 @@ TEST(Destruction, a_split_keeps_mass_and_momenta) {
     Stage stage({.gravity = {}});
     const Vec3 half{1, 0.7, 0.5};
     const DestructibleId id = stage.add(
-        fracture_box(half, scattered_seeds(half, 120, 9)).value(),
+        fracture_box(half, random_seeds(half, 120, 9)).value(),
         {.pose = {.position = {30, 4, -7}, .rotation = from_rotation_vector({0.3, 1, 0.2})},
          .linear_velocity = {3, -2, 5},
          .angular_velocity = {1.5, 0.4, -2},
@@ -135,7 +135,7 @@ TEST(Destruction, an_impact_that_breaks_keeps_momenta) {
     world.add_module(std::move(module)).expect();
     world.add_listener(after).expect();
     const Vec3 half{0.5, 0.5, 0.5};
-    const FracturedShape block = fracture_box(half, scattered_seeds(half, 30, 4)).value();
+    const FracturedShape block = fracture_box(half, random_seeds(half, 30, 4)).value();
     const DestructibleId id =
         *destruction.add(world, block, {.bonds = {.tensile = 5e5, .shear = 1e6}});
     // Beside it: two that meet and both break.
@@ -259,7 +259,7 @@ TEST(Destruction, two_thousand_hulls_that_pass_each_other_are_in_time) {
     limits.passing_volume = 1;
     stage.destruction->set_limits(limits).expect();
     const Vec3 half{5, 4, 0.1};
-    const FracturedShape shape = fracture_box(half, scattered_seeds(half, 2000, 1)).value();
+    const FracturedShape shape = fracture_box(half, random_seeds(half, 2000, 1)).value();
     const DestructibleId id = stage.add(shape, {.pose = {.position = {0, 4.01, 0}}});
     stage.step(2);
     stage.destruction->break_near(stage.world, id, {0, 4, 0}, 100).value();

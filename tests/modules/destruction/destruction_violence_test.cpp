@@ -66,7 +66,7 @@ Outcome outcome_of(const Hit& hit) {
     const SeedPatternOptions plan{
         .pattern = hit.pattern, .count = hit.chunks, .center = Vec3{0, 0.3 * hit.half.y, 0}};
     FracturedShape shape =
-        fracture_box(hit.half, planned_seeds({-hit.half, hit.half}, plan).value()).value();
+        fracture_box(hit.half, generate_seeds({-hit.half, hit.half}, plan).value()).value();
     DestructibleDef def{.density = hit.density, .bonds = hit.bonds};
     if (hit.stacked) {
         def.pose.position.y = 3 * hit.half.y + 0.003;

@@ -45,7 +45,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
     const std::vector<Part> parts = {box_hull({0, 0, 0}, {2, 1, 1}),
                                      box_hull({0, 1, 0}, {1, 2, 1})};
     const std::vector<Vec3> seeds =
-        planned_seeds({{0, 0, 0}, {2, 2, 1}}, {.count = 60, .seed = 3}, [](Vec3 p) {
+        generate_seeds({{0, 0, 0}, {2, 2, 1}}, {.count = 60, .seed = 3}, [](Vec3 p) {
             return p.y < 1 || p.x < 1;
         }).value();
     const FracturedParts made = fracture_parts(parts, seeds).value();
@@ -71,7 +71,7 @@ TEST(FractureParts, what_overlaps_is_there_once) {
     const std::vector<Part> parts = {box_hull({-1.5, -0.5, 0}, {1.5, 0.5, 1}),
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
     const FracturedParts made =
-        fracture_parts(parts, scattered_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
+        fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
     const double error = std::abs((volume_of(made.shape) + made.lost) / 5 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);
@@ -85,7 +85,7 @@ TEST(FractureParts, what_overlaps_is_there_once) {
 TEST(FractureParts, progress_goes_from_none_to_all) {
     std::size_t last = 1, all = 0;
     const std::vector<Part> parts = {box_hull({-1, -1, -1}, {1, 1, 1})};
-    const auto made = fracture_parts(parts, scattered_seeds({1, 1, 1}, 120, 1),
+    const auto made = fracture_parts(parts, random_seeds({1, 1, 1}, 120, 1),
                                      [&](std::size_t done, std::size_t count) {
                                          EXPECT_TRUE(all > 0 || done == 0);
                                          last = done, all = count;
@@ -93,7 +93,7 @@ TEST(FractureParts, progress_goes_from_none_to_all) {
     ASSERT_TRUE(made.ok());
     EXPECT_EQ(last, 120u);
     EXPECT_EQ(all, 120u);
-    EXPECT_FALSE(fracture_parts({}, scattered_seeds({1, 1, 1}, 2, 1)).ok());
+    EXPECT_FALSE(fracture_parts({}, random_seeds({1, 1, 1}, 2, 1)).ok());
 }
 
 TEST(SeedPatterns, each_makes_about_as_many_chunks_as_asked_for) {
@@ -101,7 +101,7 @@ TEST(SeedPatterns, each_makes_about_as_many_chunks_as_asked_for) {
     for (const SeedPattern pattern :
          {SeedPattern::uniform, SeedPattern::radial, SeedPattern::grid, SeedPattern::clustered}) {
         const std::vector<Vec3> seeds =
-            planned_seeds({-half, half}, {.pattern = pattern, .count = 200, .seed = 4}).value();
+            generate_seeds({-half, half}, {.pattern = pattern, .count = 200, .seed = 4}).value();
         const FracturedShape shape = fracture_box(half, seeds).value();
         EXPECT_GT(shape.chunks.size(), 80u) << static_cast<int>(pattern);
         EXPECT_LT(shape.chunks.size(), 320u) << static_cast<int>(pattern);
@@ -116,7 +116,7 @@ TEST(SeedPatterns, a_cluster_breaks_small_about_its_centre) {
     for (const SeedPattern pattern : {SeedPattern::radial, SeedPattern::clustered}) {
         const SeedPatternOptions plan{.pattern = pattern, .count = 200, .center = center};
         const FracturedShape shape =
-            fracture_box(half, planned_seeds({-half, half}, plan).value()).value();
+            fracture_box(half, generate_seeds({-half, half}, plan).value()).value();
         double near = 0, far = 0, near_count = 0, far_count = 0;
         for (const FractureChunk& chunk : shape.chunks) {
             const bool is_near = length(chunk.center - center) < 0.4;
@@ -129,12 +129,12 @@ TEST(SeedPatterns, a_cluster_breaks_small_about_its_centre) {
 
 TEST(SeedPatterns, bad_plans_are_refused_by_name) {
     const Aabb bounds{{0, 0, 0}, {1, 1, 1}};
-    EXPECT_EQ(planned_seeds(bounds, {.count = 0}).error().message, "count is 0; give 1 to 20000");
-    EXPECT_EQ(planned_seeds({{0, 0, 0}, {1, 0, 1}}, {}).error().message,
+    EXPECT_EQ(generate_seeds(bounds, {.count = 0}).error().message, "count is 0; give 1 to 20000");
+    EXPECT_EQ(generate_seeds({{0, 0, 0}, {1, 0, 1}}, {}).error().message,
               "a side of the bounds is not 2e-4 to 2e4 m");
-    EXPECT_FALSE(planned_seeds(bounds, {.center = Vec3{std::nan(""), 0, 0}}).ok());
-    EXPECT_FALSE(planned_seeds(bounds, {.spread = 2}).ok());
-    EXPECT_FALSE(planned_seeds(bounds, {.count = 5}, [](Vec3) { return false; }).ok());
+    EXPECT_FALSE(generate_seeds(bounds, {.center = Vec3{std::nan(""), 0, 0}}).ok());
+    EXPECT_FALSE(generate_seeds(bounds, {.spread = 2}).ok());
+    EXPECT_FALSE(generate_seeds(bounds, {.count = 5}, [](Vec3) { return false; }).ok());
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Vec3 first_moment(const FracturedShape& shape) {
 
 TEST(FracturedShape, cells_of_a_box_fill_it) {
     const Vec3 half{3, 1.5, 0.15};
-    const FracturedShape shape = fracture_box(half, scattered_seeds(half, 400, 7)).value();
+    const FracturedShape shape = fracture_box(half, random_seeds(half, 400, 7)).value();
     EXPECT_EQ(shape.chunks.size(), 400u);
     const double whole = 8 * half.x * half.y * half.z;
     const double error = std::abs(volume_of(shape) / whole - 1);
@@ -33,10 +33,10 @@ TEST(FracturedShape, cells_of_a_box_fill_it) {
 }
 
 TEST(FracturedShape, cells_of_a_hull_fill_it) {
-    const std::vector<Vec3> points = scattered_seeds({1, 0.7, 0.5}, 40, 11);
+    const std::vector<Vec3> points = random_seeds({1, 0.7, 0.5}, 40, 11);
     const auto hull = build_hull(points).value();
     const FracturedShape shape =
-        fracture_hull(*hull, scattered_seeds({0.6, 0.4, 0.3}, 100, 5)).value();
+        fracture_hull(*hull, random_seeds({0.6, 0.4, 0.3}, 100, 5)).value();
     const double error = std::abs(volume_of(shape) / hull->volume - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);
@@ -74,7 +74,7 @@ TEST(FracturedShape, a_grid_of_seeds_gives_the_boxes_of_the_grid) {
 
 TEST(FracturedShape, faces_lie_between_their_chunks) {
     const Vec3 half{1, 1, 1};
-    const FracturedShape shape = fracture_box(half, scattered_seeds(half, 50, 2)).value();
+    const FracturedShape shape = fracture_box(half, random_seeds(half, 50, 2)).value();
     EXPECT_GT(shape.bonds.size(), 150u);
     for (const FractureBond& bond : shape.bonds) {
         EXPECT_GT(dot(bond.center - shape.chunks[bond.a].center, bond.normal), 0);
@@ -90,7 +90,7 @@ TEST(FracturedShape, errors_name_the_seed) {
     const std::vector<Vec3> wild = {{0, 0, std::nan("")}};
     EXPECT_EQ(fracture_box({1, 1, 1}, wild).error().message,
               "seeds[0] is not finite or beyond 10 km");
-    EXPECT_FALSE(fracture_box({1, 1, 0}, scattered_seeds({1, 1, 1}, 3, 1)).ok());
+    EXPECT_FALSE(fracture_box({1, 1, 0}, random_seeds({1, 1, 1}, 3, 1)).ok());
     EXPECT_FALSE(split_box({1, 1, 1}, 0, 1, 1).ok());
 }
 

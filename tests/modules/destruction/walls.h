@@ -45,7 +45,7 @@ struct Stage {
 // 4 m wide, 2 m high, 0.2 m thick; stands on the ground at x = 0 across z, anchored at its foot.
 inline constexpr physics::Vec3 wall_half{0.1, 1, 2};
 inline FracturedShape wall(int chunks = 60) {
-    FracturedShape shape = fracture_box(wall_half, scattered_seeds(wall_half, chunks, 3)).value();
+    FracturedShape shape = fracture_box(wall_half, random_seeds(wall_half, chunks, 3)).value();
     anchor(shape, {0, -1, 0}, wall_half.y - 1e-6);
     return shape;
 }

@@ -100,7 +100,7 @@ inline Channels golden_destruction() {
     World world = golden_world();
     Destruction& destruction = add_to<Destruction>(world);
     const Vec3 half{1, 1, 0.15};
-    FracturedShape wall = fracture_box(half, scattered_seeds(half, 24, 3)).value();
+    FracturedShape wall = fracture_box(half, random_seeds(half, 24, 3)).value();
     anchor(wall, {0, -1, 0}, half.y - 1e-6);
     destruction.add(world, wall, {.pose = {.position = {0, 1, 0}}}).value();
     const DestructibleId broken =

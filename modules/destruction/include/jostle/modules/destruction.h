@@ -7,7 +7,7 @@
 //     auto module = std::make_unique<Destruction>();
 //     Destruction& destruction = *module;
 //     world.add_module(std::move(module));
-//     FracturedShape wall = fracture_box(half, scattered_seeds(half, 200, 7)).value();
+//     FracturedShape wall = fracture_box(half, random_seeds(half, 200, 7)).value();
 //     anchor(wall, {0, -1, 0}, half.y - 0.01);
 //     DestructibleId id = *destruction.add(world, wall, {.pose = {.position = {0, half.y, 0}}});
 //

@@ -3,7 +3,7 @@
 // A solid that was cut into convex chunks before anything happens, and what holds them together:
 // made offline, or once at the start, and given to Destruction::add().
 //
-//     FracturedShape wall = fracture_box({3, 1.5, 0.15}, scattered_seeds({3, 1.5, 0.15}, 200, 7));
+//     FracturedShape wall = fracture_box({3, 1.5, 0.15}, random_seeds({3, 1.5, 0.15}, 200, 7));
 //     anchor(wall, {0, -1, 0}, 1.45);   // the chunks at its foot
 //
 // Thread rule: any thread; plain data.
@@ -79,7 +79,7 @@ physics::Result<FracturedParts> fracture_parts(
 physics::Result<FracturedShape> split_box(physics::Vec3 half_extents, int nx, int ny, int nz);
 
 // Points strewn evenly over a box about the origin; the same ones for the same seed.
-std::vector<physics::Vec3> scattered_seeds(physics::Vec3 half_extents, int count,
+std::vector<physics::Vec3> random_seeds(physics::Vec3 half_extents, int count,
                                            std::uint64_t seed);
 
 // Anchors each chunk that reaches as far as dot(direction, x) >= offset. How many did.

@@ -34,7 +34,7 @@ struct SeedPatternOptions {
 
 // Within bounds whose sides are 2e-4 to 2e4 m. Of uniform and clustered only such as `inside`
 // takes, if there is one; an error when it takes next to none.
-physics::Result<std::vector<physics::Vec3>> planned_seeds(
+physics::Result<std::vector<physics::Vec3>> generate_seeds(
     const physics::Aabb& bounds, const SeedPatternOptions& plan,
     const std::function<bool(physics::Vec3)>& inside = {});
 

@@ -79,7 +79,7 @@ Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPat
                            [&](const Part& part) { return is_inside(part, p); });
     });
     if (!seeds.ok()) return seeds.error();
-    Result<modules::FracturedParts> made = modules::fracture_parts(parts->hulls, *seeds, progress);
+    Result<modules::FractureResult> made = modules::fracture_parts(parts->hulls, *seeds, progress);
     if (!made.ok()) return made.error();
     FracturedSolid result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
                      made->lost_volume};

@@ -26,7 +26,7 @@ struct FracturedSolid {
     modules::FracturedShape shape;
     std::size_t parts = 1;        // convex ones that it was cut into before
     double max_volume_error = 0;            // of the mesh's volume, that they hold too much
-    double volume = 0, lost_volume = 0;  // m^3: FracturedParts
+    double volume = 0, lost_volume = 0;  // m^3: FractureResult
 };
 
 // Anchors what reaches as far as any chunk does along `anchor`, if there is one.

@@ -183,12 +183,12 @@ private:
 
 }  // namespace
 
-Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
+Result<FractureResult> fracture_cells(std::span<const ConvexCell> parts,
                                       std::span<const Vec3> seeds,
                                       const FractureProgress& progress) {
     if (Status s = check_seeds(seeds); !s.ok()) return s.error();
     const Cutter cutter(parts, seeds);
-    FracturedParts made;
+    FractureResult made;
     std::vector<Cut> cuts;
     const double least_volume = parts.size() == 1 ? 0 : splinter_share * cutter.mean_volume();
     for (std::uint32_t seed = 0; seed < seeds.size(); seed++) {
@@ -220,7 +220,7 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
 }
 
 Result<FracturedShape> fracture_cell(const ConvexCell& solid, std::span<const Vec3> seeds) {
-    Result<FracturedParts> made = fracture_cells(std::span(&solid, 1), seeds, {});
+    Result<FractureResult> made = fracture_cells(std::span(&solid, 1), seeds, {});
     if (!made.ok()) return made.error();
     return std::move(made->shape);
 }

@@ -14,7 +14,7 @@ namespace jostle::modules::destruction_detail {
 physics::Result<FracturedShape> fracture_cell(const ConvexCell& solid,
                                               std::span<const physics::Vec3> seeds);
 // Of parts that do not overlap.
-physics::Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
+physics::Result<FractureResult> fracture_cells(std::span<const ConvexCell> parts,
                                                std::span<const physics::Vec3> seeds,
                                                const FractureProgress& progress);
 

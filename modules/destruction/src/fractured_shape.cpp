@@ -73,7 +73,7 @@ Result<FracturedShape> fracture_box(Vec3 half_extents, std::span<const Vec3> see
     return fracture_cell(cell, seeds);
 }
 
-Result<FracturedParts> fracture_parts(std::span<const std::shared_ptr<const ConvexHull>> parts,
+Result<FractureResult> fracture_parts(std::span<const std::shared_ptr<const ConvexHull>> parts,
                                       std::span<const Vec3> seeds,
                                       const FractureProgress& progress) {
     if (parts.empty() || parts.size() > fracture_parts_max)

@@ -48,7 +48,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
         generate_seeds({{0, 0, 0}, {2, 2, 1}}, {.count = 60, .seed = 3}, [](Vec3 p) {
             return p.y < 1 || p.x < 1;
         }).value();
-    const FracturedParts made = fracture_parts(parts, seeds).value();
+    const FractureResult made = fracture_parts(parts, seeds).value();
     EXPECT_LT(std::abs(volume_of(made.shape) / 3 - 1), 1e-12);
     EXPECT_LT(std::abs(made.volume / 3 - 1), 1e-12);
     EXPECT_EQ(made.lost, 0);
@@ -70,7 +70,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
 TEST(FractureParts, what_overlaps_is_there_once) {
     const std::vector<Part> parts = {box_hull({-1.5, -0.5, 0}, {1.5, 0.5, 1}),
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
-    const FracturedParts made =
+    const FractureResult made =
         fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
     const double error = std::abs((volume_of(made.shape) + made.lost) / 5 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");

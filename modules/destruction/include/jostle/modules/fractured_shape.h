@@ -63,7 +63,7 @@ physics::Result<FracturedShape> fracture_box(physics::Vec3 half_extents,
 // For those who wait: called now and then.
 using FractureProgress = std::function<void(std::size_t seeds_done, std::size_t seeds)>;
 
-struct FracturedParts {
+struct FractureResult {
     FracturedShape shape = {};
     double volume = 0;  // m^3, of the solid: what its parts hold, each place once
     double lost = 0;  // m^3 of it in splinters, too thin for a hull or of less than a millionth of
@@ -72,7 +72,7 @@ struct FracturedParts {
 // The same of a solid of several hulls, such as those that a mesh is decomposed into. Cells end
 // where a part ends, and bonds hold them together where parts touch. Where parts overlap the first
 // one has it.
-physics::Result<FracturedParts> fracture_parts(
+physics::Result<FractureResult> fracture_parts(
     std::span<const std::shared_ptr<const physics::ConvexHull>> parts,
     std::span<const physics::Vec3> seeds, const FractureProgress& progress = {});
 // A box in nx * ny * nz equal boxes, x fastest.

@@ -20,7 +20,7 @@ using namespace modules;
 // With a head that is right: version and checksum would let nothing through.
 std::vector<std::byte> with_head(Bytes input) {
     const auto rest = bytes_of(input);
-    std::vector<std::byte> bytes(fracture_head_bytes);
+    std::vector<std::byte> bytes(fracture_header_bytes);
     const std::uint64_t sum = fracture_checksum(rest);
     std::memcpy(bytes.data(), "JFRACT\r\n", 8);
     std::memcpy(bytes.data() + 8, &fracture_version, 4);

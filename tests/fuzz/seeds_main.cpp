@@ -304,7 +304,7 @@ void write_geometry(const fs::path& folder) {
          {boxes, modules::fracture_box(half, modules::random_seeds(half, 4, 1)).value()}) {
         const auto bytes = modules::write_fracture(shape).value();
         fracture.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
-                         .substr(modules::fracture_head_bytes));
+                         .substr(modules::fracture_header_bytes));
     }
     // Four vertices on the grid and two triangles; then a height field of 4 x 4.
     terrain.add(std::string("\0\0\4\0\0\0\20\0\0\20\0\20\0\1\20\0\1\2\0\2\3", 21));

@@ -89,7 +89,7 @@ TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
     ASSERT_TRUE(built.ok()) << built.error().message;
     const auto* there =
         dynamic_cast<const modules::Destruction*>(built->world.module("destruction"));
-    EXPECT_EQ(there->bonds_left({0, 1}).value(), wall.bonds.size());
+    EXPECT_EQ(there->intact_bonds({0, 1}).value(), wall.bonds.size());
     const physics::BodyId body = there->bodies({0, 1}).value()[0];
     EXPECT_EQ(built->world.body(body)->pose.position.x, 5);
 

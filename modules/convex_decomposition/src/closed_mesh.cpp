@@ -13,7 +13,7 @@ namespace {
 
 using namespace physics;
 
-constexpr std::size_t most_triangles = 200000;
+constexpr std::size_t triangles_max = 200000;
 constexpr double largest = 1e5;  // m
 
 Error invalid(std::string message) {
@@ -21,7 +21,7 @@ Error invalid(std::string message) {
 }
 
 Status check_numbers(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
-    if (indices.empty() || indices.size() % 3 != 0 || indices.size() / 3 > most_triangles)
+    if (indices.empty() || indices.size() % 3 != 0 || indices.size() / 3 > triangles_max)
         return invalid("the mesh has " + std::to_string(indices.size()) +
                        " indices; they must be three for each of 1 to 200000 triangles");
     for (std::size_t k = 0; k < indices.size(); k++)

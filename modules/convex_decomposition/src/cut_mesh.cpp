@@ -98,7 +98,7 @@ double shadow_volume(const Triangle& triangle, const Aabb& box, Polygon& scratch
     return volume + (part.size() > 2 ? sum(part, true) : 0);
 }
 
-bool overlap_across(const Triangle& t, const Aabb& box) {
+bool is_in_ray_shadow(const Triangle& t, const Aabb& box) {
     const Vec3 low = min(t[0], min(t[1], t[2])), high = max(t[0], max(t[1], t[2]));
     return low.y <= box.high.y && high.y >= box.low.y && low.z <= box.high.z &&
            high.z >= box.low.z && high.x >= box.low.x;
@@ -109,7 +109,7 @@ bool overlap_across(const Triangle& t, const Aabb& box) {
 std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface, const Aabb& box) {
     std::vector<Triangle> seen;
     for (const Triangle& triangle : surface)
-        if (overlap_across(triangle, box)) seen.push_back(triangle);
+        if (is_in_ray_shadow(triangle, box)) seen.push_back(triangle);
     return seen;
 }
 
@@ -117,7 +117,7 @@ Piece cut_piece(const std::vector<Triangle>& surface, const Aabb& box) {
     Piece piece;
     Polygon scratch;
     for (const Triangle& triangle : surface) {
-        if (!overlap_across(triangle, box)) continue;
+        if (!is_in_ray_shadow(triangle, box)) continue;
         piece.volume += shadow_volume(triangle, box, scratch);
         const Polygon part = within(triangle, box, scratch);
         piece.points.insert(piece.points.end(), part.begin(), part.end());

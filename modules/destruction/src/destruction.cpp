@@ -151,7 +151,7 @@ Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
     return bodies;
 }
 
-Result<std::size_t> Destruction::bonds_left(DestructibleId id) const {
+Result<std::size_t> Destruction::intact_bonds(DestructibleId id) const {
     const Destructible* destructible = find(id);
     if (!destructible) return unknown(id);
     return static_cast<std::size_t>(std::count_if(destructible->bonds.begin(), destructible->bonds.end(),

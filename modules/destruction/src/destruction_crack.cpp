@@ -290,7 +290,7 @@ void Destruction::break_all_bonds(const World& world) {
         }
 }
 
-Result<double> Destruction::worst_load(const World& world, DestructibleId id) const {
+Result<double> Destruction::max_load_ratio(const World& world, DestructibleId id) const {
     const Destructible* destructible = find(id);
     if (!destructible) return unknown(id);
     double worst = 0;

@@ -202,7 +202,7 @@ Result<FractureResult> fracture_cells(std::span<const ConvexCell> parts,
                 return invalid_argument("seeds[" + std::to_string(seed) +
                                         "]: its chunk is too thin: " + chunk.error().message);
             if (!chunk.ok() || mass.volume < least_volume) {
-                made.lost += mass.volume;
+                made.lost_volume += mass.volume;
                 continue;
             }
             if (cuts.size() == chunks_max)

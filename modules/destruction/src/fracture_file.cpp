@@ -207,7 +207,7 @@ FractureBond read_bond(Reader& in) {
 
 Status check_head(std::span<const std::byte> bytes) {
     if (bytes.size() > fracture_bytes_max) return damaged("it is longer than 256 MiB");
-    if (bytes.size() < fracture_head_bytes + 8 ||
+    if (bytes.size() < fracture_header_bytes + 8 ||
         std::memcmp(bytes.data(), magic, sizeof magic) != 0)
         return damaged("it is no fracture file: jostle-fracture makes one");
     Reader head(bytes.subspan(sizeof magic));
@@ -215,7 +215,7 @@ Status check_head(std::span<const std::byte> bytes) {
     if (version != fracture_version)
         return damaged("it is of version " + std::to_string(version) + "; this program reads " +
                        std::to_string(fracture_version) + ": make it anew with jostle-fracture");
-    if (head.bits<std::uint64_t>() != fracture_checksum(bytes.subspan(fracture_head_bytes)))
+    if (head.bits<std::uint64_t>() != fracture_checksum(bytes.subspan(fracture_header_bytes)))
         return damaged("its checksum is wrong: it was damaged or cut short");
     return {};
 }
@@ -249,7 +249,7 @@ Result<std::vector<std::byte>> write_fracture(const FracturedShape& shape) {
 
 Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     if (Status s = check_head(bytes); !s.ok()) return s.error();
-    Reader in(bytes.subspan(fracture_head_bytes));
+    Reader in(bytes.subspan(fracture_header_bytes));
     const std::size_t chunks = in.bits<std::uint32_t>(), bonds = in.bits<std::uint32_t>();
     if (chunks < 1 || chunks > chunks_max || bonds > bonds_max ||
         chunks * chunk_bytes_min + bonds * bond_bytes > in.left())

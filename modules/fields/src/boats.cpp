@@ -160,7 +160,7 @@ void Boats::before_step(World& world, double dt) {
 bool Boats::in_water(const SubstepContext& substep, Vec3 point) const {
     const double gravity = -substep.world().gravity().y;
     return std::ranges::any_of(waters_, [&](const VolumeField& water) {
-        return holds(water.volume, point) &&
+        return contains(water.volume, point) &&
                water_at(std::get<Waves>(water.law), gravity, point, substep.time()).height >
                    point.y;
     });

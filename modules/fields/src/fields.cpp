@@ -19,7 +19,7 @@ void wake_volume(World& world, const VolumeField& field) {
     std::vector<BodyState> bodies;
     world.copy_bodies(bodies);
     for (const BodyState& body : bodies) {
-        if (body.type != BodyType::dynamic || body.awake || !holds(field.volume, body.center))
+        if (body.type != BodyType::dynamic || body.awake || !contains(field.volume, body.center))
             continue;
         if ((fields_detail::categories_of(world, body.id) & field.mask) != 0)
             world.wake(body.id).expect();

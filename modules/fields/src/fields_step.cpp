@@ -140,7 +140,7 @@ void Fields::before_substep(SubstepContext& substep) {
         Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
-            if ((load.record.categories & field.mask) != 0 && holds(field.volume, load.body.center))
+            if ((load.record.categories & field.mask) != 0 && contains(field.volume, load.body.center))
                 act(k, moment, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
@@ -191,7 +191,7 @@ void Fields::follow_targets(World& world) {
         world.copy_bodies(bodies);
         for (const BodyState& body : bodies) {
             if (body.type != BodyType::dynamic || body.awake || body.id == central->body) continue;
-            if (!holds(entry.field.volume, body.center)) continue;
+            if (!contains(entry.field.volume, body.center)) continue;
             const double pull = pull_of(*central, length(at - body.center), body.mass);
             if (absolute(pull) > noticeable &&
                 (fields_detail::categories_of(world, body.id) & entry.field.mask) != 0)
@@ -225,7 +225,7 @@ void Fields::after_step(World& world, double) {
         const fields_detail::BodyRecord& record = memory_->records.of(id);
         for (const Entry& entry : entries_)
             if ((record.categories & entry.field.mask) != 0 &&
-                holds(entry.field.volume, body->center) &&
+                contains(entry.field.volume, body->center) &&
                 changes_load_of(entry.field.law, *body, record))
                 static_cast<void>(world.wake(id));
     }

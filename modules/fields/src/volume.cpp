@@ -28,7 +28,7 @@ struct Holds {
 
 }  // namespace
 
-bool holds(const Volume& volume, Vec3 point) {
+bool contains(const Volume& volume, Vec3 point) {
     return std::visit(Holds{point}, volume);
 }
 

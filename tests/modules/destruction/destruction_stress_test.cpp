@@ -40,7 +40,7 @@ void expect_breaks_at_its_length(int rows) {
     const double tensile = stress(0.2 * columns);
     Stage stage;
     const DestructibleId own = stage.add(cantilever(columns, rows), beam(tensile));
-    const double load = *stage.destruction->worst_load(stage.world, own);
+    const double load = *stage.destruction->max_load_ratio(stage.world, own);
     // The load goes with the square of the length.
     const double length_error = std::sqrt(1 / load) - 1;
     ::testing::Test::RecordProperty("length_error", std::to_string(length_error));
@@ -51,7 +51,7 @@ void expect_breaks_at_its_length(int rows) {
         const FracturedShape shape = cantilever(length, rows);
         const DestructibleId id = other.add(shape, beam(tensile));
         other.step(10);
-        const bool broke = *other.destruction->bonds_left(id) < shape.bonds.size();
+        const bool broke = *other.destruction->intact_bonds(id) < shape.bonds.size();
         EXPECT_EQ(broke, length == 42) << length;
         EXPECT_EQ(other.destruction->bodies(id)->size() > 1, length == 42);
     }
@@ -75,7 +75,7 @@ TEST(DestructionStress, a_hanging_column_bears_its_weight) {
     Stage stage;
     const DestructibleId id =
         stage.add(column, {.density = density, .bonds = {.tensile = 1e6, .shear = 1e9}});
-    EXPECT_NEAR(*stage.destruction->worst_load(stage.world, id), density * g * 3.8 / 1e6, 1e-9);
+    EXPECT_NEAR(*stage.destruction->max_load_ratio(stage.world, id), density * g * 3.8 / 1e6, 1e-9);
 }
 
 // A rod that turns about its middle: rho w^2 l^2 / 2 in the middle, half of its length being l.

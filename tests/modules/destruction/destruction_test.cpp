@@ -82,7 +82,7 @@ TEST(Destruction, a_ball_goes_through_a_wall) {
     const FracturedShape shape = wall();
     const DestructibleId id = stage.add(shape, standing());
     stage.step(5);
-    ASSERT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+    ASSERT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
     const BodyId ball = stage.ball({-2, 1.2, 0}, {20, 0, 0});
     const double mass = stage.world.body(ball)->mass;
     double fastest = 0, gain = 0;
@@ -101,7 +101,7 @@ TEST(Destruction, a_ball_goes_through_a_wall) {
     const std::size_t pieces = stage.destruction->bodies(id)->size();
     RecordProperty("pieces", static_cast<int>(pieces));
     RecordProperty("broken_bonds",
-                   static_cast<int>(shape.bonds.size() - *stage.destruction->bonds_left(id)));
+                   static_cast<int>(shape.bonds.size() - *stage.destruction->intact_bonds(id)));
     const BodyState after = *stage.world.body(ball);
     RecordProperty("energy_gain", std::to_string(gain));
     EXPECT_LT(gain, 0.02);
@@ -183,7 +183,7 @@ TEST(Destruction, a_soft_ball_bounces_off) {
     const DestructibleId id = stage.add(shape, standing());
     const BodyId ball = stage.ball({-2, 1.2, 0}, {3, 0, 0}, 0.15, 100);
     stage.step(60);
-    EXPECT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+    EXPECT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
     EXPECT_LT(stage.world.body(ball)->pose.position.x, -0.2);
 }
 
@@ -196,7 +196,7 @@ TEST(Destruction, what_breaks_is_bounded_by_what_the_impact_brings) {
     const DestructibleId id = stage.add(shape, def);
     stage.ball({-2, 1.2, 0}, {20, 0, 0});
     stage.step(12);
-    EXPECT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+    EXPECT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
 }
 
 // A world with the wall against one with a static box of its size: a hundred balls roll about.

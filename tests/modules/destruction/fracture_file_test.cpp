@@ -19,7 +19,7 @@ std::vector<std::byte> bytes_of(const FracturedShape& shape) {
 
 // With the checksum of what is in it.
 std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
-    const std::uint64_t sum = fracture_checksum(std::span(bytes).subspan(fracture_head_bytes));
+    const std::uint64_t sum = fracture_checksum(std::span(bytes).subspan(fracture_header_bytes));
     std::memcpy(bytes.data() + 12, &sum, sizeof sum);
     return bytes;
 }
@@ -63,7 +63,7 @@ TEST(FractureFile, what_is_wrong_is_named) {
     bytes.back() ^= std::byte{1};
     EXPECT_EQ(complaint(bytes), "its checksum is wrong: it was damaged or cut short");
     bytes = whole;
-    bytes[fracture_head_bytes + 3] = std::byte{0x7f};
+    bytes[fracture_header_bytes + 3] = std::byte{0x7f};
     EXPECT_EQ(complaint(sealed(bytes)),
               "it says that it has 2130706434 chunks and 1 bonds, and is too short for them, or "
               "too many");
@@ -90,7 +90,7 @@ TEST(FractureFile, what_is_wrong_is_named) {
 TEST(FractureFile, hostile_bytes_are_refused_or_can_be_added) {
     const std::vector<std::byte> whole = bytes_of(wall(4));
     int refused = 0, added = 0;
-    for (std::size_t at = fracture_head_bytes; at < whole.size(); at++) {
+    for (std::size_t at = fracture_header_bytes; at < whole.size(); at++) {
         for (const std::byte flip : {std::byte{0xff}, std::byte{0x40}, std::byte{1}}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= flip;
@@ -106,7 +106,7 @@ TEST(FractureFile, hostile_bytes_are_refused_or_can_be_added) {
         if (at % 11 == 0) {
             std::vector<std::byte> cut(whole.begin(),
                                        whole.begin() + static_cast<std::ptrdiff_t>(at));
-            cut.resize(std::max(cut.size(), fracture_head_bytes + 8));
+            cut.resize(std::max(cut.size(), fracture_header_bytes + 8));
             EXPECT_FALSE(read_fracture(sealed(cut)).ok());
         }
     }

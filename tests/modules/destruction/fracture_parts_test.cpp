@@ -51,7 +51,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
     const FractureResult made = fracture_parts(parts, seeds).value();
     EXPECT_LT(std::abs(volume_of(made.shape) / 3 - 1), 1e-12);
     EXPECT_LT(std::abs(made.volume / 3 - 1), 1e-12);
-    EXPECT_EQ(made.lost, 0);
+    EXPECT_EQ(made.lost_volume, 0);
     EXPECT_EQ(reached(made.shape), made.shape.chunks.size());
     double across = 0;
     for (const FractureBond& bond : made.shape.bonds)
@@ -72,7 +72,7 @@ TEST(FractureParts, what_overlaps_is_there_once) {
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
     const FractureResult made =
         fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
-    const double error = std::abs((volume_of(made.shape) + made.lost) / 5 - 1);
+    const double error = std::abs((volume_of(made.shape) + made.lost_volume) / 5 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);
     EXPECT_EQ(reached(made.shape), made.shape.chunks.size());

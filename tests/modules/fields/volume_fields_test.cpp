@@ -12,15 +12,15 @@ namespace {
 TEST(Volumes, hold_what_is_in_them) {
     const Quat turned = from_axis_angle({0, 1, 0}, pi / 2);
     const BoxVolume box{.pose = {{10, 0, 0}, turned}, .half_extents = {1, 2, 3}};
-    EXPECT_TRUE(holds(box, {12.9, 1.9, 0.9}));
-    EXPECT_FALSE(holds(box, {10, 0, 1.1}));
-    EXPECT_TRUE(holds(SphereVolume{{0, 5, 0}, 2}, {0, 6.9, 0}));
-    EXPECT_FALSE(holds(SphereVolume{{0, 5, 0}, 2}, {0, 7.1, 0}));
+    EXPECT_TRUE(contains(box, {12.9, 1.9, 0.9}));
+    EXPECT_FALSE(contains(box, {10, 0, 1.1}));
+    EXPECT_TRUE(contains(SphereVolume{{0, 5, 0}, 2}, {0, 6.9, 0}));
+    EXPECT_FALSE(contains(SphereVolume{{0, 5, 0}, 2}, {0, 7.1, 0}));
     const CapsuleVolume capsule{{0, 0, 0}, {4, 0, 0}, 1};
-    EXPECT_TRUE(holds(capsule, {2, 0.9, 0}));
-    EXPECT_TRUE(holds(capsule, {4.9, 0, 0}));
-    EXPECT_FALSE(holds(capsule, {-0.8, 0.8, 0}));
-    EXPECT_TRUE(holds(Everywhere{}, {1e6, 0, 0}));
+    EXPECT_TRUE(contains(capsule, {2, 0.9, 0}));
+    EXPECT_TRUE(contains(capsule, {4.9, 0, 0}));
+    EXPECT_FALSE(contains(capsule, {-0.8, 0.8, 0}));
+    EXPECT_TRUE(contains(Everywhere{}, {1e6, 0, 0}));
 }
 
 // A circle of radius 5 about a body that itself moves on: v^2 r = strength.

@@ -135,9 +135,9 @@ public:
     bool contains(DestructibleId id) const { return find(id) != nullptr; }
     std::size_t size() const;
     physics::Result<std::vector<physics::BodyId>> bodies(DestructibleId id) const;
-    physics::Result<std::size_t> bonds_left(DestructibleId id) const;
+    physics::Result<std::size_t> intact_bonds(DestructibleId id) const;
     // What the bond that bears most bears under weight alone, as a share of its strength.
-    physics::Result<double> worst_load(const physics::World& world, DestructibleId id) const;
+    physics::Result<double> max_load_ratio(const physics::World& world, DestructibleId id) const;
 
 private:
     struct Chunk {

@@ -34,6 +34,6 @@ struct CapsuleVolume {
 
 using Volume = std::variant<Everywhere, BoxVolume, SphereVolume, CapsuleVolume>;
 
-bool holds(const Volume& volume, physics::Vec3 point);
+bool contains(const Volume& volume, physics::Vec3 point);
 
 }  // namespace jostle::modules

@@ -7,7 +7,7 @@ using namespace physics;
 
 namespace {
 
-struct Holds {
+struct ContainsPoint {
     Vec3 point;
 
     bool operator()(const Everywhere&) const { return true; }
@@ -29,7 +29,7 @@ struct Holds {
 }  // namespace
 
 bool contains(const Volume& volume, Vec3 point) {
-    return std::visit(Holds{point}, volume);
+    return std::visit(ContainsPoint{point}, volume);
 }
 
 }  // namespace jostle::modules

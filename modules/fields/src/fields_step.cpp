@@ -134,7 +134,7 @@ void Fields::before_substep(SubstepContext& substep) {
     if (substep.index() == 0) memory_->records.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
     const Vec3 gravity = substep.world().gravity();
-    fields_detail::GroupMoment moment = moment_of(substep, middle, gravity);
+    fields_detail::SubstepFieldState moment = moment_of(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
         if (!memory_->records.has(id)) continue;
         Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
@@ -148,9 +148,9 @@ void Fields::before_substep(SubstepContext& substep) {
     }
 }
 
-fields_detail::GroupMoment Fields::moment_of(const SubstepContext& substep, double middle,
+fields_detail::SubstepFieldState Fields::moment_of(const SubstepContext& substep, double middle,
                                              Vec3 gravity) const {
-    fields_detail::GroupMoment moment;
+    fields_detail::SubstepFieldState moment;
     moment.targets.resize(entries_.size());
     moment.trains.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
@@ -163,7 +163,7 @@ fields_detail::GroupMoment Fields::moment_of(const SubstepContext& substep, doub
     return moment;
 }
 
-void Fields::act(std::size_t at, fields_detail::GroupMoment& moment, Load& load) const {
+void Fields::act(std::size_t at, fields_detail::SubstepFieldState& moment, Load& load) const {
     const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
         if (moment.targets[at]) pull(*central, *moment.targets[at], load);

@@ -14,7 +14,7 @@ namespace jostle::modules::fields_detail {
 
 // What all bodies of a group's sub-step have in common, for each field: where Central pulls to, if
 // anywhere; the moment of Waves.
-struct GroupMoment {
+struct SubstepFieldState {
     std::vector<std::optional<physics::Vec3>> targets;
     std::vector<WaveTrain> trains;
     WaterScratch water;

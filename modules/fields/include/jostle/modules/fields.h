@@ -26,7 +26,7 @@
 namespace jostle::modules {
 
 namespace fields_detail {
-struct GroupMoment;
+struct SubstepFieldState;
 struct Load;
 struct StepMemory;
 }  // namespace fields_detail
@@ -85,9 +85,9 @@ private:
         std::shared_ptr<const UserForce> force;  // follows from the law's name
     };
 
-    fields_detail::GroupMoment moment_of(const physics::SubstepContext& substep, double middle,
+    fields_detail::SubstepFieldState moment_of(const physics::SubstepContext& substep, double middle,
                                          physics::Vec3 gravity) const;
-    void act(std::size_t at, fields_detail::GroupMoment& moment, fields_detail::Load& load) const;
+    void act(std::size_t at, fields_detail::SubstepFieldState& moment, fields_detail::Load& load) const;
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     Entry* find(FieldKey key);

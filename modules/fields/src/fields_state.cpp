@@ -117,7 +117,7 @@ void Fields::visit_entry(StateVisitor& v, Entry& entry) {
     visit_kinds(v, "law", entry.field.law, VisitLaw{v});
     visit_kinds(v, "volume", entry.field.volume, VisitVolume{v});
     v.field("mask", entry.field.mask);
-    v.field("seen", entry.seen);
+    v.field("seen", entry.last_wake_position);
     if (!v.loading()) return;
     if (Status s = fields_detail::check(entry.field); !s.ok()) v.fail("law", s.error().message);
     if (entry.key.number == 0 || entry.key.number > last_key_)

@@ -134,7 +134,7 @@ void Fields::before_substep(SubstepContext& substep) {
     if (substep.index() == 0) memory_->records.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
     const Vec3 gravity = substep.world().gravity();
-    fields_detail::SubstepFieldState moment = moment_of(substep, middle, gravity);
+    fields_detail::SubstepFieldState moment = substep_field_state(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
         if (!memory_->records.has(id)) continue;
         Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
@@ -148,7 +148,7 @@ void Fields::before_substep(SubstepContext& substep) {
     }
 }
 
-fields_detail::SubstepFieldState Fields::moment_of(const SubstepContext& substep, double middle,
+fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContext& substep, double middle,
                                              Vec3 gravity) const {
     fields_detail::SubstepFieldState moment;
     moment.targets.resize(entries_.size());
@@ -185,8 +185,8 @@ void Fields::follow_targets(World& world) {
         const Result<BodyState> target = world.body(central->body);
         if (!target.ok()) continue;
         const Vec3 at = target->center + central->point;
-        if (!(length_squared(at - entry.seen) > wakes_each * wakes_each)) continue;
-        entry.seen = at;
+        if (!(length_squared(at - entry.last_wake_position) > wakes_each * wakes_each)) continue;
+        entry.last_wake_position = at;
         std::vector<BodyState> bodies;
         world.copy_bodies(bodies);
         for (const BodyState& body : bodies) {

@@ -81,11 +81,11 @@ private:
     struct Entry {
         FieldKey key;
         VolumeField field;
-        physics::Vec3 seen = {};  // Central: where its body was when it last woke others
+        physics::Vec3 last_wake_position = {};  // Central: where its body was when it last woke others
         std::shared_ptr<const UserForce> force;  // follows from the law's name
     };
 
-    fields_detail::SubstepFieldState moment_of(const physics::SubstepContext& substep, double middle,
+    fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep, double middle,
                                          physics::Vec3 gravity) const;
     void act(std::size_t at, fields_detail::SubstepFieldState& moment, fields_detail::Load& load) const;
     void follow_targets(physics::World& world);

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "modules/fields/src/field_checks.h"
-#include "modules/fields/src/step_memory.h"
+#include "modules/fields/src/field_scratch.h"
 
 namespace jostle::modules {
 
@@ -43,7 +43,7 @@ Error no_such_field(FieldKey key) {
 
 }  // namespace
 
-Fields::Fields() : memory_(std::make_unique<fields_detail::StepMemory>()) {}
+Fields::Fields() : memory_(std::make_unique<fields_detail::FieldScratch>()) {}
 Fields::~Fields() = default;
 
 Result<FieldKey> Fields::add(World& world, const VolumeField& field) {

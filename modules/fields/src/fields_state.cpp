@@ -7,7 +7,7 @@
 #include "jostle/modules/settings.h"
 #include "jostle/physics/limits.h"
 #include "modules/fields/src/field_checks.h"
-#include "modules/fields/src/step_memory.h"
+#include "modules/fields/src/field_scratch.h"
 
 namespace jostle::modules {
 

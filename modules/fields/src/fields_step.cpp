@@ -7,7 +7,7 @@
 
 #include "jostle/modules/fields.h"
 #include "modules/fields/src/load.h"
-#include "modules/fields/src/step_memory.h"
+#include "modules/fields/src/field_scratch.h"
 
 namespace jostle::modules {
 

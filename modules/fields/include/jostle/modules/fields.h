@@ -28,7 +28,7 @@ namespace jostle::modules {
 namespace fields_detail {
 struct SubstepFieldState;
 struct Load;
-struct StepMemory;
+struct FieldScratch;
 }  // namespace fields_detail
 
 class Fields : public physics::Module {
@@ -101,7 +101,7 @@ private:
     std::vector<Charge> charges_;
 
     // Not state: what follows from the world, and memory used again.
-    std::unique_ptr<fields_detail::StepMemory> memory_;
+    std::unique_ptr<fields_detail::FieldScratch> memory_;
     std::vector<Explosion> blasts_;
 };
 

@@ -20,7 +20,7 @@ struct SubstepFieldState {
     WaterScratch water;
 };
 
-struct StepMemory {
+struct FieldScratch {
     BodyRecords records;
     std::uint64_t step = 0;  // World::step_count() when they were last used
 };

@@ -147,7 +147,7 @@ void Fields::visit(StateVisitor& v) {
 }
 
 void Fields::restored(const World&) {
-    memory_->records.clear();
+    scratch_->records.clear();
     blasts_.clear();
 }
 

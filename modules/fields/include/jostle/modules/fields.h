@@ -101,7 +101,7 @@ private:
     std::vector<Charge> charges_;
 
     // Not state: what follows from the world, and memory used again.
-    std::unique_ptr<fields_detail::FieldScratch> memory_;
+    std::unique_ptr<fields_detail::FieldScratch> scratch_;
     std::vector<Explosion> blasts_;
 };
 

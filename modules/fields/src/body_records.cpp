@@ -106,7 +106,7 @@ double shown_area(const BodyRecord& record, Vec3 direction) {
     return area;
 }
 
-void BodyRecords::refresh(const World& world, std::span<const BodyId> bodies) {
+void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies) {
     for (const BodyId id : bodies) {
         if (id.index >= records_.size()) continue;
         BodyRecord& record = records_[id.index];
@@ -125,7 +125,7 @@ void BodyRecords::refresh(const World& world, std::span<const BodyId> bodies) {
     }
 }
 
-void BodyRecords::remake(const World& world, BodyRecord& record) {
+void BodyFieldCache::remake(const World& world, BodyRecord& record) {
     record.shown.clear();
     record.panels.clear();
     record.reach = 0;

@@ -41,7 +41,7 @@ struct BodyRecord {
 // (half of what all faces show; Cauchy), of several the sum.
 double shown_area(const BodyRecord& record, physics::Vec3 direction);
 
-class BodyRecords {
+class BodyFieldCache {
 public:
     void clear() { records_.clear(); }
     // Panels no longer than that, for bodies that are met from now on. 0: none are needed.

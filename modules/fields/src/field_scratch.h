@@ -21,7 +21,7 @@ struct SubstepFieldState {
 };
 
 struct FieldScratch {
-    BodyRecords records;
+    BodyFieldCache records;
     std::uint64_t step = 0;  // World::step_count() when they were last used
 };
 

@@ -45,7 +45,7 @@ TEST(Drag, no_drag_is_too_strong) {
 double shown(const Geometry& geometry, Vec3 direction) {
     World world = test::make_world();
     const BodyId body = test::add(world, {.geometry = geometry});
-    fields_detail::BodyRecords records;
+    fields_detail::BodyFieldCache records;
     const BodyId bodies[] = {body};
     records.make_room(world.body_index_end());
     records.refresh(world, bodies);

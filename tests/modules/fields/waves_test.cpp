@@ -14,7 +14,7 @@
 namespace jostle::modules {
 namespace {
 
-using fields_detail::BodyRecords;
+using fields_detail::BodyFieldCache;
 using fields_detail::Load;
 using fields_detail::WaterScratch;
 
@@ -30,7 +30,7 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     World world = test::make_world();
     const BodyId body = test::add(
         world, {.geometry = geometry, .position = pose.position, .rotation = pose.rotation});
-    BodyRecords records;
+    BodyFieldCache records;
     records.set_longest_panel(longest);
     const BodyId bodies[] = {body};
     records.make_room(world.body_index_end());

@@ -88,7 +88,7 @@ double area_of(const ShownShape& shape, Vec3 direction) {
 }
 
 // The body's share of the panels that all its shapes may have.
-void add_panels(BodyRecord& record, const ShapeState& shape, double longest) {
+void add_panels(BodyFieldData& record, const ShapeState& shape, double longest) {
     for (PanelSurface& surface : panel_surfaces(shape.geometry, shape.pose))
         record.panels.push_back(std::move(surface));
     if (record.panels.empty()) return;
@@ -100,7 +100,7 @@ void add_panels(BodyRecord& record, const ShapeState& shape, double longest) {
 
 }  // namespace
 
-double shown_area(const BodyRecord& record, Vec3 direction) {
+double shown_area(const BodyFieldData& record, Vec3 direction) {
     double area = 0;
     for (const ShownShape& shape : record.shown) area += area_of(shape, direction);
     return area;
@@ -109,7 +109,7 @@ double shown_area(const BodyRecord& record, Vec3 direction) {
 void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies) {
     for (const BodyId id : bodies) {
         if (id.index >= records_.size()) continue;
-        BodyRecord& record = records_[id.index];
+        BodyFieldData& record = records_[id.index];
         std::vector<ShapeId> shapes = world.shapes_of(id);
         const bool same = record.body == id && record.shapes == shapes;
         record.body = id;
@@ -125,7 +125,7 @@ void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies)
     }
 }
 
-void BodyFieldCache::remake(const World& world, BodyRecord& record) {
+void BodyFieldCache::remake(const World& world, BodyFieldData& record) {
     record.shown.clear();
     record.panels.clear();
     record.reach = 0;

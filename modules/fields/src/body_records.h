@@ -25,7 +25,7 @@ struct ShownShape {
     std::vector<physics::Vec3> areas = {};  // m^2, outward, of flat faces
 };
 
-struct BodyRecord {
+struct BodyFieldData {
     physics::BodyId body = {};
     std::vector<physics::ShapeId> shapes = {};
     std::uint32_t categories = 0;
@@ -39,7 +39,7 @@ struct BodyRecord {
 
 // The area, m^2, of the shadow along a unit direction of the body's frame: exact for a convex shape
 // (half of what all faces show; Cauchy), of several the sum.
-double shown_area(const BodyRecord& record, physics::Vec3 direction);
+double shown_area(const BodyFieldData& record, physics::Vec3 direction);
 
 class BodyFieldCache {
 public:
@@ -58,12 +58,12 @@ public:
         return body.index < records_.size() && records_[body.index].body == body;
     }
     // Of a body that was refreshed in this step.
-    const BodyRecord& of(physics::BodyId body) const { return records_[body.index]; }
+    const BodyFieldData& of(physics::BodyId body) const { return records_[body.index]; }
 
 private:
-    void remake(const physics::World& world, BodyRecord& record);
+    void remake(const physics::World& world, BodyFieldData& record);
 
-    std::vector<BodyRecord> records_;  // by the body's index
+    std::vector<BodyFieldData> records_;  // by the body's index
     double longest_panel_ = 0;
 };
 

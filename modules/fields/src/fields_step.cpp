@@ -78,7 +78,7 @@ void push(const UserField& user, const UserForce& force, Load& load) {
 // bodies wake whom they come near: follow_targets.)
 struct ChangesLoad {
     const BodyState& body;
-    const fields_detail::BodyRecord& record;
+    const fields_detail::BodyFieldData& record;
 
     bool operator()(const Central&) const { return false; }
     // The area along any direction is at most the sum of those along three axes.
@@ -99,7 +99,7 @@ struct ChangesLoad {
 };
 
 bool changes_load_of(const FieldLaw& law, const BodyState& body,
-                     const fields_detail::BodyRecord& record) {
+                     const fields_detail::BodyFieldData& record) {
     return std::visit(ChangesLoad{body, record}, law);
 }
 
@@ -222,7 +222,7 @@ void Fields::after_step(World& world, double) {
     for (const BodyId id : asleep) {
         const Result<BodyState> body = world.body(id);
         if (!body.ok() || body->awake || !scratch_->records.has(id)) continue;
-        const fields_detail::BodyRecord& record = scratch_->records.of(id);
+        const fields_detail::BodyFieldData& record = scratch_->records.of(id);
         for (const Entry& entry : entries_)
             if ((record.categories & entry.field.mask) != 0 &&
                 contains(entry.field.volume, body->center) &&

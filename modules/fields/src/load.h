@@ -11,7 +11,7 @@ namespace jostle::modules::fields_detail {
 
 struct Load {
     physics::MovingBody body;
-    const BodyRecord& record;
+    const BodyFieldData& record;
     physics::Vec3 gravity;                             // m/s^2
     double time;                                       // s, in the middle of the sub-step
     double h;                                          // s

@@ -7,7 +7,7 @@
 
 #include "jostle/physics/limits.h"
 #include "modules/fields/src/blast_points.h"
-#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/body_field_cache.h"
 #include "modules/fields/src/field_checks.h"
 
 namespace jostle::modules {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/body_field_cache.h"
 #include "modules/fields/src/water_load.h"
 
 namespace jostle::modules::fields_detail {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "jostle/physics/step_listener.h"
-#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/body_field_cache.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/hull.h"
-#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/body_field_cache.h"
 #include "tests/modules/fields/fall.h"
 #include "tests/modules/fields/with_fields.h"
 

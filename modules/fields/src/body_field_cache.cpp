@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/fields/src/body_records.h"
+#include "modules/fields/src/body_field_cache.h"
 
 #include <utility>
 

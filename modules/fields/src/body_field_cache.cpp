@@ -114,7 +114,7 @@ void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies)
         const bool same = record.body == id && record.shapes == shapes;
         record.body = id;
         record.shapes = std::move(shapes);
-        if (!same || (longest_panel_ > 0 && !record.has_panels)) remake(world, record);
+        if (!same || (longest_panel_ > 0 && !record.has_panels)) rebuild(world, record);
         record.categories = categories_of(world, record.shapes);
         // Mass may be set at any time, and inertia with it.
         if (const Result<BodyState> state = world.body(id); state.ok()) {
@@ -125,7 +125,7 @@ void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies)
     }
 }
 
-void BodyFieldCache::remake(const World& world, BodyFieldData& record) {
+void BodyFieldCache::rebuild(const World& world, BodyFieldData& record) {
     record.shown.clear();
     record.panels.clear();
     record.reach = 0;

@@ -48,7 +48,7 @@ public:
     void set_longest_panel(double longest) { longest_panel_ = longest; }
 
     // For bodies below that index. Only then may several threads refresh bodies at once.
-    void make_room(std::uint32_t index_end) {
+    void reserve(std::uint32_t index_end) {
         if (records_.size() < index_end) records_.resize(index_end);
     }
     // Before the first sub-step of a group, with the world as it was when the step began. Bodies
@@ -61,7 +61,7 @@ public:
     const BodyFieldData& of(physics::BodyId body) const { return records_[body.index]; }
 
 private:
-    void remake(const physics::World& world, BodyFieldData& record);
+    void rebuild(const physics::World& world, BodyFieldData& record);
 
     std::vector<BodyFieldData> records_;  // by the body's index
     double longest_panel_ = 0;

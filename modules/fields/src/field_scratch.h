@@ -21,7 +21,7 @@ struct SubstepFieldState {
 };
 
 struct FieldScratch {
-    BodyFieldCache records;
+    BodyFieldCache body_cache;
     std::uint64_t step = 0;  // World::step_count() when they were last used
 };
 

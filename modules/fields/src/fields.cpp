@@ -51,7 +51,7 @@ Result<FieldKey> Fields::add(World& world, const VolumeField& field) {
         return Error{ErrorCode::resource_exhausted, "there are 64 fields already; remove one"};
     if (Status s = check_one(world, {}, field); !s.ok()) return s.error();
     entries_.push_back({FieldKey{++last_key_}, field, {}, force_of(field)});
-    scratch_->records.clear();
+    scratch_->body_cache.clear();
     wake_volume(world, field);
     return entries_.back().key;
 }
@@ -62,7 +62,7 @@ Status Fields::set(World& world, FieldKey key, const VolumeField& field) {
     if (Status s = check_one(world, key, field); !s.ok()) return s;
     wake_volume(world, entry->field);
     *entry = {key, field, {}, force_of(field)};
-    scratch_->records.clear();
+    scratch_->body_cache.clear();
     wake_volume(world, field);
     return {};
 }
@@ -72,7 +72,7 @@ Status Fields::remove(World& world, FieldKey key) {
     if (entry == nullptr) return no_such_field(key);
     wake_volume(world, entry->field);
     entries_.erase(entries_.begin() + (entry - entries_.data()));
-    scratch_->records.clear();
+    scratch_->body_cache.clear();
     return {};
 }
 

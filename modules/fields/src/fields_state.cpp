@@ -147,7 +147,7 @@ void Fields::visit(StateVisitor& v) {
 }
 
 void Fields::restored(const World&) {
-    scratch_->records.clear();
+    scratch_->body_cache.clear();
     blasts_.clear();
 }
 

@@ -121,23 +121,23 @@ double longest_panel(const Entries& entries) {
 
 void Fields::before_step(World& world, double) {
     // Whoever steps another world, or this one from another moment, finds new records.
-    if (world.step_count() != scratch_->step + 1) scratch_->records.clear();
+    if (world.step_count() != scratch_->step + 1) scratch_->body_cache.clear();
     scratch_->step = world.step_count();
-    scratch_->records.set_longest_panel(longest_panel(entries_));
-    scratch_->records.make_room(world.body_index_end());
+    scratch_->body_cache.set_longest_panel(longest_panel(entries_));
+    scratch_->body_cache.reserve(world.body_index_end());
     follow_targets(world);
     explode_due(world);
 }
 
 void Fields::before_substep(SubstepContext& substep) {
     if (entries_.empty()) return;
-    if (substep.index() == 0) scratch_->records.refresh(substep.world(), substep.bodies());
+    if (substep.index() == 0) scratch_->body_cache.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
     const Vec3 gravity = substep.world().gravity();
     fields_detail::SubstepFieldState moment = substep_field_state(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
-        if (!scratch_->records.has(id)) continue;
-        Load load{substep.body(id), scratch_->records.of(id), gravity, middle, substep.h()};
+        if (!scratch_->body_cache.has(id)) continue;
+        Load load{substep.body(id), scratch_->body_cache.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
             if ((load.record.categories & field.mask) != 0 && contains(field.volume, load.body.center))
@@ -221,8 +221,8 @@ void Fields::after_step(World& world, double) {
                                      world.events().fell_asleep.end());
     for (const BodyId id : asleep) {
         const Result<BodyState> body = world.body(id);
-        if (!body.ok() || body->awake || !scratch_->records.has(id)) continue;
-        const fields_detail::BodyFieldData& record = scratch_->records.of(id);
+        if (!body.ok() || body->awake || !scratch_->body_cache.has(id)) continue;
+        const fields_detail::BodyFieldData& record = scratch_->body_cache.of(id);
         for (const Entry& entry : entries_)
             if ((record.categories & entry.field.mask) != 0 &&
                 contains(entry.field.volume, body->center) &&

@@ -45,11 +45,11 @@ TEST(Drag, no_drag_is_too_strong) {
 double shown(const Geometry& geometry, Vec3 direction) {
     World world = test::make_world();
     const BodyId body = test::add(world, {.geometry = geometry});
-    fields_detail::BodyFieldCache records;
+    fields_detail::BodyFieldCache body_cache;
     const BodyId bodies[] = {body};
-    records.make_room(world.body_index_end());
-    records.refresh(world, bodies);
-    return fields_detail::shown_area(records.of(body), normalized(direction));
+    body_cache.reserve(world.body_index_end());
+    body_cache.refresh(world, bodies);
+    return fields_detail::shown_area(body_cache.of(body), normalized(direction));
 }
 
 TEST(Drag, acts_on_the_projected_area) {

@@ -30,15 +30,15 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     World world = test::make_world();
     const BodyId body = test::add(
         world, {.geometry = geometry, .position = pose.position, .rotation = pose.rotation});
-    BodyFieldCache records;
-    records.set_longest_panel(longest);
+    BodyFieldCache body_cache;
+    body_cache.set_longest_panel(longest);
     const BodyId bodies[] = {body};
-    records.make_room(world.body_index_end());
-    records.refresh(world, bodies);
+    body_cache.reserve(world.body_index_end());
+    body_cache.refresh(world, bodies);
     const BodyState state = test::state_of(world, body);
     constexpr double h = 1e-6;
     Load load{{body, state.pose, state.center, {}, {}, state.mass},
-              records.of(body),
+              body_cache.of(body),
               {0, -g, 0},
               time,
               h};
@@ -47,7 +47,7 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     smooth.drag = smooth.damping = 0;
     fields_detail::push_by_water(smooth, {smooth, g, time}, load, scratch);
     return {load.impulse * (1 / h), load.angular_impulse * (1 / h),
-            records.of(body).panels.front().triangles.size()};
+            body_cache.of(body).panels.front().triangles.size()};
 }
 
 Waves one_wave(double amplitude, double length) {

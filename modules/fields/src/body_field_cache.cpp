@@ -13,8 +13,8 @@ using namespace physics;
 
 namespace {
 
-ShownShape faces_of(const Geometry& geometry, const Transform& pose) {
-    ShownShape shown{.kind = ShownShape::Kind::faces};
+ProjectedShape faces_of(const Geometry& geometry, const Transform& pose) {
+    ProjectedShape shown{.kind = ProjectedShape::Kind::faces};
     for (const PanelSurface& surface : panel_surfaces(geometry, pose))
         for (const auto& triangle : surface.triangles) {
             const Vec3 area = area_of(surface, triangle);
@@ -30,8 +30,8 @@ ShownShape faces_of(const Geometry& geometry, const Transform& pose) {
     return shown;
 }
 
-ShownShape shown_of(const Geometry& geometry, const Transform& pose) {
-    using Kind = ShownShape::Kind;
+ProjectedShape shown_of(const Geometry& geometry, const Transform& pose) {
+    using Kind = ProjectedShape::Kind;
     const Vec3 axis = rotate(pose.rotation, {0, 1, 0});
     if (const auto* sphere = std::get_if<Sphere>(&geometry))
         return {.kind = Kind::ball, .round = pi * sphere->radius * sphere->radius};
@@ -54,7 +54,7 @@ ShownShape shown_of(const Geometry& geometry, const Transform& pose) {
     return faces_of(geometry, pose);
 }
 
-void add_shown(std::vector<ShownShape>& shown, const Geometry& geometry, const Transform& pose) {
+void add_shown(std::vector<ProjectedShape>& shown, const Geometry& geometry, const Transform& pose) {
     if (const auto* compound = std::get_if<Compound>(&geometry)) {
         for (const CompoundChild& child : compound->data->children)
             shown.push_back(shown_of(child.geometry, compose(pose, child.pose)));
@@ -65,7 +65,7 @@ void add_shown(std::vector<ShownShape>& shown, const Geometry& geometry, const T
 
 // The base's shadow is an ellipse, the tip's a point on its minor axis. Stretched to a circle: what
 // two tangents from the tip and the arc beyond where they touch enclose.
-double area_of_cone(const ShownShape& cone, double along, double across) {
+double area_of_cone(const ProjectedShape& cone, double along, double across) {
     const double r = cone.radius, tip = cone.height * across;
     if (along * r >= tip) return cone.round * along;
     if (along < 1e-9) return r * tip;
@@ -73,17 +73,17 @@ double area_of_cone(const ShownShape& cone, double along, double across) {
     return along * (r * r * (pi - arc_tangent(tangent, r)) + r * tangent);
 }
 
-double area_of(const ShownShape& shape, Vec3 direction) {
-    if (shape.kind == ShownShape::Kind::ball) return shape.round;
-    if (shape.kind == ShownShape::Kind::faces) {
+double area_of(const ProjectedShape& shape, Vec3 direction) {
+    if (shape.kind == ProjectedShape::Kind::ball) return shape.round;
+    if (shape.kind == ProjectedShape::Kind::faces) {
         double twice = 0;
         for (const Vec3 area : shape.areas) twice += absolute(dot(area, direction));
         return 0.5 * twice;
     }
     const double along = absolute(dot(shape.axis, direction));
     const double across = square_root(maximum(1 - along * along, 0));
-    if (shape.kind == ShownShape::Kind::cone) return area_of_cone(shape, along, across);
-    const double ends = shape.kind == ShownShape::Kind::capsule ? 1 : along;
+    if (shape.kind == ProjectedShape::Kind::cone) return area_of_cone(shape, along, across);
+    const double ends = shape.kind == ProjectedShape::Kind::capsule ? 1 : along;
     return shape.round * ends + shape.side * across;
 }
 
@@ -102,7 +102,7 @@ void add_panels(BodyFieldData& record, const ShapeState& shape, double longest) 
 
 double shown_area(const BodyFieldData& record, Vec3 direction) {
     double area = 0;
-    for (const ShownShape& shape : record.shown) area += area_of(shape, direction);
+    for (const ProjectedShape& shape : record.shown) area += area_of(shape, direction);
     return area;
 }
 

@@ -15,7 +15,7 @@
 namespace jostle::modules::fields_detail {
 
 // A convex shape as a flow sees it, in the body's frame.
-struct ShownShape {
+struct ProjectedShape {
     enum class Kind : std::uint8_t { ball, capsule, cylinder, cone, faces };
     Kind kind = Kind::ball;
     physics::Vec3 axis = {};                // of what is round about one, unit
@@ -31,7 +31,7 @@ struct BodyFieldData {
     std::uint32_t categories = 0;
     // About the centre of mass, body axes, kg m^2; the inverse is zero where it has none.
     physics::Mat3 inertia, inverse_inertia;
-    std::vector<ShownShape> shown = {};
+    std::vector<ProjectedShape> shown = {};
     bool has_panels = false;
     std::vector<PanelSurface> panels = {};  // in the body's frame, about its origin
     double reach = 0;                       // m: of the furthest vertex from the origin

@@ -14,23 +14,23 @@ using namespace physics;
 namespace {
 
 ProjectedShape faces_of(const Geometry& geometry, const Transform& pose) {
-    ProjectedShape shown{.kind = ProjectedShape::Kind::faces};
+    ProjectedShape projected_shapes{.kind = ProjectedShape::Kind::faces};
     for (const PanelSurface& surface : panel_surfaces(geometry, pose))
         for (const auto& triangle : surface.triangles) {
             const Vec3 area = area_of(surface, triangle);
             // Triangles of one flat face follow one another.
             const bool same =
-                !shown.areas.empty() && dot(shown.areas.back(), area) >=
-                                            (1 - 1e-12) * length(shown.areas.back()) * length(area);
+                !projected_shapes.areas.empty() && dot(projected_shapes.areas.back(), area) >=
+                                            (1 - 1e-12) * length(projected_shapes.areas.back()) * length(area);
             if (same)
-                shown.areas.back() += area;
+                projected_shapes.areas.back() += area;
             else
-                shown.areas.push_back(area);
+                projected_shapes.areas.push_back(area);
         }
-    return shown;
+    return projected_shapes;
 }
 
-ProjectedShape shown_of(const Geometry& geometry, const Transform& pose) {
+ProjectedShape projected_shape_of(const Geometry& geometry, const Transform& pose) {
     using Kind = ProjectedShape::Kind;
     const Vec3 axis = rotate(pose.rotation, {0, 1, 0});
     if (const auto* sphere = std::get_if<Sphere>(&geometry))
@@ -54,12 +54,12 @@ ProjectedShape shown_of(const Geometry& geometry, const Transform& pose) {
     return faces_of(geometry, pose);
 }
 
-void add_shown(std::vector<ProjectedShape>& shown, const Geometry& geometry, const Transform& pose) {
+void add_projected_shape(std::vector<ProjectedShape>& projected_shapes, const Geometry& geometry, const Transform& pose) {
     if (const auto* compound = std::get_if<Compound>(&geometry)) {
         for (const CompoundChild& child : compound->data->children)
-            shown.push_back(shown_of(child.geometry, compose(pose, child.pose)));
+            projected_shapes.push_back(projected_shape_of(child.geometry, compose(pose, child.pose)));
     } else if (is_convex(kind_of(geometry))) {
-        shown.push_back(shown_of(geometry, pose));
+        projected_shapes.push_back(projected_shape_of(geometry, pose));
     }
 }
 
@@ -100,9 +100,9 @@ void add_panels(BodyFieldData& record, const ShapeState& shape, double longest) 
 
 }  // namespace
 
-double shown_area(const BodyFieldData& record, Vec3 direction) {
+double projected_area(const BodyFieldData& record, Vec3 direction) {
     double area = 0;
-    for (const ProjectedShape& shape : record.shown) area += area_of(shape, direction);
+    for (const ProjectedShape& shape : record.projected_shapes) area += area_of(shape, direction);
     return area;
 }
 
@@ -126,14 +126,14 @@ void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies)
 }
 
 void BodyFieldCache::rebuild(const World& world, BodyFieldData& record) {
-    record.shown.clear();
+    record.projected_shapes.clear();
     record.panels.clear();
     record.reach = 0;
     record.has_panels = longest_panel_ > 0;
     for (const ShapeId id : record.shapes) {
         const Result<ShapeState> shape = world.shape(id);
         if (!shape.ok() || shape->trigger) continue;
-        add_shown(record.shown, shape->geometry, shape->pose);
+        add_projected_shape(record.projected_shapes, shape->geometry, shape->pose);
         if (record.has_panels) add_panels(record, *shape, longest_panel_);
     }
 }

@@ -31,7 +31,7 @@ struct BodyFieldData {
     std::uint32_t categories = 0;
     // About the centre of mass, body axes, kg m^2; the inverse is zero where it has none.
     physics::Mat3 inertia, inverse_inertia;
-    std::vector<ProjectedShape> shown = {};
+    std::vector<ProjectedShape> projected_shapes = {};
     bool has_panels = false;
     std::vector<PanelSurface> panels = {};  // in the body's frame, about its origin
     double reach = 0;                       // m: of the furthest vertex from the origin
@@ -39,7 +39,7 @@ struct BodyFieldData {
 
 // The area, m^2, of the shadow along a unit direction of the body's frame: exact for a convex shape
 // (half of what all faces show; Cauchy), of several the sum.
-double shown_area(const BodyFieldData& record, physics::Vec3 direction);
+double projected_area(const BodyFieldData& record, physics::Vec3 direction);
 
 class BodyFieldCache {
 public:

@@ -49,7 +49,7 @@ Fields::~Fields() = default;
 Result<FieldKey> Fields::add(World& world, const VolumeField& field) {
     if (entries_.size() >= fields_max)
         return Error{ErrorCode::resource_exhausted, "there are 64 fields already; remove one"};
-    if (Status s = check_one(world, {}, field); !s.ok()) return s.error();
+    if (Status s = check_field(world, {}, field); !s.ok()) return s.error();
     entries_.push_back({FieldKey{++last_key_}, field, {}, force_of(field)});
     scratch_->body_cache.clear();
     wake_volume(world, field);
@@ -59,7 +59,7 @@ Result<FieldKey> Fields::add(World& world, const VolumeField& field) {
 Status Fields::set(World& world, FieldKey key, const VolumeField& field) {
     Entry* entry = find(key);
     if (entry == nullptr) return no_such_field(key);
-    if (Status s = check_one(world, key, field); !s.ok()) return s;
+    if (Status s = check_field(world, key, field); !s.ok()) return s;
     wake_volume(world, entry->field);
     *entry = {key, field, {}, force_of(field)};
     scratch_->body_cache.clear();
@@ -97,16 +97,16 @@ Status Fields::add_charge(const Charge& charge) {
 }
 
 // Waters beside the field of that key.
-std::size_t Fields::waters_but(FieldKey key) const {
+std::size_t Fields::count_waters_except(FieldKey key) const {
     std::size_t count = 0;
     for (const Entry& entry : entries_)
         count += entry.key != key && std::holds_alternative<Waves>(entry.field.law);
     return count;
 }
 
-Status Fields::check_one(const World& world, FieldKey key, const VolumeField& field) const {
+Status Fields::check_field(const World& world, FieldKey key, const VolumeField& field) const {
     if (Status s = fields_detail::check(field); !s.ok()) return s;
-    if (std::holds_alternative<Waves>(field.law) && waters_but(key) >= waters_max)
+    if (std::holds_alternative<Waves>(field.law) && count_waters_except(key) >= waters_max)
         return Error{ErrorCode::resource_exhausted, "there are 4 waters already; remove one"};
     return check_target(world, field);
 }

@@ -16,7 +16,7 @@ using namespace physics;
 
 namespace {
 
-bool gives(const ModuleSettings& settings, std::string_view prefix) {
+bool has_setting(const ModuleSettings& settings, std::string_view prefix) {
     for (const auto& [name, value] : settings.numbers)
         if (name.starts_with(prefix)) return true;
     return false;
@@ -106,7 +106,7 @@ Charge read_charge(SettingsReader& reader) {
     return charge;
 }
 
-double turn_of(double angle) {
+double wrap_angle(double angle) {
     return angle - 2 * pi * std::floor(angle / (2 * pi));
 }
 
@@ -122,8 +122,8 @@ void write_waves(ChannelWriter& channels, const Waves& waves, double gravity, do
         const double omega = square_root(maximum(gravity, 0) * 2 * pi / wave.length);
         channels.f32(static_cast<float>(wave.amplitude));
         channels.f32(static_cast<float>(wave.length));
-        channels.quantized(turn_of(wave.heading), 0, 2 * pi, 16);
-        channels.quantized(turn_of(wave.phase - omega * time), 0, 2 * pi, 16);
+        channels.quantized(wrap_angle(wave.heading), 0, 2 * pi, 16);
+        channels.quantized(wrap_angle(wave.phase - omega * time), 0, 2 * pi, 16);
         channels.f32(static_cast<float>(omega));
     }
 }
@@ -155,11 +155,11 @@ Status Fields::configure(World& world, const ModuleSettings& settings) {
         const Result<FieldKey> key = add(world, field);
         return key.ok() ? Status{} : key.error();
     };
-    if (Status s = add_given(gives(settings, "turbulence_"), turbulence); !s.ok()) return s;
-    if (Status s = add_given(gives(settings, "wave"), waves); !s.ok()) return s;
-    const bool attracts = gives(settings, "central_") || !settings.bodies.empty();
+    if (Status s = add_given(has_setting(settings, "turbulence_"), turbulence); !s.ok()) return s;
+    if (Status s = add_given(has_setting(settings, "wave"), waves); !s.ok()) return s;
+    const bool attracts = has_setting(settings, "central_") || !settings.bodies.empty();
     if (Status s = add_given(attracts, central); !s.ok()) return s;
-    return gives(settings, "blast_") ? add_charge(charge) : Status{};
+    return has_setting(settings, "blast_") ? add_charge(charge) : Status{};
 }
 
 std::vector<ChannelKind> Fields::channels() const {

@@ -138,7 +138,7 @@ void Fields::visit(StateVisitor& v) {
     });
     if (!v.loading()) return;
     if (entries_.size() > fields_max) v.fail("fields", "are more than 64");
-    if (waters_but({}) > waters_max) v.fail("fields", "have more than 4 waters");
+    if (count_waters_except({}) > waters_max) v.fail("fields", "have more than 4 waters");
     if (charges_.size() > charges_max) v.fail("charges", "are more than 128");
     // In the order in which they were added: no key twice.
     const auto no_rise = [](const Entry& a, const Entry& b) { return !(a.key < b.key); };

@@ -16,8 +16,8 @@ using fields_detail::Load;
 
 namespace {
 
-constexpr double wakes_each = 0.25;  // m that a target moves between two wakings
-constexpr double noticeable = 0.05;  // m/s^2
+constexpr double wake_distance = 0.25;  // m that a target moves between two wakings
+constexpr double noticeable_acceleration = 0.05;  // m/s^2
 
 double to_power(double x, std::uint32_t n) {
     double power = 1;
@@ -53,11 +53,11 @@ void pull(const Central& central, Vec3 target, Load& load) {
               (pull_of(central, distance, load.body.mass) * load.body.mass * load.h / distance));
 }
 
-void blow(const Turbulence& turbulence, Load& load) {
+void apply_turbulence(const Turbulence& turbulence, Load& load) {
     load.drag(
         flow_at(turbulence, load.body.center, load.time), turbulence.density, turbulence.drag,
         [&](Vec3 direction) {
-            return fields_detail::shown_area(load.record,
+            return fields_detail::projected_area(load.record,
                                              inverse_rotate(load.body.pose.rotation, direction));
         },
         load.gravity);
@@ -84,11 +84,11 @@ struct ChangesLoad {
     // The area along any direction is at most the sum of those along three axes.
     bool operator()(const Turbulence& t) const {
         if (t.speed == 0 || t.rate == 0) return false;
-        const double area = fields_detail::shown_area(record, {1, 0, 0}) +
-                            fields_detail::shown_area(record, {0, 1, 0}) +
-                            fields_detail::shown_area(record, {0, 0, 1});
+        const double area = fields_detail::projected_area(record, {1, 0, 0}) +
+                            fields_detail::projected_area(record, {0, 1, 0}) +
+                            fields_detail::projected_area(record, {0, 0, 1});
         const double fastest = length(t.wind) + 3 * t.speed;
-        return 0.5 * t.density * t.drag * area * fastest * fastest > noticeable * body.mass;
+        return 0.5 * t.density * t.drag * area * fastest * fastest > noticeable_acceleration * body.mass;
     }
     bool operator()(const UserField& user) const { return !user.steady; }
     bool operator()(const Waves& waves) const {
@@ -141,7 +141,7 @@ void Fields::before_substep(SubstepContext& substep) {
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
             if ((load.record.categories & field.mask) != 0 && contains(field.volume, load.body.center))
-                act(k, moment, load);
+                apply_field(k, moment, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
         if (load.angular_impulse != Vec3{}) substep.add_angular_impulse(id, load.angular_impulse);
@@ -163,12 +163,12 @@ fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContex
     return moment;
 }
 
-void Fields::act(std::size_t at, fields_detail::SubstepFieldState& moment, Load& load) const {
+void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& moment, Load& load) const {
     const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
         if (moment.targets[at]) pull(*central, *moment.targets[at], load);
     } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
-        blow(*turbulence, load);
+        apply_turbulence(*turbulence, load);
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
@@ -185,7 +185,7 @@ void Fields::follow_targets(World& world) {
         const Result<BodyState> target = world.body(central->body);
         if (!target.ok()) continue;
         const Vec3 at = target->center + central->point;
-        if (!(length_squared(at - entry.last_wake_position) > wakes_each * wakes_each)) continue;
+        if (!(length_squared(at - entry.last_wake_position) > wake_distance * wake_distance)) continue;
         entry.last_wake_position = at;
         std::vector<BodyState> bodies;
         world.copy_bodies(bodies);
@@ -193,7 +193,7 @@ void Fields::follow_targets(World& world) {
             if (body.type != BodyType::dynamic || body.awake || body.id == central->body) continue;
             if (!contains(entry.field.volume, body.center)) continue;
             const double pull = pull_of(*central, length(at - body.center), body.mass);
-            if (absolute(pull) > noticeable &&
+            if (absolute(pull) > noticeable_acceleration &&
                 (fields_detail::categories_of(world, body.id) & entry.field.mask) != 0)
                 world.wake(body.id).expect();
         }

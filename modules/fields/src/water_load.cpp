@@ -150,8 +150,8 @@ void add_ball(const WaveTrain& train, const PanelSurface& surface, const Load& l
 double wet_area(const WaterScratch& scratch, Vec3 direction) {
     double front = 0, back = 0;
     for (const WaterScratch::Wet& panel : scratch.wet) {
-        const double shown = dot(panel.area, direction);
-        (shown > 0 ? front : back) += absolute(shown);
+        const double projected_shapes = dot(panel.area, direction);
+        (projected_shapes > 0 ? front : back) += absolute(projected_shapes);
     }
     return maximum(front, back) + scratch.wet_balls;
 }

@@ -42,29 +42,29 @@ TEST(Drag, no_drag_is_too_strong) {
 }
 
 // A body of one shape shows what its outline says, in any direction.
-double shown(const Geometry& geometry, Vec3 direction) {
+double projected_shapes(const Geometry& geometry, Vec3 direction) {
     World world = test::make_world();
     const BodyId body = test::add(world, {.geometry = geometry});
     fields_detail::BodyFieldCache body_cache;
     const BodyId bodies[] = {body};
     body_cache.reserve(world.body_index_end());
     body_cache.refresh(world, bodies);
-    return fields_detail::shown_area(body_cache.of(body), normalized(direction));
+    return fields_detail::projected_area(body_cache.of(body), normalized(direction));
 }
 
 TEST(Drag, acts_on_the_projected_area) {
-    EXPECT_NEAR(shown(Sphere{0.5}, {1, 2, 3}), pi / 4, 1e-12);
-    EXPECT_NEAR(shown(Box{{0.5, 1, 2}}, {1, 0, 0}), 8, 1e-12);
-    EXPECT_NEAR(shown(Box{{0.5, 0.5, 0.5}}, {1, 1, 1}), square_root(3), 1e-12);
-    EXPECT_NEAR(shown(Capsule{0.5, 1}, {1, 0, 0}), pi / 4 + 2, 1e-12);
-    EXPECT_NEAR(shown(Capsule{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
-    EXPECT_NEAR(shown(Cylinder{0.5, 1}, {0, 0, 1}), 2, 1e-12);
-    EXPECT_NEAR(shown(Cone{0.5, 1}, {1, 0, 0}), 1, 1e-12);
-    EXPECT_NEAR(shown(Cone{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
+    EXPECT_NEAR(projected_shapes(Sphere{0.5}, {1, 2, 3}), pi / 4, 1e-12);
+    EXPECT_NEAR(projected_shapes(Box{{0.5, 1, 2}}, {1, 0, 0}), 8, 1e-12);
+    EXPECT_NEAR(projected_shapes(Box{{0.5, 0.5, 0.5}}, {1, 1, 1}), square_root(3), 1e-12);
+    EXPECT_NEAR(projected_shapes(Capsule{0.5, 1}, {1, 0, 0}), pi / 4 + 2, 1e-12);
+    EXPECT_NEAR(projected_shapes(Capsule{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
+    EXPECT_NEAR(projected_shapes(Cylinder{0.5, 1}, {0, 0, 1}), 2, 1e-12);
+    EXPECT_NEAR(projected_shapes(Cone{0.5, 1}, {1, 0, 0}), 1, 1e-12);
+    EXPECT_NEAR(projected_shapes(Cone{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const Geometry wedge = Hull{test::must(build_hull(corners))};
-    EXPECT_NEAR(shown(wedge, {0, 0, 1}), 0.5, 1e-12);
-    EXPECT_NEAR(shown(wedge, {1, 1, 1}), square_root(3) / 2, 1e-12);
+    EXPECT_NEAR(projected_shapes(wedge, {0, 0, 1}), 0.5, 1e-12);
+    EXPECT_NEAR(projected_shapes(wedge, {1, 1, 1}), square_root(3) / 2, 1e-12);
 }
 
 }  // namespace

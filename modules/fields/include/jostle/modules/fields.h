@@ -87,12 +87,12 @@ private:
 
     fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep, double middle,
                                          physics::Vec3 gravity) const;
-    void act(std::size_t at, fields_detail::SubstepFieldState& moment, fields_detail::Load& load) const;
+    void apply_field(std::size_t at, fields_detail::SubstepFieldState& moment, fields_detail::Load& load) const;
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     Entry* find(FieldKey key);
-    std::size_t waters_but(FieldKey key) const;
-    physics::Status check_one(const physics::World& world, FieldKey key,
+    std::size_t count_waters_except(FieldKey key) const;
+    physics::Status check_field(const physics::World& world, FieldKey key,
                               const VolumeField& field) const;
     void visit_entry(physics::StateVisitor& v, Entry& entry);
 

@@ -76,7 +76,7 @@ void push(const UserField& user, const UserForce& force, Load& load) {
 
 // Whether what pushes the body is other in another moment, by as much as is noticeable. (Attracting
 // bodies wake whom they come near: follow_targets.)
-struct ChangesLoad {
+struct IsTimeVarying {
     const BodyState& body;
     const fields_detail::BodyFieldData& record;
 
@@ -100,7 +100,7 @@ struct ChangesLoad {
 
 bool changes_load_of(const FieldLaw& law, const BodyState& body,
                      const fields_detail::BodyFieldData& record) {
-    return std::visit(ChangesLoad{body, record}, law);
+    return std::visit(IsTimeVarying{body, record}, law);
 }
 
 // Panels that suit the shortest wave of all waters; 0: there is no water.

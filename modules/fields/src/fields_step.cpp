@@ -98,7 +98,7 @@ struct IsTimeVarying {
     }
 };
 
-bool changes_load_of(const FieldLaw& law, const BodyState& body,
+bool is_time_varying(const FieldLaw& law, const BodyState& body,
                      const fields_detail::BodyFieldData& record) {
     return std::visit(IsTimeVarying{body, record}, law);
 }
@@ -172,7 +172,7 @@ void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& momen
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
-        fields_detail::push_by_water(std::get<Waves>(entry.field.law), moment.trains[at], load,
+        fields_detail::apply_water_forces(std::get<Waves>(entry.field.law), moment.trains[at], load,
                                      moment.water);
     }
 }
@@ -226,7 +226,7 @@ void Fields::after_step(World& world, double) {
         for (const Entry& entry : entries_)
             if ((record.categories & entry.field.mask) != 0 &&
                 contains(entry.field.volume, body->center) &&
-                changes_load_of(entry.field.law, *body, record))
+                is_time_varying(entry.field.law, *body, record))
                 static_cast<void>(world.wake(id));
     }
 }

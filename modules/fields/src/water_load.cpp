@@ -199,7 +199,7 @@ Middle middle_of(const Load& load, Vec3 force, Vec3 torque) {
 
 }  // namespace
 
-void push_by_water(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch) {
+void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch) {
     const double gravity = -load.gravity.y;
     if (!(gravity > 0)) return;
     if (load.body.pose.position.y - load.record.reach >= train.highest()) return;

@@ -45,7 +45,7 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     WaterScratch scratch;
     Waves smooth = waves;
     smooth.drag = smooth.damping = 0;
-    fields_detail::push_by_water(smooth, {smooth, g, time}, load, scratch);
+    fields_detail::apply_water_forces(smooth, {smooth, g, time}, load, scratch);
     return {load.impulse * (1 / h), load.angular_impulse * (1 / h),
             body_cache.of(body).panels.front().triangles.size()};
 }

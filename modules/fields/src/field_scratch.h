@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "modules/fields/src/body_field_cache.h"
-#include "modules/fields/src/water_load.h"
+#include "modules/fields/src/water_forces.h"
 
 namespace jostle::modules::fields_detail {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/hull.h"
-#include "modules/fields/src/water_load.h"
+#include "modules/fields/src/water_forces.h"
 #include "tests/modules/fields/with_fields.h"
 #include "tests/support/near.h"
 #include "tests/support/random.h"

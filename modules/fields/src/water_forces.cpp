@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/fields/src/water_load.h"
+#include "modules/fields/src/water_forces.h"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ using fields_detail::BlastPoint;
 
 namespace {
 
-constexpr double leaves_surface = 0.01;  // m from the centre at which rays begin
+constexpr double ray_start_offset = 0.01;  // m from the centre at which rays begin
 constexpr double touches = 1e-3;         // m: nearer to a point than that is at it
 
 // N s/m^2 of area that faces the centre.
@@ -30,7 +30,7 @@ double strength_at(const Explosion& e, double distance) {
 }
 
 // Out of the surfaces that are too near; in a corner one after the other.
-Vec3 stand_off(const Queries& queries, const Explosion& e) {
+Vec3 offset_center(const Queries& queries, const Explosion& e) {
     Vec3 center = e.center;
     for (int k = 0; k < 3 && e.standoff > 0; k++) {
         const auto near = queries.closest_point(center, e.standoff);
@@ -62,7 +62,7 @@ private:
     std::optional<RayHit> first_hit(Vec3 point) const {
         const Vec3 way = point - center_;
         const double distance = length(way);
-        const Vec3 start = center_ + way * minimum(leaves_surface / distance, 0.5);
+        const Vec3 start = center_ + way * minimum(ray_start_offset / distance, 0.5);
         const Ray ray{.origin = start, .motion = point - start};
         if (around_.empty()) {
             const auto hit = queries_.cast_ray(ray);
@@ -81,7 +81,7 @@ private:
 };
 
 // Of what it would get; 1: all. No more than a caller may apply to a world, either.
-double share_allowed(const Explosion& e, const BlastPush& push, double mass) {
+double allowed_impulse_share(const Explosion& e, const BlastPush& push, double mass) {
     constexpr double most_impulse = 1e11;  // N s, N m s
     const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
     const double impulse = length(push.impulse), turn = length(push.angular_impulse);
@@ -159,7 +159,7 @@ struct Blast {
                      shape->geometry, compose(body.pose, shape->pose), points))
                 add(point, id, is_compound, push);
         }
-        const double most = share_allowed(explosion, push, body.mass);
+        const double most = allowed_impulse_share(explosion, push, body.mass);
         push.impulse *= most;
         push.angular_impulse *= most;
         return push;
@@ -171,7 +171,7 @@ struct Blast {
 Result<std::vector<BlastPush>> measure_blast(const World& world, const Explosion& explosion) {
     if (Status s = fields_detail::check(explosion); !s.ok()) return s.error();
     const Queries queries = world.queries();
-    const Vec3 center = stand_off(queries, explosion);
+    const Vec3 center = offset_center(queries, explosion);
     const std::vector<Target> targets = targets_of(world, queries, explosion, center);
     const std::size_t share = 2 * blast_rays_max / (targets.size() + 1);
     Blast blast{explosion, center, Sight(queries, center),

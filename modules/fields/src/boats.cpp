@@ -16,9 +16,9 @@ using namespace physics;
 namespace {
 
 constexpr double rudder_rate = 2.5;   // 1/s of full rudder
-constexpr double astern_share = 0.5;  // of the thrust
-constexpr double screw_reach = 8;     // m
-constexpr double keel_half = 0.7;     // of how far astern the screw is: where its two ends push
+constexpr double reverse_thrust_share = 0.5;  // of the thrust
+constexpr double screw_offset_max = 8;     // m
+constexpr double keel_half_length_ratio = 0.7;     // of how far astern the screw is: where its two ends push
 
 struct Range {
     const char* name;
@@ -38,7 +38,7 @@ Status check(const World& world, const BoatDef& def) {
     const Result<BodyState> hull = world.body(def.hull);
     if (!hull.ok()) return invalid("hull is no body");
     if (hull->type != BodyType::dynamic) return invalid("hull is not dynamic");
-    if (!is_finite(def.screw) || length(def.screw) > screw_reach)
+    if (!is_finite(def.screw) || length(def.screw) > screw_offset_max)
         return invalid("screw is further than 8 m from the hull's origin");
     for (const Range& range : ranges)
         if (!(def.*range.value >= range.low && def.*range.value <= range.high))
@@ -53,7 +53,7 @@ Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, doub
     const double along = dot(hull.linear_velocity, ahead);
     // The screw's blades meet the water at less of an angle the faster it comes.
     const double slip = clamp(1 - (throttle < 0 ? -along : along) / def.top_speed, 0, 1);
-    const double force = def.thrust * throttle * slip * (throttle < 0 ? astern_share : 1);
+    const double force = def.thrust * throttle * slip * (throttle < 0 ? reverse_thrust_share : 1);
     // A stern that is pushed to the left turns the bow to the right.
     const SinCos turn = sin_cos(rudder * def.rudder_most);
     return rotate(hull.pose.rotation, {-turn.sin, 0, -turn.cos}) * (force * h);
@@ -96,7 +96,7 @@ Status Boats::steer(World& world, BodyId hull, double throttle, double rudder) {
     if (!(absolute(throttle) <= 1 && absolute(rudder) <= 1))
         return invalid("throttle and rudder must be from -1 to 1");
     boat->throttle = throttle;
-    boat->rudder_held = rudder;
+    boat->rudder_target = rudder;
     return world.wake(hull);
 }
 
@@ -110,11 +110,11 @@ std::vector<Boats::State> Boats::states() const {
 void Boats::visit(StateVisitor& v) {
     v.all("boats", boats_, [&](Boat& boat) {
         v.field("hull", boat.def.hull);
-        bounded(v, "screw", boat.def.screw, screw_reach);
+        bounded(v, "screw", boat.def.screw, screw_offset_max);
         for (const Range& range : ranges)
             bounded(v, range.name, boat.def.*range.value, range.low, range.high);
         bounded(v, "throttle", boat.throttle, -1, 1);
-        bounded(v, "rudder_held", boat.rudder_held, -1, 1);
+        bounded(v, "rudder_target", boat.rudder_target, -1, 1);
         bounded(v, "rudder", boat.rudder, -1, 1);
         v.field("wet", boat.wet);
     });
@@ -152,7 +152,7 @@ void Boats::before_step(World& world, double dt) {
                 field.ok() && std::holds_alternative<Waves>(field->law))
                 waters_.push_back(*field);
     for (Boat& boat : boats_) {
-        boat.rudder += clamp(boat.rudder_held - boat.rudder, -rudder_rate * dt, rudder_rate * dt);
+        boat.rudder += clamp(boat.rudder_target - boat.rudder, -rudder_rate * dt, rudder_rate * dt);
         if (boat.throttle != 0) static_cast<void>(world.wake(boat.def.hull));
     }
 }
@@ -174,7 +174,7 @@ void Boats::before_substep(SubstepContext& substep) {
         const Vec3 screw = apply(hull.pose, boat.def.screw);
         if (!in_water(substep, screw)) continue;
         boat.wet = true;
-        for (const double end : {-keel_half, keel_half}) {
+        for (const double end : {-keel_half, keel_half_length_ratio}) {
             const Vec3 at =
                 hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.screw.z});
             substep.add_impulse(
@@ -192,7 +192,7 @@ void Boats::publish(const World&, ChannelWriter& channels) const {
         if (!channels.begin(0, boat.def.hull)) continue;
         const Vec3 screw = boat.def.screw;
         for (const double x : {screw.x, screw.y, screw.z})
-            channels.quantized(x, -screw_reach, screw_reach, 16);
+            channels.quantized(x, -screw_reach, screw_offset_max, 16);
         channels.quantized(boat.throttle, -1, 1, 8);
         channels.quantized(boat.rudder, -1, 1, 8);
         channels.value(boat.wet ? 1 : 0);

@@ -39,7 +39,7 @@ void add_triangle(const Corner& a, const Corner& b, const Corner& c, WaterSums& 
 }
 
 // The part of a triangle that is under water: 3 or 4 corners, cut where the depth is zero.
-void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
+void add_clipped_panel(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
                  WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
     std::array<Corner, 4> left;
     std::size_t count = 0;
@@ -55,7 +55,7 @@ void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 
 }
 
 // What panels stand for has no torque where the true surface has none.
-Vec3 true_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3 torque) {
+Vec3 without_symmetric_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3 torque) {
     const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
     if (surface.ball > 0) return cross(arm, force);
     if (!surface.round) return torque;
@@ -72,7 +72,7 @@ Vec3 mean_flow(const WaveTrain& train, const Load& load, const WaterScratch& scr
     for (std::size_t k = 0; k < depth.size(); k++)
         if (depth[k] > 0) middle += scratch.arms[k], wet++;
     const WaveTrain::Sample sample = train.at(load.body.center + middle * (1 / wet));
-    if (sample.depth > 0 && 8 * load.record.reach < train.shortest()) return sample.velocity;
+    if (sample.depth > 0 && 8 * load.record.reach < train.shortest_wavelength()) return sample.velocity;
     const std::size_t stride = 1 + depth.size() / 12;
     Vec3 sum;
     double count = 0;
@@ -96,7 +96,7 @@ void add_wet_panels(const PanelSurface& surface, const WaterScratch& scratch, Wa
         if (depth[0] > 0 && depth[1] > 0 && depth[2] > 0)
             add_triangle(corners[0], corners[1], corners[2], sums, wet);
         else if (depth[0] > 0 || depth[1] > 0 || depth[2] > 0)
-            add_clipped(corners, depth, sums, wet);
+            add_clipped_panel(corners, depth, sums, wet);
     }
 }
 
@@ -106,7 +106,7 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
     const Vec3 origin = load.body.pose.position - load.body.center;
     scratch.arms.clear();
     for (const Vec3 vertex : surface.vertices) scratch.arms.push_back(origin + axes * vertex);
-    train.press(load.body.center, scratch.arms, load.record.reach + length(origin),
+    train.sample_pressure(load.body.center, scratch.arms, load.record.reach + length(origin),
                 scratch.pressure);
     const std::vector<double>& depth = scratch.pressure.depth;
     const auto wet = std::ranges::count_if(depth, [](double d) { return d > 0; });
@@ -114,7 +114,7 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
     WaterSums own;
     add_wet_panels(surface, scratch, own, scratch.wet);
     sums.force += own.force;
-    sums.torque += true_torque(surface, load, own.force, own.torque);
+    sums.torque += without_symmetric_torque(surface, load, own.force, own.torque);
     const double area = surface.area * static_cast<double>(wet) / static_cast<double>(depth.size());
     sums.flow += mean_flow(train, load, scratch) * area;
     sums.area += area;
@@ -183,7 +183,7 @@ void drag_spin(const Waves& waves, Load& load, Vec3 turn,
     if (inertia > 0) load.turn(w * (1 / (1 + torque / inertia * spin * load.h) - 1));
 }
 
-void damp(double rate, Vec3 flow, const Middle& middle, Load& load) {
+void apply_wave_damping(double rate, Vec3 flow, const Middle& middle, Load& load) {
     const double lost = 1 - 1 / (1 + rate * load.h);
     const Vec3 v = load.body.linear_velocity + middle.acceleration * (0.5 * load.h);
     load.push((flow - v) * (load.body.mass * lost));
@@ -202,12 +202,12 @@ Middle middle_of(const Load& load, Vec3 force, Vec3 torque) {
 void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch) {
     const double gravity = -load.gravity.y;
     if (!(gravity > 0)) return;
-    if (load.body.pose.position.y - load.record.reach >= train.highest()) return;
+    if (load.body.pose.position.y - load.record.reach >= train.max_surface_height()) return;
     WaterSums sums;
     scratch.wet.clear();
     scratch.wet_balls = 0;
     for (const PanelSurface& surface : load.record.panels)
-        if (surface.ball > 0 && surface.ball < train.shortest() / 8)
+        if (surface.ball > 0 && surface.ball < train.shortest_wavelength() / 8)
             add_ball(train, surface, load, scratch, sums);
         else
             add_surface(train, surface, load, scratch, sums);
@@ -217,7 +217,7 @@ void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load, 
     const Middle middle = middle_of(load, force, torque);
     const Vec3 flow = sums.flow * (1 / sums.area);
     const double displaced = waves.density * maximum(sums.force.y, 0);  // kg
-    damp(waves.damping * displaced / load.body.mass, flow, middle, load);
+    apply_wave_damping(waves.damping * displaced / load.body.mass, flow, middle, load);
     load.drag(
         flow, waves.density, waves.drag,
         [&](Vec3 direction) { return wet_area(scratch, direction); }, middle.acceleration);

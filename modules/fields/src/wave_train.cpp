@@ -25,14 +25,14 @@ WaveTrain::WaveTrain(const Waves& waves, double gravity, double time)
 }
 
 WaveTrain::Sample WaveTrain::at(Vec3 p) const {
-    std::array<SinCos, wave_components_max> swing;
+    std::array<SinCos, wave_components_max> add_crest_heights;
     double height = level_;
     Vec3 slope;
     for (std::size_t k = 0; k < count_; k++) {
         const Component& c = components_[k];
-        swing[k] = sin_cos(c.number * (c.x * p.x + c.z * p.z) + c.turn);
-        height += c.amplitude * swing[k].cos;
-        slope -= Vec3{c.x, 0, c.z} * (c.amplitude * c.number * swing[k].sin);
+        add_crest_heights[k] = sin_cos(c.number * (c.x * p.x + c.z * p.z) + c.turn);
+        height += c.amplitude * add_crest_heights[k].cos;
+        slope -= Vec3{c.x, 0, c.z} * (c.amplitude * c.number * add_crest_heights[k].sin);
     }
     const double depth = height - p.y;
     if (!(depth > 0)) return {.depth = depth, .slope = slope};
@@ -40,7 +40,7 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
     for (std::size_t k = 0; k < count_; k++) {
         const Component& c = components_[k];
         const double size = c.amplitude * exp_of_negative(-c.number * depth);
-        const double crest = size * swing[k].cos, rise = size * swing[k].sin;
+        const double crest = size * add_crest_heights[k].cos, rise = size * add_crest_heights[k].sin;
         sample.head += crest;
         sample.velocity += Vec3{c.x * crest, rise, c.z * crest} * c.omega;
         sample.lift += (Vec3{c.x * rise, -crest, c.z * rise} + slope * crest) * c.number;
@@ -54,7 +54,7 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
 // point: what is left of sine, cosine and exponential are short polynomials, which compilers take
 // side by side.
 
-void WaveTrain::press(Vec3 center, std::span<const Vec3> arms, double reach,
+void WaveTrain::sample_pressure(Vec3 center, std::span<const Vec3> arms, double reach,
                       Pressure& pressure) const {
     const std::size_t count = arms.size();
     pressure.depth.resize(count), pressure.head.resize(count);
@@ -64,7 +64,7 @@ void WaveTrain::press(Vec3 center, std::span<const Vec3> arms, double reach,
         pressure.depth[v] = pressure.head[v] = still - arms[v].y;
     for (std::size_t k = 0; k < count_; k++) {
         double* crest = pressure.crest.data() + k * count;
-        swing(components_[k], center, arms, reach, crest);
+        add_crest_heights(components_[k], center, arms, reach, crest);
         for (std::size_t v = 0; v < count; v++) pressure.depth[v] += crest[v];
     }
     for (std::size_t k = 0; k < count_; k++)
@@ -73,7 +73,7 @@ void WaveTrain::press(Vec3 center, std::span<const Vec3> arms, double reach,
 }
 
 // Its height over each point.
-void WaveTrain::swing(const Component& wave, Vec3 center, std::span<const Vec3> arms, double reach,
+void WaveTrain::add_crest_heights(const Component& wave, Vec3 center, std::span<const Vec3> arms, double reach,
                       double* crest) {
     const double phase = wave.number * (wave.x * center.x + wave.z * center.z) + wave.turn;
     const double along = wave.number * wave.x, across = wave.number * wave.z;
@@ -117,7 +117,7 @@ void WaveTrain::fade(const Component& wave, std::span<const double> depth, const
     }
 }
 
-double WaveTrain::shortest() const {
+double WaveTrain::shortest_wavelength() const {
     double most = 0;
     for (std::size_t k = 0; k < count_; k++) most = maximum(most, components_[k].number);
     return most > 0 ? 2 * pi / most : 1e30;

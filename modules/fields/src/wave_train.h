@@ -33,11 +33,11 @@ public:
         std::vector<double> depth, head;  // as in Sample; the head of dry points has no meaning
         std::vector<double> crest;        // m, of one wave after the other
     };
-    void press(physics::Vec3 center, std::span<const physics::Vec3> arms, double reach,
+    void sample_pressure(physics::Vec3 center, std::span<const physics::Vec3> arms, double reach,
                Pressure& pressure) const;
 
-    double shortest() const;                          // m, of all waves; 1e30 without
-    double highest() const { return level_ + sum_; }  // m, y that no crest passes
+    double shortest_wavelength() const;                          // m, of all waves; 1e30 without
+    double max_surface_height() const { return level_ + sum_; }  // m, y that no crest passes
 
 private:
     struct Component {
@@ -45,7 +45,7 @@ private:
         double x, z;                      // heading
         double turn;                      // rad, of the moment
     };
-    static void swing(const Component& wave, physics::Vec3 center,
+    static void add_crest_heights(const Component& wave, physics::Vec3 center,
                       std::span<const physics::Vec3> arms, double reach, double* crest);
     static void fade(const Component& wave, std::span<const double> depth, const double* crest,
                      double* head);

@@ -69,7 +69,7 @@ public:
 private:
     struct Boat {
         BoatDef def;
-        double throttle = 0, rudder_held = 0, rudder = 0;
+        double throttle = 0, rudder_target = 0, rudder = 0;
         bool wet = false;
     };
     const Boat* find(physics::BodyId hull) const;

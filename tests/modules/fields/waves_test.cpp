@@ -21,11 +21,11 @@ using fields_detail::WaterScratch;
 constexpr double g = 9.81;
 
 // N and N m of a moment on one shape about its centre; panels no longer than `longest`.
-struct Pressed {
+struct PressureSample {
     Vec3 force, torque;
     std::size_t panels = 0;
 };
-Pressed sample_pressure(const Waves& waves, const Geometry& geometry, const Transform& pose, double time,
+PressureSample sample_pressure(const Waves& waves, const Geometry& geometry, const Transform& pose, double time,
               double longest) {
     World world = test::make_world();
     const BodyId body = test::add(
@@ -104,8 +104,8 @@ TEST(Waves, push_a_small_body_by_the_gradient_of_their_pressure) {
     const double height = water_at(waves, g, at, 0).height;
     const double fade = 0.3 * std::exp(-number * (height - at.y)), angle = number * at.x;
     const double size = 0.2, volume = size * size * size;
-    const Pressed still = sample_pressure({}, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
-    const Pressed moved = sample_pressure(waves, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
+    const PressureSample still = sample_pressure({}, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
+    const PressureSample moved = sample_pressure(waves, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
     // Wheeler's depth adds to Airy's slope of the pressure that of the surface above: both stated.
     const double slope = -0.3 * number * std::sin(angle);
     const double along = 1000 * g * fade * number * (std::sin(angle) + std::cos(angle) * slope);
@@ -126,9 +126,9 @@ TEST(Waves, the_usual_panels_are_within_three_percent_of_fine_ones) {
         const Transform pose{{random.in(-9, 9), random.in(-0.5, 0.3), 0},
                              from_axis_angle(random.direction(), 0.15)};
         const double time = random.in(0, 5);
-        const Pressed still = sample_pressure({}, box, pose, 0, 1e30);
-        const Pressed usual = sample_pressure(waves, box, pose, time, wave_length / 8);
-        const Pressed fine = sample_pressure(waves, box, pose, time, wave_length / 40);
+        const PressureSample still = sample_pressure({}, box, pose, 0, 1e30);
+        const PressureSample usual = sample_pressure(waves, box, pose, time, wave_length / 8);
+        const PressureSample fine = sample_pressure(waves, box, pose, time, wave_length / 40);
         // As shares of what a wave of that height can do to it.
         const double most = 1000 * g * 0.4 * 4 * box.half_extents.x * box.half_extents.z;
         worst = maximum(worst, length(usual.force - fine.force) / most);
@@ -160,8 +160,8 @@ TEST(Waves, carry_small_balls_as_their_panels_would_be) {
     for (int k = 0; k < 60; k++) {
         const Transform pose{{random.in(-9, 9), random.in(-1.2, 0.8), 0}, {}};
         const double time = random.in(0, 5);
-        const Pressed ball = sample_pressure(waves, Sphere{radius}, pose, time, 1);
-        const Pressed flat = sample_pressure(waves, Hull{hull}, pose, time, 1);
+        const PressureSample ball = sample_pressure(waves, Sphere{radius}, pose, time, 1);
+        const PressureSample flat = sample_pressure(waves, Hull{hull}, pose, time, 1);
         const double most = 1000 * g * 4.0 / 3 * pi * radius * radius * radius;
         worst = maximum(worst, length(ball.force - flat.force * (1 / missing)) / most);
     }

@@ -41,9 +41,9 @@ Vec3 offset_center(const Queries& queries, const Explosion& e) {
 }
 
 // Rays from a blast's centre.
-class Sight {
+class BlastVisibility {
 public:
-    Sight(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
+    BlastVisibility(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
         if (auto shapes = queries.shapes_at(center); shapes.ok()) around_ = std::move(*shapes);
     }
 
@@ -126,7 +126,7 @@ std::vector<Target> targets_of(const World& world, const Queries& queries, const
 struct Blast {
     const Explosion& explosion;
     Vec3 center;
-    Sight sight;
+    BlastVisibility sight;
     std::uint32_t points;  // of each shape
     std::size_t rays = 0;
 
@@ -174,7 +174,7 @@ Result<std::vector<BlastPush>> measure_blast(const World& world, const Explosion
     const Vec3 center = offset_center(queries, explosion);
     const std::vector<Target> targets = targets_of(world, queries, explosion, center);
     const std::size_t share = 2 * blast_rays_max / (targets.size() + 1);
-    Blast blast{explosion, center, Sight(queries, center),
+    Blast blast{explosion, center, BlastVisibility(queries, center),
                 static_cast<std::uint32_t>(std::clamp<std::size_t>(share, 6, explosion.points))};
     std::vector<BlastPush> pushes;
     for (const Target& target : targets) {

@@ -18,7 +18,7 @@ using fields_detail::BlastPoint;
 namespace {
 
 constexpr double ray_start_offset = 0.01;  // m from the centre at which rays begin
-constexpr double touches = 1e-3;         // m: nearer to a point than that is at it
+constexpr double hit_tolerance = 1e-3;         // m: nearer to a point than that is at it
 
 // N s/m^2 of area that faces the centre.
 double strength_at(const Explosion& e, double distance) {
@@ -44,40 +44,40 @@ Vec3 offset_center(const Queries& queries, const Explosion& e) {
 class BlastVisibility {
 public:
     BlastVisibility(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
-        if (auto shapes = queries.shapes_at(center); shapes.ok()) around_ = std::move(*shapes);
+        if (auto shapes = queries.shapes_at(center); shapes.ok()) enclosing_shapes_ = std::move(*shapes);
     }
 
     // A convex shape does not hide what of it faces the centre; children of a compound may hide
     // one another.
-    bool sees(const BlastPoint& point, ShapeId shape, bool is_compound) const {
+    bool is_visible(const BlastPoint& point, ShapeId shape, bool is_compound) const {
         const std::optional<RayHit> hit = first_hit(point.position);
         if (!hit) return true;
         const double left = length(point.position - hit->point);
-        if (left <= touches) return true;
+        if (left <= hit_tolerance) return true;
         if (hit->shape != shape) return false;
         return !is_compound || left <= 0.1 * square_root(length(point.area));
     }
 
 private:
     std::optional<RayHit> first_hit(Vec3 point) const {
-        const Vec3 way = point - center_;
-        const double distance = length(way);
-        const Vec3 start = center_ + way * minimum(ray_start_offset / distance, 0.5);
+        const Vec3 offset = point - center_;
+        const double distance = length(offset);
+        const Vec3 start = center_ + offset * minimum(ray_start_offset / distance, 0.5);
         const Ray ray{.origin = start, .motion = point - start};
-        if (around_.empty()) {
+        if (enclosing_shapes_.empty()) {
             const auto hit = queries_.cast_ray(ray);
             return hit.ok() ? *hit : std::nullopt;
         }
         const auto hits = queries_.cast_ray_all(ray);
         if (!hits.ok()) return std::nullopt;
         for (const RayHit& hit : *hits)
-            if (std::ranges::find(around_, hit.shape) == around_.end()) return hit;
+            if (std::ranges::find(enclosing_shapes_, hit.shape) == enclosing_shapes_.end()) return hit;
         return std::nullopt;
     }
 
     const Queries& queries_;
     Vec3 center_;
-    std::vector<ShapeId> around_;  // that hold the centre
+    std::vector<ShapeId> enclosing_shapes_;  // that hold the centre
 };
 
 // Of what it would get; 1: all. No more than a caller may apply to a world, either.
@@ -126,20 +126,20 @@ std::vector<Target> targets_of(const World& world, const Queries& queries, const
 struct Blast {
     const Explosion& explosion;
     Vec3 center;
-    BlastVisibility sight;
+    BlastVisibility visibility;
     std::uint32_t points;  // of each shape
     std::size_t rays = 0;
 
     void add(const BlastPoint& point, ShapeId shape, bool is_compound, BlastPush& push) {
-        const Vec3 way = point.position - center;
-        const double distance = length(way);
+        const Vec3 offset = point.position - center;
+        const double distance = length(offset);
         if (!(distance > 1e-9)) return;
-        const Vec3 away = way * (1 / distance);
+        const Vec3 away = offset * (1 / distance);
         const double area = -dot(point.area, away);
         const double strength = strength_at(explosion, distance);
         if (!(area > 0) || strength == 0) return;
         rays++;
-        if (!sight.sees(point, shape, is_compound)) {
+        if (!visibility.is_visible(point, shape, is_compound)) {
             push.hidden += area;
             return;
         }

@@ -46,10 +46,10 @@ std::optional<Vec3> target_of(const Central& central, const SubstepContext& subs
 
 void pull(const Central& central, Vec3 target, Load& load) {
     if (central.body == load.body.id) return;
-    const Vec3 way = target - load.body.center;
-    const double distance = length(way);
+    const Vec3 offset = target - load.body.center;
+    const double distance = length(offset);
     if (!(distance > 0)) return;
-    load.push(way *
+    load.push(offset *
               (pull_of(central, distance, load.body.mass) * load.body.mass * load.h / distance));
 }
 
@@ -64,13 +64,13 @@ void apply_turbulence(const Turbulence& turbulence, Load& load) {
 }
 
 void push(const UserField& user, const UserForce& force, Load& load) {
-    const Vec3 given = force({.position = load.body.center,
+    const Vec3 force_or_acceleration = force({.position = load.body.center,
                               .velocity = load.body.linear_velocity,
                               .mass = load.body.mass,
                               .time = load.time,
                               .h = load.h,
                               .parameters = user.parameters});
-    const Vec3 impulse = given * (load.h * (user.per_mass ? load.body.mass : 1));
+    const Vec3 impulse = force_or_acceleration * (load.h * (user.per_mass ? load.body.mass : 1));
     if (is_finite(impulse)) load.push(impulse);
 }
 
@@ -134,14 +134,14 @@ void Fields::before_substep(SubstepContext& substep) {
     if (substep.index() == 0) scratch_->body_cache.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
     const Vec3 gravity = substep.world().gravity();
-    fields_detail::SubstepFieldState moment = substep_field_state(substep, middle, gravity);
+    fields_detail::SubstepFieldState field_state = substep_field_state(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
         if (!scratch_->body_cache.has(id)) continue;
         Load load{substep.body(id), scratch_->body_cache.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
             if ((load.record.categories & field.mask) != 0 && contains(field.volume, load.body.center))
-                apply_field(k, moment, load);
+                apply_field(k, field_state, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
         if (load.angular_impulse != Vec3{}) substep.add_angular_impulse(id, load.angular_impulse);
@@ -150,30 +150,30 @@ void Fields::before_substep(SubstepContext& substep) {
 
 fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContext& substep, double middle,
                                              Vec3 gravity) const {
-    fields_detail::SubstepFieldState moment;
-    moment.targets.resize(entries_.size());
-    moment.trains.resize(entries_.size());
+    fields_detail::SubstepFieldState field_state;
+    field_state.targets.resize(entries_.size());
+    field_state.trains.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
         const FieldLaw& law = entries_[k].field.law;
         if (const auto* central = std::get_if<Central>(&law))
-            moment.targets[k] = target_of(*central, substep, middle);
+            field_state.targets[k] = target_of(*central, substep, middle);
         if (const auto* waves = std::get_if<Waves>(&law))
-            moment.trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
+            field_state.trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
     }
-    return moment;
+    return field_state;
 }
 
-void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& moment, Load& load) const {
+void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& field_state, Load& load) const {
     const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
-        if (moment.targets[at]) pull(*central, *moment.targets[at], load);
+        if (field_state.targets[at]) pull(*central, *field_state.targets[at], load);
     } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
         apply_turbulence(*turbulence, load);
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
-        fields_detail::apply_water_forces(std::get<Waves>(entry.field.law), moment.trains[at], load,
-                                     moment.water);
+        fields_detail::apply_water_forces(std::get<Waves>(entry.field.law), field_state.trains[at], load,
+                                     field_state.water);
     }
 }
 

@@ -118,7 +118,7 @@ struct Apply {
         if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
             walls->break_near(state.world, c.center, blast_breaks * c.radius * c.speed);
         Status status;
-        for (const modules::BlastPush& p : *pushes) {
+        for (const modules::BlastImpulse& p : *pushes) {
             const Status pushed = modules::apply_limited_impulse(
                 state.world, *state.world.body(p.body), p.impulse, p.center, p.angular_impulse);
             if (!pushed.ok()) status = from_solver(pushed);

@@ -81,7 +81,7 @@ private:
 };
 
 // Of what it would get; 1: all. No more than a caller may apply to a world, either.
-double allowed_impulse_share(const Explosion& e, const BlastPush& push, double mass) {
+double allowed_impulse_share(const Explosion& e, const BlastImpulse& push, double mass) {
     constexpr double most_impulse = 1e11;  // N s, N m s
     const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
     const double impulse = length(push.impulse), turn = length(push.angular_impulse);
@@ -130,7 +130,7 @@ struct Blast {
     std::uint32_t points;  // of each shape
     std::size_t rays = 0;
 
-    void add(const BlastPoint& point, ShapeId shape, bool is_compound, BlastPush& push) {
+    void add(const BlastPoint& point, ShapeId shape, bool is_compound, BlastImpulse& push) {
         const Vec3 offset = point.position - center;
         const double distance = length(offset);
         if (!(distance > 1e-9)) return;
@@ -149,8 +149,8 @@ struct Blast {
         push.angular_impulse += cross(point.position - push.center, impulse);
     }
 
-    BlastPush push_of(const World& world, const BodyState& body) {
-        BlastPush push{.body = body.id, .center = body.center};
+    BlastImpulse push_of(const World& world, const BodyState& body) {
+        BlastImpulse push{.body = body.id, .center = body.center};
         for (const ShapeId id : world.shapes_of(body.id)) {
             const auto shape = world.shape(id);
             if (!shape.ok() || shape->trigger || rays >= blast_rays_max) continue;
@@ -168,7 +168,7 @@ struct Blast {
 
 }  // namespace
 
-Result<std::vector<BlastPush>> measure_blast(const World& world, const Explosion& explosion) {
+Result<std::vector<BlastImpulse>> measure_blast(const World& world, const Explosion& explosion) {
     if (Status s = fields_detail::check(explosion); !s.ok()) return s.error();
     const Queries queries = world.queries();
     const Vec3 center = offset_center(queries, explosion);
@@ -176,20 +176,20 @@ Result<std::vector<BlastPush>> measure_blast(const World& world, const Explosion
     const std::size_t share = 2 * blast_rays_max / (targets.size() + 1);
     Blast blast{explosion, center, BlastVisibility(queries, center),
                 static_cast<std::uint32_t>(std::clamp<std::size_t>(share, 6, explosion.points))};
-    std::vector<BlastPush> pushes;
+    std::vector<BlastImpulse> pushes;
     for (const Target& target : targets) {
         if (blast.rays >= blast_rays_max) break;
-        BlastPush push = blast.push_of(world, target.body);
+        BlastImpulse push = blast.push_of(world, target.body);
         if (push.area > 0 || push.hidden > 0) pushes.push_back(push);
     }
-    std::ranges::sort(pushes, {}, &BlastPush::body);
+    std::ranges::sort(pushes, {}, &BlastImpulse::body);
     return pushes;
 }
 
-Result<std::vector<BlastPush>> explode(World& world, const Explosion& explosion) {
+Result<std::vector<BlastImpulse>> explode(World& world, const Explosion& explosion) {
     auto pushes = measure_blast(world, explosion);
     if (!pushes.ok()) return pushes;
-    for (const BlastPush& push : *pushes) {
+    for (const BlastImpulse& push : *pushes) {
         if (push.impulse == Vec3{} && push.angular_impulse == Vec3{}) continue;
         if (Status s = world.apply_impulse(push.body, push.impulse, push.center); !s.ok())
             return s.error();

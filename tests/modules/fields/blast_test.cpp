@@ -16,8 +16,8 @@ namespace {
 BodyId add_plate(World& world, double distance) {
     return test::add(world, {.geometry = Box{{0.02, 0.5, 0.5}}, .position = {distance, 0, 0}});
 }
-BlastPush push_on(const World& world, const Explosion& explosion, BodyId body) {
-    for (const BlastPush& push : test::must(measure_blast(world, explosion)))
+BlastImpulse push_on(const World& world, const Explosion& explosion, BodyId body) {
+    for (const BlastImpulse& push : test::must(measure_blast(world, explosion)))
         if (push.body == body) return push;
     return {};
 }
@@ -28,7 +28,7 @@ Explosion even(double strength) {
 TEST(Blast, gives_a_far_plate_pressure_times_area) {
     World world = test::make_world({.gravity = {}});
     const BodyId plate = add_plate(world, 10.02);
-    const BlastPush push = push_on(world, even(300), plate);
+    const BlastImpulse push = push_on(world, even(300), plate);
     RecordProperty("plate_error", std::to_string(push.impulse.x / 300 - 1));
     EXPECT_NEAR(push.impulse.x / 300, 1, 5e-3);
     EXPECT_NEAR(push.area, 1, 5e-3);
@@ -61,13 +61,13 @@ TEST(Blast, gives_nothing_through_a_wall_and_half_past_its_edge) {
     const BodyId hidden = add_plate(world, 6), half = add_plate(world, -6);
     test::add_static(world, {.geometry = Box{{0.1, 3, 3}}, .position = {3, 0, 0}});
     test::add_static(world, {.geometry = Box{{0.1, 3, 3}}, .position = {-3, 3, 0}});
-    const BlastPush behind = push_on(world, even(300), hidden);
+    const BlastImpulse behind = push_on(world, even(300), hidden);
     EXPECT_EQ(behind.impulse, Vec3{});
     EXPECT_EQ(behind.angular_impulse, Vec3{});
     EXPECT_NEAR(behind.hidden, 1, 0.01);
     Explosion fine = even(300);
     fine.points = 256;
-    const BlastPush past = push_on(world, fine, half);
+    const BlastImpulse past = push_on(world, fine, half);
     RecordProperty("half_hidden", std::to_string(past.impulse.x / -300));
     EXPECT_NEAR(past.impulse.x / -300, 0.5, 0.03);
     // Of the lower half: a force below the centre along -x turns it about z, backwards.
@@ -92,7 +92,7 @@ TEST(Blast, gives_the_momentum_that_it_says) {
     const auto pushes = test::must(explode(world, {.strength = 500}));
     Vec3 linear, angular;
     double sum = 0;
-    for (const BlastPush& push : pushes) {
+    for (const BlastImpulse& push : pushes) {
         linear += push.impulse;
         angular += push.angular_impulse + cross(push.center, push.impulse);
         sum += length(push.impulse);
@@ -121,8 +121,8 @@ TEST(Blast, pushes_what_surrounds_it_by_nothing_in_sum) {
         {.center = {0.7, -0.4, 0.2}, .radius = 100, .core = 0.1, .fade = false, .points = 512}));
     Vec3 total;
     double sum = 0, solid_angle = 0;
-    for (const BlastPush& push : pushes) total += push.impulse, sum += length(push.impulse);
-    for (const BlastPush& push : pushes) solid_angle += push.area;
+    for (const BlastImpulse& push : pushes) total += push.impulse, sum += length(push.impulse);
+    for (const BlastImpulse& push : pushes) solid_angle += push.area;
     RecordProperty("momentum_left", std::to_string(length(total) / sum));
     EXPECT_EQ(pushes.size(), 6u);
     EXPECT_LT(length(total) / sum, 0.01);
@@ -154,7 +154,7 @@ TEST(Blast, sees_children_of_a_compound_one_before_the_other) {
                                                 {Box{{0.02, 0.5, 0.5}}, {{1, 0, 0}, {}}},
                                                 {Sphere{0.5}, {{3, 0, 0}, {}}}}));
     const BodyId body = test::add(world, {.geometry = Compound{two}, .position = {8, 0, 0}});
-    const BlastPush push = push_on(world, even(300), body);
+    const BlastImpulse push = push_on(world, even(300), body);
     EXPECT_NEAR(push.area, 1, 0.02);
     EXPECT_NEAR(push.hidden, 1 + pi / 4, 0.06);
 }

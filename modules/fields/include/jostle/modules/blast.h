@@ -13,7 +13,7 @@
 
 namespace jostle::modules {
 
-struct BlastPush {
+struct BlastImpulse {
     physics::BodyId body = {};
     physics::Vec3 center = {};           // of mass, m
     physics::Vec3 impulse = {};          // N s
@@ -25,11 +25,11 @@ struct BlastPush {
 // Who would get what; by id, hidden ones with zero. Changes nothing. Of the dynamic bodies
 // within the radius, awake or asleep. Costs a ray for each point that faces the centre. With many
 // shapes each has fewer points; after blast_rays_max rays those that are furthest get nothing.
-physics::Result<std::vector<BlastPush>> measure_blast(const physics::World& world,
+physics::Result<std::vector<BlastImpulse>> measure_blast(const physics::World& world,
                                                       const Explosion& explosion);
 inline constexpr std::size_t blast_rays_max = 20000;
 
 // Applies it, and says what it did. Wakes whom it pushes.
-physics::Result<std::vector<BlastPush>> explode(physics::World& world, const Explosion& explosion);
+physics::Result<std::vector<BlastImpulse>> explode(physics::World& world, const Explosion& explosion);
 
 }  // namespace jostle::modules

@@ -107,7 +107,7 @@ struct Apply {
     // What a wall hides gets nothing. A click lies on a surface, so the blast stands off a little.
     Status operator()(const ExplodeCommand& c) const {
         const auto pushes =
-            modules::measure_blast(state.world, {.center = c.center,
+            modules::compute_blast(state.world, {.center = c.center,
                                                  .radius = c.radius,
                                                  .strength = blast_strength * c.speed,
                                                  .falloff = 0,

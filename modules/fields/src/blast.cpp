@@ -140,7 +140,7 @@ struct Blast {
         if (!(area > 0) || strength == 0) return;
         rays++;
         if (!visibility.is_visible(point, shape, is_compound)) {
-            push.hidden += area;
+            push.occluded_area += area;
             return;
         }
         push.area += area;
@@ -149,7 +149,7 @@ struct Blast {
         push.angular_impulse += cross(point.position - push.center, impulse);
     }
 
-    BlastImpulse push_of(const World& world, const BodyState& body) {
+    BlastImpulse impulse_of(const World& world, const BodyState& body) {
         BlastImpulse push{.body = body.id, .center = body.center};
         for (const ShapeId id : world.shapes_of(body.id)) {
             const auto shape = world.shape(id);
@@ -168,7 +168,7 @@ struct Blast {
 
 }  // namespace
 
-Result<std::vector<BlastImpulse>> measure_blast(const World& world, const Explosion& explosion) {
+Result<std::vector<BlastImpulse>> compute_blast(const World& world, const Explosion& explosion) {
     if (Status s = fields_detail::check(explosion); !s.ok()) return s.error();
     const Queries queries = world.queries();
     const Vec3 center = offset_center(queries, explosion);
@@ -176,27 +176,27 @@ Result<std::vector<BlastImpulse>> measure_blast(const World& world, const Explos
     const std::size_t share = 2 * blast_rays_max / (targets.size() + 1);
     Blast blast{explosion, center, BlastVisibility(queries, center),
                 static_cast<std::uint32_t>(std::clamp<std::size_t>(share, 6, explosion.points))};
-    std::vector<BlastImpulse> pushes;
+    std::vector<BlastImpulse> impulses;
     for (const Target& target : targets) {
         if (blast.rays >= blast_rays_max) break;
-        BlastImpulse push = blast.push_of(world, target.body);
-        if (push.area > 0 || push.hidden > 0) pushes.push_back(push);
+        BlastImpulse push = blast.impulse_of(world, target.body);
+        if (push.area > 0 || push.occluded_area > 0) impulses.push_back(push);
     }
-    std::ranges::sort(pushes, {}, &BlastImpulse::body);
-    return pushes;
+    std::ranges::sort(impulses, {}, &BlastImpulse::body);
+    return impulses;
 }
 
 Result<std::vector<BlastImpulse>> explode(World& world, const Explosion& explosion) {
-    auto pushes = measure_blast(world, explosion);
-    if (!pushes.ok()) return pushes;
-    for (const BlastImpulse& push : *pushes) {
+    auto impulses = compute_blast(world, explosion);
+    if (!impulses.ok()) return impulses;
+    for (const BlastImpulse& push : *impulses) {
         if (push.impulse == Vec3{} && push.angular_impulse == Vec3{}) continue;
         if (Status s = world.apply_impulse(push.body, push.impulse, push.center); !s.ok())
             return s.error();
         if (Status s = world.apply_angular_impulse(push.body, push.angular_impulse); !s.ok())
             return s.error();
     }
-    return pushes;
+    return impulses;
 }
 
 }  // namespace jostle::modules

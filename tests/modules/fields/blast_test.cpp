@@ -17,7 +17,7 @@ BodyId add_plate(World& world, double distance) {
     return test::add(world, {.geometry = Box{{0.02, 0.5, 0.5}}, .position = {distance, 0, 0}});
 }
 BlastImpulse push_on(const World& world, const Explosion& explosion, BodyId body) {
-    for (const BlastImpulse& push : test::must(measure_blast(world, explosion)))
+    for (const BlastImpulse& push : test::must(compute_blast(world, explosion)))
         if (push.body == body) return push;
     return {};
 }
@@ -35,7 +35,7 @@ TEST(Blast, gives_a_far_plate_pressure_times_area) {
     EXPECT_NEAR(push.impulse.y, 0, 0.1);
     EXPECT_NEAR(push.impulse.z, 0, 0.1);
     EXPECT_LT(length(push.angular_impulse), 0.1);
-    EXPECT_EQ(push.hidden, 0);
+    EXPECT_EQ(push.occluded_area, 0);
 }
 
 // A disc of radius R at distance d: strength core^2 int cos^2 / r^2 dA
@@ -64,7 +64,7 @@ TEST(Blast, gives_nothing_through_a_wall_and_half_past_its_edge) {
     const BlastImpulse behind = push_on(world, even(300), hidden);
     EXPECT_EQ(behind.impulse, Vec3{});
     EXPECT_EQ(behind.angular_impulse, Vec3{});
-    EXPECT_NEAR(behind.hidden, 1, 0.01);
+    EXPECT_NEAR(behind.occluded_area, 1, 0.01);
     Explosion fine = even(300);
     fine.points = 256;
     const BlastImpulse past = push_on(world, fine, half);
@@ -116,7 +116,7 @@ TEST(Blast, pushes_what_surrounds_it_by_nothing_in_sum) {
         at[k / 2] = k % 2 == 0 ? 2.05 : -2.05;
         test::add(world, {.geometry = Box{half}, .position = at});
     }
-    const auto pushes = test::must(measure_blast(
+    const auto pushes = test::must(compute_blast(
         world,
         {.center = {0.7, -0.4, 0.2}, .radius = 100, .core = 0.1, .fade = false, .points = 512}));
     Vec3 total;
@@ -156,7 +156,7 @@ TEST(Blast, sees_children_of_a_compound_one_before_the_other) {
     const BodyId body = test::add(world, {.geometry = Compound{two}, .position = {8, 0, 0}});
     const BlastImpulse push = push_on(world, even(300), body);
     EXPECT_NEAR(push.area, 1, 0.02);
-    EXPECT_NEAR(push.hidden, 1 + pi / 4, 0.06);
+    EXPECT_NEAR(push.occluded_area, 1 + pi / 4, 0.06);
 }
 
 TEST(Blast, keeps_to_its_mask_its_reach_and_its_speed) {
@@ -172,11 +172,11 @@ TEST(Blast, keeps_to_its_mask_its_reach_and_its_speed) {
     EXPECT_LE(length(test::velocity_of(world, plate)), 1e4 * (1 + 1e-12))
         << "as any caller may give";
     explosion.mask = 2;
-    EXPECT_TRUE(test::must(measure_blast(world, explosion)).empty());
+    EXPECT_TRUE(test::must(compute_blast(world, explosion)).empty());
     explosion.mask = 1;
     explosion.radius = 4;
-    EXPECT_TRUE(test::must(measure_blast(world, explosion)).empty());
-    EXPECT_EQ(measure_blast(world, {.points = 2}).error().message,
+    EXPECT_TRUE(test::must(compute_blast(world, explosion)).empty());
+    EXPECT_EQ(compute_blast(world, {.points = 2}).error().message,
               "explosion.points is 2; it must be from 6 to 1024");
 }
 

@@ -25,7 +25,7 @@ struct BlastImpulse {
 // Who would get what; by id, hidden ones with zero. Changes nothing. Of the dynamic bodies
 // within the radius, awake or asleep. Costs a ray for each point that faces the centre. With many
 // shapes each has fewer points; after blast_rays_max rays those that are furthest get nothing.
-physics::Result<std::vector<BlastImpulse>> measure_blast(const physics::World& world,
+physics::Result<std::vector<BlastImpulse>> compute_blast(const physics::World& world,
                                                       const Explosion& explosion);
 inline constexpr std::size_t blast_rays_max = 20000;
 

@@ -6,7 +6,7 @@
 
 #include "jostle/modules/settings.h"
 #include "modules/ragdoll/src/figure_checks.h"
-#include "modules/ragdoll/src/turns.h"
+#include "modules/ragdoll/src/rotation_interpolation.h"
 
 namespace jostle::modules {
 

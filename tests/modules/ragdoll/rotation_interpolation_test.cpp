@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/ragdoll/src/turns.h"
+#include "modules/ragdoll/src/rotation_interpolation.h"
 
 #include <gtest/gtest.h>
 

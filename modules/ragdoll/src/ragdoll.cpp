@@ -14,25 +14,25 @@ using namespace physics;
 
 namespace {
 
-constexpr std::size_t most_figures = 10000;
-constexpr double longest_blend = 60;  // s
+constexpr std::size_t figures_max = 10000;
+constexpr double blend_seconds_max = 60;  // s
 
 // Where a bone is whose parent is there, with its joint turned so far.
-Transform placed(const Transform& parent, const Transform& parent_rest, const Transform& frame,
+Transform bone_pose(const Transform& parent, const Transform& parent_rest, const Transform& frame,
                  const Transform& rest, Quat turn) {
     const Transform joint = compose(compose(parent, inverse(parent_rest)), frame);
     return compose(compose(joint, {{}, turn}), compose(inverse(frame), rest));
 }
 
 // How fast from one turn to the next, rad/s, seen from the parent's frame.
-Vec3 rate_of(Quat before, Quat wanted, double dt) {
+Vec3 angular_velocity_between(Quat before, Quat wanted, double dt) {
     return rotation_vector(wanted * conjugate(before)) * (1 / dt);
 }
 
 // A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
 // whose middle is half a step before the pose at its end. The solver's springs are implicit, and
 // are solved before and after a sub-step's motion: that damps like two sub-steps more.
-double lead_of(const Muscle& muscle, double dt, int substeps) {
+double lead_time_of(const Muscle& muscle, double dt, int substeps) {
     return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
 }
 
@@ -59,7 +59,7 @@ Error Ragdolls::unknown(RagdollId id) {
                                       " of generation " + std::to_string(id.generation)};
 }
 
-Ragdolls::Link Ragdolls::link_of(const JointKind& kind) {
+Ragdolls::Link Ragdolls::bone_joint_of(const JointKind& kind) {
     if (const auto* hinge = std::get_if<HingeJoint>(&kind))
         return {LinkKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
     if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
@@ -83,7 +83,7 @@ JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
     if (link.kind == LinkKind::hinge)
         return HingeJoint{.limit = limit,
                           .spring = spring,
-                          .spring_angle = pulls ? turn_about_z(target) : 0,
+                          .spring_angle = pulls ? angle_about_z(target) : 0,
                           .spring_max_torque = pulls ? most : 0};
     if (link.kind == LinkKind::cone_twist)
         return ConeTwistJoint{link.swing, limit, link.friction, drive};
@@ -130,9 +130,9 @@ Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Trans
         return invalid_argument("place is not a finite position and a unit quaternion");
     std::size_t at = 0;
     while (at < figures_.size() && figures_[at].alive) at++;
-    if (at >= most_figures)
+    if (at >= figures_max)
         return Error{ErrorCode::resource_exhausted,
-                     "there are " + std::to_string(most_figures) + " ragdolls, the most allowed"};
+                     "there are " + std::to_string(figures_max) + " ragdolls, the most allowed"};
     std::vector<BodyAndShapes> parts(def.bones.size());
     for (std::size_t k = 0; k < parts.size(); k++)
         parts[k] = {body_of(def, k, place), def.bones[k].shapes};
@@ -142,7 +142,7 @@ Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Trans
     for (std::size_t k = 0; k < parts.size(); k++) {
         const RagdollBone& from = def.bones[k];
         figure.bones.push_back({.body = (*made)[k],
-                                .link = link_of(from.joint),
+                                .link = bone_joint_of(from.joint),
                                 .parent = from.parent,
                                 .rest = from.rest,
                                 .frame = from.frame,
@@ -185,7 +185,7 @@ Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
     for (std::size_t k = 0; k < pose.turns.size(); k++)
         figure->bones[k].wanted = normalized(pose.turns[k]);
     figure->root = {pose.root.position, normalized(pose.root.rotation)};
-    figure->moved = true;
+    figure->pose_changed = true;
     return {};
 }
 
@@ -210,7 +210,7 @@ Status Ragdolls::set_types(World& world, const Figure& figure, RagdollMode mode)
 Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double blend) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
-    if (!(blend >= 0 && blend <= longest_blend))
+    if (!(blend >= 0 && blend <= blend_seconds_max))
         return invalid_argument("blend must be from 0 to 60 s");
     if (mode > RagdollMode::kinematic) return invalid_argument("there is no such mode");
     const Result<RagdollPose> now = pose(world, id);
@@ -223,8 +223,8 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
         if (Status s = join(world, *figure); !s.ok()) return s;
     figure->mode = mode;
     figure->blend = blend;
-    figure->blended = 0;
-    figure->moved = true;
+    figure->blend_elapsed = 0;
+    figure->pose_changed = true;
     figure->root_from = now->root;
     for (std::size_t k = 0; k < figure->bones.size(); k++) figure->bones[k].from = now->turns[k];
     for (Bone& bone : figure->bones) bone.before = blend > 0 ? bone.from : bone.wanted;
@@ -239,7 +239,7 @@ Status Ragdolls::set_strength(RagdollId id, std::size_t bone, double strength) {
                                 std::to_string(figure->bones.size()));
     if (!(strength >= 0 && strength <= 1)) return invalid_argument("strength must be from 0 to 1");
     figure->bones[bone].strength = strength;
-    figure->moved = true;
+    figure->pose_changed = true;
     return {};
 }
 
@@ -289,16 +289,16 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
 }
 
 // A figure that lost a bone or a joint is no figure any more: what is left falls as it may.
-void Ragdolls::drop_if_broken(World& world, Figure& figure) {
+void Ragdolls::release_if_incomplete(World& world, Figure& figure) {
     const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
         const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
         return world.contains(b.body) && (!joined || world.contains(b.joint));
     });
-    if (!whole) let_go(world, figure);
+    if (!whole) release(world, figure);
 }
 
 // What is left of it stays, limp.
-void Ragdolls::let_go(World& world, Figure& figure) {
+void Ragdolls::release(World& world, Figure& figure) {
     for (const Bone& bone : figure.bones)
         if (world.contains(bone.joint))
             static_cast<void>(world.set_joint(bone.joint, kind_of(bone, 0, {})).ok());
@@ -313,20 +313,20 @@ void Ragdolls::after_step(World& world, double) {
         if (std::any_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& bone) {
                 return std::find(lost.begin(), lost.end(), bone.body) != lost.end();
             }))
-            let_go(world, figure);
+            release(world, figure);
 }
 
 // Kinematic: to where the pose puts each bone at the end of the step.
-void Ragdolls::lead(World& world, Figure& figure, double dt) {
-    const bool blends = figure.blended < figure.blend;
-    const double part = blends ? figure.blended / figure.blend : 1;
+void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
+    const bool blends = figure.blend_elapsed < figure.blend;
+    const double part = blends ? figure.blend_elapsed / figure.blend : 1;
     std::vector<Transform> places;
-    const Transform root = blends ? between(figure.root_from, figure.root, part) : figure.root;
+    const Transform root = blends ? interpolate(figure.root_from, figure.root, part) : figure.root;
     for (const Bone& bone : figure.bones) {
-        const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
+        const Quat turn = blends ? interpolate(bone.from, bone.wanted, part) : bone.wanted;
         places.push_back(bone.parent < 0
                              ? compose(root, bone.rest)
-                             : placed(places[static_cast<std::size_t>(bone.parent)],
+                             : bone_pose(places[static_cast<std::size_t>(bone.parent)],
                                       figure.bones[static_cast<std::size_t>(bone.parent)].rest,
                                       bone.frame, bone.rest, turn));
         if (figure.mode == RagdollMode::kinematic || bone.parent < 0)
@@ -337,21 +337,21 @@ void Ragdolls::lead(World& world, Figure& figure, double dt) {
 
 // Powered: muscles towards the pose; limp: none. What led a pose that stands now is taken back in
 // the next step.
-void Ragdolls::pull(World& world, Figure& figure, double dt) {
-    const bool blends = figure.blended < figure.blend;
-    const double part = blends ? figure.blended / figure.blend : 1;
+void Ragdolls::drive_muscles(World& world, Figure& figure, double dt) {
+    const bool blends = figure.blend_elapsed < figure.blend;
+    const double part = blends ? figure.blend_elapsed / figure.blend : 1;
     const int substeps = world.substeps();
-    figure.moved = false;
+    figure.pose_changed = false;
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
         const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
-        const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
+        const Quat turn = blends ? interpolate(bone.from, bone.wanted, part) : bone.wanted;
         Quat target = turn;
         if (bone.muscle.hertz > 0 && bone.before != turn) {
-            target = from_rotation_vector(rate_of(bone.before, turn, dt) *
-                                          lead_of(bone.muscle, dt, substeps)) *
+            target = from_rotation_vector(angular_velocity_between(bone.before, turn, dt) *
+                                          lead_time_of(bone.muscle, dt, substeps)) *
                      turn;
-            figure.moved = true;
+            figure.pose_changed = true;
         }
         bone.before = turn;
         const JointKind kind = kind_of(bone, strength, normalized(target));
@@ -362,18 +362,18 @@ void Ragdolls::pull(World& world, Figure& figure, double dt) {
 void Ragdolls::before_step(World& world, double dt) {
     for (Figure& figure : figures_) {
         if (!figure.alive) continue;
-        drop_if_broken(world, figure);
+        release_if_incomplete(world, figure);
         if (!figure.alive) continue;
         const bool led = figure.mode == RagdollMode::kinematic;
-        const bool changes = figure.moved || figure.blended < figure.blend;
-        if (figure.blended < figure.blend)
-            figure.blended = minimum(figure.blend, figure.blended + dt);
+        const bool changes = figure.pose_changed || figure.blend_elapsed < figure.blend;
+        if (figure.blend_elapsed < figure.blend)
+            figure.blend_elapsed = minimum(figure.blend, figure.blend_elapsed + dt);
         if (led || (figure.root_held && (changes || figure.mode == RagdollMode::powered)))
-            lead(world, figure, dt);
+            move_kinematic_bones(world, figure, dt);
         if (led)
-            figure.moved = false;
+            figure.pose_changed = false;
         else if (changes)
-            pull(world, figure, dt);
+            drive_muscles(world, figure, dt);
     }
 }
 

@@ -30,9 +30,9 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
     v.field("generation", figure.generation);
     v.field("mode", figure.mode, RagdollMode::kinematic);
     v.field("root_held", figure.root_held);
-    v.field("moved", figure.moved);
+    v.field("moved", figure.pose_changed);
     bounded(v, "blend", figure.blend, 0, 60);
-    bounded(v, "blended", figure.blended, 0, 60);
+    bounded(v, "blended", figure.blend_elapsed, 0, 60);
     place(v, "root", figure.root);
     place(v, "root_from", figure.root_from);
     std::int32_t index = 0;

@@ -18,18 +18,18 @@ inline physics::Vec3 rotation_vector(physics::Quat q) {
 }
 
 // A part of the way from one to the other, along the shorter arc.
-inline physics::Quat between(physics::Quat from, physics::Quat to, double part) {
+inline physics::Quat interpolate(physics::Quat from, physics::Quat to, double part) {
     using namespace physics;
     return normalized(from_rotation_vector(rotation_vector(to * conjugate(from)) * part) * from);
 }
-inline physics::Transform between(const physics::Transform& from, const physics::Transform& to,
+inline physics::Transform interpolate(const physics::Transform& from, const physics::Transform& to,
                                   double part) {
     return {from.position + (to.position - from.position) * part,
-            between(from.rotation, to.rotation, part)};
+            interpolate(from.rotation, to.rotation, part)};
 }
 
 // About the z axis, -pi to pi.
-inline double turn_about_z(physics::Quat q) {
+inline double angle_about_z(physics::Quat q) {
     double angle = 2 * physics::arc_tangent(q.z, q.w);
     if (angle > physics::pi) angle -= 2 * physics::pi;
     if (angle < -physics::pi) angle += 2 * physics::pi;

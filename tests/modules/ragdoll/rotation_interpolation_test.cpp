@@ -19,8 +19,8 @@ TEST(Turns, a_rotation_vector_and_its_rotation_are_one) {
 
 TEST(Turns, half_way_between_is_half_the_angle) {
     const Quat from = from_axis_angle({0, 1, 0}, 0.4), to = from_axis_angle({0, 1, 0}, 1.0);
-    EXPECT_NEAR(length(rotation_vector(between(from, to, 0.5))), 0.7, 1e-12);
-    EXPECT_NEAR(turn_about_z(from_axis_angle({0, 0, 1}, -2.5)), -2.5, 1e-12);
+    EXPECT_NEAR(length(rotation_vector(interpolate(from, to, 0.5))), 0.7, 1e-12);
+    EXPECT_NEAR(angle_about_z(from_axis_angle({0, 0, 1}, -2.5)), -2.5, 1e-12);
 }
 
 TEST(Turns, a_place_and_its_inverse_are_none) {

@@ -140,8 +140,8 @@ private:
         std::uint32_t generation = 0;
         RagdollMode mode = RagdollMode::limp;
         bool root_held = false;
-        bool moved = false;                  // a new pose for the coming step
-        double blend = 0, blended = 0;       // s: of the whole, and so far
+        bool pose_changed = false;                  // a new pose for the coming step
+        double blend = 0, blend_elapsed = 0;       // s: of the whole, and so far
         physics::Transform root, root_from;  // of the figure's frame
         std::vector<Bone> bones;
     };
@@ -149,14 +149,14 @@ private:
     const Figure* find(RagdollId id) const;
     Figure* find(RagdollId id);
     static physics::Error unknown(RagdollId id);
-    static Link link_of(const physics::JointKind& kind);
+    static Link bone_joint_of(const physics::JointKind& kind);
     static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target);
     static physics::Status join(physics::World& world, Figure& figure);
     static void part(physics::World& world, Figure& figure);
-    static void drop_if_broken(physics::World& world, Figure& figure);
-    static void let_go(physics::World& world, Figure& figure);
-    static void lead(physics::World& world, Figure& figure, double dt);
-    static void pull(physics::World& world, Figure& figure, double dt);
+    static void release_if_incomplete(physics::World& world, Figure& figure);
+    static void release(physics::World& world, Figure& figure);
+    static void move_kinematic_bones(physics::World& world, Figure& figure, double dt);
+    static void drive_muscles(physics::World& world, Figure& figure, double dt);
     static void visit(physics::StateVisitor& v, Figure& figure);
     static physics::Status set_types(physics::World& world, const Figure& figure, RagdollMode mode);
 

@@ -61,9 +61,9 @@ Error Ragdolls::unknown(RagdollId id) {
 
 Ragdolls::Link Ragdolls::bone_joint_of(const JointKind& kind) {
     if (const auto* hinge = std::get_if<HingeJoint>(&kind))
-        return {LinkKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
+        return {BoneJointKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
     if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
-        return {LinkKind::cone_twist, cone->twist.enabled, cone->twist.lower,
+        return {BoneJointKind::cone_twist, cone->twist.enabled, cone->twist.lower,
                 cone->twist.upper,    cone->swing,         cone->friction_torque};
     if (const auto* ball = std::get_if<BallJoint>(&kind))
         return {.friction = ball->friction_torque};
@@ -80,12 +80,12 @@ JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
                              bone.muscle.damping_ratio};
     const RotationDrive drive{spring, pulls ? target : Quat{}, most};
     const JointLimit limit{link.limited, link.lower, link.upper};
-    if (link.kind == LinkKind::hinge)
+    if (link.kind == BoneJointKind::hinge)
         return HingeJoint{.limit = limit,
                           .spring = spring,
                           .spring_angle = pulls ? angle_about_z(target) : 0,
                           .spring_max_torque = pulls ? most : 0};
-    if (link.kind == LinkKind::cone_twist)
+    if (link.kind == BoneJointKind::cone_twist)
         return ConeTwistJoint{link.swing, limit, link.friction, drive};
     return BallJoint{drive, link.friction};
 }

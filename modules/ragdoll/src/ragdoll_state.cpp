@@ -44,7 +44,7 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
             (bone.parent < -1 || bone.parent >= index || (bone.parent == -1) != (index == 0)))
             v.fail("parent", "is no earlier bone");
         index++;
-        v.field("link", bone.link.kind, LinkKind::cone_twist);
+        v.field("link", bone.link.kind, BoneJointKind::cone_twist);
         v.field("limited", bone.link.limited);
         bounded(v, "lower", bone.link.lower, -pi, pi);
         bounded(v, "upper", bone.link.upper, -pi, pi);

@@ -117,9 +117,9 @@ public:
 
 private:
     // What of a joint a figure keeps: bones that are led have none.
-    enum class LinkKind : std::uint8_t { ball, hinge, cone_twist };
+    enum class BoneJointKind : std::uint8_t { ball, hinge, cone_twist };
     struct Link {
-        LinkKind kind = LinkKind::ball;
+        BoneJointKind kind = BoneJointKind::ball;
         bool limited = false;
         double lower = 0, upper = 0, swing = 0, friction = 0;
     };

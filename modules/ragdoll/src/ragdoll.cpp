@@ -59,7 +59,7 @@ Error Ragdolls::unknown(RagdollId id) {
                                       " of generation " + std::to_string(id.generation)};
 }
 
-Ragdolls::Link Ragdolls::bone_joint_of(const JointKind& kind) {
+Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
     if (const auto* hinge = std::get_if<HingeJoint>(&kind))
         return {BoneJointKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
     if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
@@ -72,7 +72,7 @@ Ragdolls::Link Ragdolls::bone_joint_of(const JointKind& kind) {
 
 // With what pulls it to a target as strongly as told.
 JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
-    const Link& link = bone.link;
+    const BoneJoint& link = bone.link;
     const double most = bone.muscle.max_torque * strength;
     const bool pulls = most > 0 && bone.muscle.hertz > 0;
     // Stiffness goes with the square of the frequency.

@@ -118,7 +118,7 @@ public:
 private:
     // What of a joint a figure keeps: bones that are led have none.
     enum class BoneJointKind : std::uint8_t { ball, hinge, cone_twist };
-    struct Link {
+    struct BoneJoint {
         BoneJointKind kind = BoneJointKind::ball;
         bool limited = false;
         double lower = 0, upper = 0, swing = 0, friction = 0;
@@ -126,7 +126,7 @@ private:
     struct Bone {
         physics::BodyId body;
         physics::JointId joint;  // null: led, or the root
-        Link link;
+        BoneJoint link;
         std::int32_t parent = -1;
         physics::Transform rest;            // in the figure
         physics::Transform frame, frame_b;  // of the joint in the figure; in the bone
@@ -149,7 +149,7 @@ private:
     const Figure* find(RagdollId id) const;
     Figure* find(RagdollId id);
     static physics::Error unknown(RagdollId id);
-    static Link bone_joint_of(const physics::JointKind& kind);
+    static BoneJoint bone_joint_of(const physics::JointKind& kind);
     static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target);
     static physics::Status join(physics::World& world, Figure& figure);
     static void part(physics::World& world, Figure& figure);

@@ -61,8 +61,8 @@ public:
         }
     }
     void step(int k) override {
-        RagdollPose pose{.turns = std::vector<Quat>(11)};
-        pose.turns[3] = from_axis_angle({0, 0, 1}, 0.6 * sin_cos(0.1 * k).sin);
+        RagdollPose pose{.rotations = std::vector<Quat>(11)};
+        pose.rotations[3] = from_axis_angle({0, 0, 1}, 0.6 * sin_cos(0.1 * k).sin);
         for (std::size_t i = 0; i < ids_.size(); i++) {
             pose.root.position = in_square(static_cast<int>(i), 2.5);
             must(ragdolls_.set_pose(ids_[i], pose));

@@ -6,7 +6,7 @@ namespace {
 
 using namespace physics;
 
-constexpr std::size_t most_bones = 256;
+constexpr std::size_t bones_max = 256;
 
 bool is_within(double x, double low, double high) {
     return x >= low && x <= high;  // NaN is not
@@ -57,9 +57,9 @@ Status check_muscle(const Muscle& muscle, const std::string& where) {
 }
 
 Status check_figure(const RagdollDef& def) {
-    if (def.bones.empty() || def.bones.size() > most_bones)
+    if (def.bones.empty() || def.bones.size() > bones_max)
         return invalid_argument("a figure has " + std::to_string(def.bones.size()) +
-                                " bones; it must have 1 to " + std::to_string(most_bones));
+                                " bones; it must have 1 to " + std::to_string(bones_max));
     for (std::size_t k = 0; k < def.bones.size(); k++)
         if (Status s = check_bone(def, k); !s.ok()) return s;
     return {};

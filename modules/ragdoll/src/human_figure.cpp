@@ -8,7 +8,7 @@ namespace {
 
 using namespace physics;
 
-constexpr double degree = pi / 180;
+constexpr double radians_per_degree = pi / 180;
 
 // Of a figure 1.76 m tall that stands with its arms spread along x and its face towards z, m.
 struct Limb {
@@ -188,11 +188,11 @@ RagdollBone bone_of(const Limb& limb, double scale) {
     if (limb.parent < 0) return bone;
     const Vec3 x = limb.hinge ? limb.normal : limb.axis, z = limb.hinge ? limb.axis : limb.normal;
     bone.frame = {limb.anchor * scale, rotation_of(x, z)};
-    const JointLimit limit{true, limb.lower * degree, limb.upper * degree};
+    const JointLimit limit{true, limb.lower * radians_per_degree, limb.upper * radians_per_degree};
     if (limb.hinge)
         bone.joint = HingeJoint{.limit = limit};
     else
-        bone.joint = ConeTwistJoint{.swing = limb.swing * degree, .twist = limit};
+        bone.joint = ConeTwistJoint{.swing = limb.swing * radians_per_degree, .twist = limit};
     // A torque bears a weight at an arm: the fourth power of the size.
     bone.muscle = {.hertz = 12, .max_torque = limb.torque * scale * scale * scale * scale};
     return bone;

@@ -25,8 +25,8 @@ Transform bone_pose(const Transform& parent, const Transform& parent_rest, const
 }
 
 // How fast from one turn to the next, rad/s, seen from the parent's frame.
-Vec3 angular_velocity_between(Quat before, Quat wanted, double dt) {
-    return rotation_vector(wanted * conjugate(before)) * (1 / dt);
+Vec3 angular_velocity_between(Quat before, Quat target_rotation, double dt) {
+    return rotation_vector(target_rotation * conjugate(before)) * (1 / dt);
 }
 
 // A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
@@ -37,7 +37,7 @@ double lead_time_of(const Muscle& muscle, double dt, int substeps) {
 }
 
 BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& place) {
-    return {.type = bone == 0 && def.root_held ? BodyType::kinematic : BodyType::dynamic,
+    return {.type = bone == 0 && def.kinematic_root ? BodyType::kinematic : BodyType::dynamic,
             .pose = compose(place, def.bones[bone].rest),
             .sleep_allowed = def.sleep_allowed};
 }
@@ -72,26 +72,26 @@ Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
 
 // With what pulls it to a target as strongly as told.
 JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
-    const BoneJoint& link = bone.link;
+    const BoneJoint& bone_joint = bone.bone_joint;
     const double most = bone.muscle.max_torque * strength;
     const bool pulls = most > 0 && bone.muscle.hertz > 0;
     // Stiffness goes with the square of the frequency.
     const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
                              bone.muscle.damping_ratio};
     const RotationDrive drive{spring, pulls ? target : Quat{}, most};
-    const JointLimit limit{link.limited, link.lower, link.upper};
-    if (link.kind == BoneJointKind::hinge)
+    const JointLimit limit{bone_joint.limited, bone_joint.lower, bone_joint.upper};
+    if (bone_joint.kind == BoneJointKind::hinge)
         return HingeJoint{.limit = limit,
                           .spring = spring,
                           .spring_angle = pulls ? angle_about_z(target) : 0,
                           .spring_max_torque = pulls ? most : 0};
-    if (link.kind == BoneJointKind::cone_twist)
-        return ConeTwistJoint{link.swing, limit, link.friction, drive};
-    return BallJoint{drive, link.friction};
+    if (bone_joint.kind == BoneJointKind::cone_twist)
+        return ConeTwistJoint{bone_joint.swing, limit, bone_joint.friction, drive};
+    return BallJoint{drive, bone_joint.friction};
 }
 
 // Bones at their places to their parents. All or none.
-Status Ragdolls::join(World& world, Figure& figure) {
+Status Ragdolls::create_joints(World& world, Figure& figure) {
     for (std::size_t k = 0; k < figure.bones.size(); k++) {
         Bone& bone = figure.bones[k];
         if (bone.parent < 0) continue;
@@ -103,7 +103,7 @@ Status Ragdolls::join(World& world, Figure& figure) {
                                 .frame_b = bone.frame_b,
                                 .kind = kind_of(bone, 0, {})});
         if (!joint.ok()) {
-            part(world, figure);
+            destroy_joints(world, figure);
             return Error{joint.error().code,
                          "bones[" + std::to_string(k) + "].joint: " + joint.error().message};
         }
@@ -112,7 +112,7 @@ Status Ragdolls::join(World& world, Figure& figure) {
     return {};
 }
 
-void Ragdolls::part(World& world, Figure& figure) {
+void Ragdolls::destroy_joints(World& world, Figure& figure) {
     for (Bone& bone : figure.bones) {
         if (world.contains(bone.joint)) static_cast<void>(world.destroy_joint(bone.joint).ok());
         bone.joint = {};
@@ -138,18 +138,18 @@ Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Trans
         parts[k] = {body_of(def, k, place), def.bones[k].shapes};
     const Result<std::vector<BodyId>> made = world.create_bodies(parts);
     if (!made.ok()) return made.error();
-    Figure figure{.alive = true, .root_held = def.root_held, .root = place};
+    Figure figure{.alive = true, .kinematic_root = def.kinematic_root, .root = place};
     for (std::size_t k = 0; k < parts.size(); k++) {
         const RagdollBone& from = def.bones[k];
         figure.bones.push_back({.body = (*made)[k],
-                                .link = bone_joint_of(from.joint),
+                                .bone_joint = bone_joint_of(from.joint),
                                 .parent = from.parent,
                                 .rest = from.rest,
                                 .frame = from.frame,
                                 .frame_b = compose(inverse(from.rest), from.frame),
                                 .muscle = from.muscle});
     }
-    if (Status joined = join(world, figure); !joined.ok()) {
+    if (Status joined = create_joints(world, figure); !joined.ok()) {
         static_cast<void>(world.destroy_bodies(*made).ok());
         return joined.error();
     }
@@ -172,18 +172,18 @@ Status Ragdolls::remove(World& world, RagdollId id) {
 Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
-    if (pose.turns.size() != figure->bones.size())
-        return invalid_argument("the pose has " + std::to_string(pose.turns.size()) +
+    if (pose.rotations.size() != figure->bones.size())
+        return invalid_argument("the pose has " + std::to_string(pose.rotations.size()) +
                                 " turns; the figure has " + std::to_string(figure->bones.size()) +
                                 " bones");
     const auto is_turn = [](Quat q) { return std::abs(norm_squared(q) - 1) <= 0.01; };
-    for (std::size_t k = 0; k < pose.turns.size(); k++)
-        if (!is_turn(pose.turns[k]))
+    for (std::size_t k = 0; k < pose.rotations.size(); k++)
+        if (!is_turn(pose.rotations[k]))
             return invalid_argument("turns[" + std::to_string(k) + "] is not a unit quaternion");
     if (!is_finite(pose.root) || !is_turn(pose.root.rotation))
         return invalid_argument("root is not a finite position and a unit quaternion");
-    for (std::size_t k = 0; k < pose.turns.size(); k++)
-        figure->bones[k].wanted = normalized(pose.turns[k]);
+    for (std::size_t k = 0; k < pose.rotations.size(); k++)
+        figure->bones[k].target_rotation = normalized(pose.rotations[k]);
     figure->root = {pose.root.position, normalized(pose.root.rotation)};
     figure->pose_changed = true;
     return {};
@@ -192,7 +192,7 @@ Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
 Status Ragdolls::set_types(World& world, const Figure& figure, RagdollMode mode) {
     for (std::size_t k = 0; k < figure.bones.size(); k++) {
         const BodyId body = figure.bones[k].body;
-        const bool held = mode == RagdollMode::kinematic || (k == 0 && figure.root_held);
+        const bool held = mode == RagdollMode::kinematic || (k == 0 && figure.kinematic_root);
         const BodyType type = held ? BodyType::kinematic : BodyType::dynamic;
         const Result<BodyState> now = world.body(body);
         if (!now.ok()) return now.error();
@@ -216,18 +216,18 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
     const Result<RagdollPose> now = pose(world, id);
     if (!now.ok()) return now.error();
     // Bodies that nothing pushes have no joints between them.
-    const bool led = mode == RagdollMode::kinematic, was_led = figure->mode == mode && led;
-    if (led && !was_led) part(world, *figure);
+    const bool is_kinematic = mode == RagdollMode::kinematic, was_kinematic = figure->mode == mode && is_kinematic;
+    if (is_kinematic && !was_kinematic) destroy_joints(world, *figure);
     if (Status s = set_types(world, *figure, mode); !s.ok()) return s;
-    if (!led && figure->mode == RagdollMode::kinematic)
-        if (Status s = join(world, *figure); !s.ok()) return s;
+    if (!is_kinematic && figure->mode == RagdollMode::kinematic)
+        if (Status s = create_joints(world, *figure); !s.ok()) return s;
     figure->mode = mode;
     figure->blend = blend;
     figure->blend_elapsed = 0;
     figure->pose_changed = true;
-    figure->root_from = now->root;
-    for (std::size_t k = 0; k < figure->bones.size(); k++) figure->bones[k].from = now->turns[k];
-    for (Bone& bone : figure->bones) bone.before = blend > 0 ? bone.from : bone.wanted;
+    figure->blend_start_root = now->root;
+    for (std::size_t k = 0; k < figure->bones.size(); k++) figure->bones[k].blend_start_rotation = now->rotations[k];
+    for (Bone& bone : figure->bones) bone.previous_rotation = blend > 0 ? bone.blend_start_rotation : bone.target_rotation;
     return {};
 }
 
@@ -276,14 +276,14 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
         now.push_back(body->pose);
         if (bone.parent < 0) {
             pose.root = compose(body->pose, inverse(bone.rest));
-            pose.turns.push_back({});
+            pose.rotations.push_back({});
             continue;
         }
         const auto parent = static_cast<std::size_t>(bone.parent);
         const Transform a =
             compose(compose(now[parent], inverse(figure->bones[parent].rest)), bone.frame);
         const Transform b = compose(body->pose, bone.frame_b);
-        pose.turns.push_back(normalized(conjugate(a.rotation) * b.rotation));
+        pose.rotations.push_back(normalized(conjugate(a.rotation) * b.rotation));
     }
     return pose;
 }
@@ -319,18 +319,18 @@ void Ragdolls::after_step(World& world, double) {
 // Kinematic: to where the pose puts each bone at the end of the step.
 void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
-    const double part = blends ? figure.blend_elapsed / figure.blend : 1;
-    std::vector<Transform> places;
-    const Transform root = blends ? interpolate(figure.root_from, figure.root, part) : figure.root;
+    const double destroy_joints = blends ? figure.blend_elapsed / figure.blend : 1;
+    std::vector<Transform> poses;
+    const Transform root = blends ? interpolate(figure.blend_start_root, figure.root, destroy_joints) : figure.root;
     for (const Bone& bone : figure.bones) {
-        const Quat turn = blends ? interpolate(bone.from, bone.wanted, part) : bone.wanted;
-        places.push_back(bone.parent < 0
+        const Quat turn = blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints) : bone.target_rotation;
+        poses.push_back(bone.parent < 0
                              ? compose(root, bone.rest)
-                             : bone_pose(places[static_cast<std::size_t>(bone.parent)],
+                             : bone_pose(poses[static_cast<std::size_t>(bone.parent)],
                                       figure.bones[static_cast<std::size_t>(bone.parent)].rest,
                                       bone.frame, bone.rest, turn));
         if (figure.mode == RagdollMode::kinematic || bone.parent < 0)
-            static_cast<void>(world.move_to(bone.body, places.back(), dt).ok());
+            static_cast<void>(world.move_to(bone.body, poses.back(), dt).ok());
         if (figure.mode != RagdollMode::kinematic) return;  // the root alone is held
     }
 }
@@ -339,21 +339,21 @@ void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
 // the next step.
 void Ragdolls::drive_muscles(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
-    const double part = blends ? figure.blend_elapsed / figure.blend : 1;
+    const double destroy_joints = blends ? figure.blend_elapsed / figure.blend : 1;
     const int substeps = world.substeps();
     figure.pose_changed = false;
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
-        const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
-        const Quat turn = blends ? interpolate(bone.from, bone.wanted, part) : bone.wanted;
+        const double strength = figure.mode == RagdollMode::powered ? bone.strength * destroy_joints : 0;
+        const Quat turn = blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints) : bone.target_rotation;
         Quat target = turn;
-        if (bone.muscle.hertz > 0 && bone.before != turn) {
-            target = from_rotation_vector(angular_velocity_between(bone.before, turn, dt) *
+        if (bone.muscle.hertz > 0 && bone.previous_rotation != turn) {
+            target = from_rotation_vector(angular_velocity_between(bone.previous_rotation, turn, dt) *
                                           lead_time_of(bone.muscle, dt, substeps)) *
                      turn;
             figure.pose_changed = true;
         }
-        bone.before = turn;
+        bone.previous_rotation = turn;
         const JointKind kind = kind_of(bone, strength, normalized(target));
         static_cast<void>(world.set_joint(bone.joint, kind).ok());
     }
@@ -364,13 +364,13 @@ void Ragdolls::before_step(World& world, double dt) {
         if (!figure.alive) continue;
         release_if_incomplete(world, figure);
         if (!figure.alive) continue;
-        const bool led = figure.mode == RagdollMode::kinematic;
+        const bool is_kinematic = figure.mode == RagdollMode::kinematic;
         const bool changes = figure.pose_changed || figure.blend_elapsed < figure.blend;
         if (figure.blend_elapsed < figure.blend)
             figure.blend_elapsed = minimum(figure.blend, figure.blend_elapsed + dt);
-        if (led || (figure.root_held && (changes || figure.mode == RagdollMode::powered)))
+        if (is_kinematic || (figure.kinematic_root && (changes || figure.mode == RagdollMode::powered)))
             move_kinematic_bones(world, figure, dt);
-        if (led)
+        if (is_kinematic)
             figure.pose_changed = false;
         else if (changes)
             drive_muscles(world, figure, dt);

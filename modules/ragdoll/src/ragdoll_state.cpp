@@ -29,12 +29,12 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
     v.field("alive", figure.alive);
     v.field("generation", figure.generation);
     v.field("mode", figure.mode, RagdollMode::kinematic);
-    v.field("root_held", figure.root_held);
+    v.field("kinematic_root", figure.kinematic_root);
     v.field("moved", figure.pose_changed);
     bounded(v, "blend", figure.blend, 0, 60);
     bounded(v, "blended", figure.blend_elapsed, 0, 60);
     place(v, "root", figure.root);
-    place(v, "root_from", figure.root_from);
+    place(v, "blend_start_root", figure.blend_start_root);
     std::int32_t index = 0;
     v.all("bones", figure.bones, [&](Bone& bone) {
         v.field("body", bone.body);
@@ -44,12 +44,12 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
             (bone.parent < -1 || bone.parent >= index || (bone.parent == -1) != (index == 0)))
             v.fail("parent", "is no earlier bone");
         index++;
-        v.field("link", bone.link.kind, BoneJointKind::cone_twist);
-        v.field("limited", bone.link.limited);
-        bounded(v, "lower", bone.link.lower, -pi, pi);
-        bounded(v, "upper", bone.link.upper, -pi, pi);
-        bounded(v, "swing", bone.link.swing, 0, pi);
-        bounded(v, "friction", bone.link.friction, 0, 1e15);
+        v.field("link", bone.bone_joint.kind, BoneJointKind::cone_twist);
+        v.field("limited", bone.bone_joint.limited);
+        bounded(v, "lower", bone.bone_joint.lower, -pi, pi);
+        bounded(v, "upper", bone.bone_joint.upper, -pi, pi);
+        bounded(v, "swing", bone.bone_joint.swing, 0, pi);
+        bounded(v, "friction", bone.bone_joint.friction, 0, 1e15);
         place(v, "rest", bone.rest);
         place(v, "frame", bone.frame);
         place(v, "frame_b", bone.frame_b);
@@ -57,9 +57,9 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
         bounded(v, "damping_ratio", bone.muscle.damping_ratio, 0, 10);
         bounded(v, "max_torque", bone.muscle.max_torque, 0, 1e9);
         bounded(v, "strength", bone.strength, 0, 1);
-        rotation(v, "wanted", bone.wanted);
-        rotation(v, "before", bone.before);
-        rotation(v, "from", bone.from);
+        rotation(v, "wanted", bone.target_rotation);
+        rotation(v, "before", bone.previous_rotation);
+        rotation(v, "from", bone.blend_start_rotation);
     });
     if (v.loading() && figure.alive == figure.bones.empty())
         v.fail("bones", "are there when the figure is, and only then");

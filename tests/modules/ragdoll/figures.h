@@ -12,7 +12,7 @@ namespace jostle::modules {
 // Two boxes 0.4 m long, end to end along x: the first is held, the other hangs on its end by a
 // muscle. 8 kg each.
 inline RagdollDef arm(physics::JointKind joint, const Muscle& muscle) {
-    RagdollDef def{.root_held = true, .sleep_allowed = false};
+    RagdollDef def{.kinematic_root = true, .sleep_allowed = false};
     const physics::ShapeDef shape{.geometry = physics::Box{{0.2, 0.05, 0.05}}, .density = 2000};
     def.bones.push_back({.name = "upper", .shapes = {shape}});
     def.bones.push_back({.name = "lower",
@@ -41,7 +41,7 @@ struct Stage {
     void step(double hz = 60) { world.step(1 / hz).expect(); }
     // How the joint of a bone is turned about its frame's z axis.
     double angle(RagdollId id, std::size_t bone) const {
-        const physics::Quat q = ragdolls->pose(world, id)->turns[bone];
+        const physics::Quat q = ragdolls->pose(world, id)->rotations[bone];
         return 2 * physics::arc_tangent(q.z, q.w);
     }
     void floor() {

@@ -34,8 +34,8 @@ struct Show {
 void play(World& world, const Show& show, int from, int to) {
     auto& ragdolls = dynamic_cast<Ragdolls&>(*world.module("ragdoll"));
     for (int k = from; k < to; k++) {
-        RagdollPose pose{.root = {{0, 0, 1.5}, {}}, .turns = std::vector<Quat>(11)};
-        pose.turns[3] = from_axis_angle({0, 0, 1}, 0.5 * sin_cos(0.1 * k).sin);
+        RagdollPose pose{.root = {{0, 0, 1.5}, {}}, .rotations = std::vector<Quat>(11)};
+        pose.rotations[3] = from_axis_angle({0, 0, 1}, 0.5 * sin_cos(0.1 * k).sin);
         ragdolls.set_pose(show.powered, pose).expect();
         if (k == 60) ragdolls.set_mode(world, show.led, RagdollMode::limp, 0).expect();
         world.step(1.0 / 60).expect();

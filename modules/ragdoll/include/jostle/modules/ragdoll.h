@@ -46,7 +46,7 @@ struct RagdollBone {
 struct RagdollDef {
     std::vector<RagdollBone> bones = {};  // 1 to 256
     // The root does not fall: it is moved as the pose says, in every mode.
-    bool root_held = false;
+    bool kinematic_root = false;
     bool sleep_allowed = true;
 };
 
@@ -59,7 +59,7 @@ RagdollDef human_figure(double height = 1.8);
 // as at rest.
 struct RagdollPose {
     physics::Transform root = {};  // of the figure's frame in the world, as the root would have it
-    std::vector<physics::Quat> turns = {};  // by bone; the root's counts for nothing
+    std::vector<physics::Quat> rotations = {};  // by bone; the root's counts for nothing
 };
 
 enum class RagdollMode : std::uint8_t {
@@ -126,23 +126,23 @@ private:
     struct Bone {
         physics::BodyId body;
         physics::JointId joint;  // null: led, or the root
-        BoneJoint link;
+        BoneJoint bone_joint;
         std::int32_t parent = -1;
         physics::Transform rest;            // in the figure
         physics::Transform frame, frame_b;  // of the joint in the figure; in the bone
         Muscle muscle;
         double strength = 1;
-        physics::Quat wanted, before;  // turns of the joint: at the end of the coming step, now
-        physics::Quat from;            // where a blend began
+        physics::Quat target_rotation, previous_rotation;  // turns of the joint: at the end of the coming step, now
+        physics::Quat blend_start_rotation;            // where a blend began
     };
     struct Figure {
         bool alive = false;
         std::uint32_t generation = 0;
         RagdollMode mode = RagdollMode::limp;
-        bool root_held = false;
+        bool kinematic_root = false;
         bool pose_changed = false;                  // a new pose for the coming step
         double blend = 0, blend_elapsed = 0;       // s: of the whole, and so far
-        physics::Transform root, root_from;  // of the figure's frame
+        physics::Transform root, blend_start_root;  // of the figure's frame
         std::vector<Bone> bones;
     };
 
@@ -151,8 +151,8 @@ private:
     static physics::Error unknown(RagdollId id);
     static BoneJoint bone_joint_of(const physics::JointKind& kind);
     static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target);
-    static physics::Status join(physics::World& world, Figure& figure);
-    static void part(physics::World& world, Figure& figure);
+    static physics::Status create_joints(physics::World& world, Figure& figure);
+    static void destroy_joints(physics::World& world, Figure& figure);
     static void release_if_incomplete(physics::World& world, Figure& figure);
     static void release(physics::World& world, Figure& figure);
     static void move_kinematic_bones(physics::World& world, Figure& figure, double dt);

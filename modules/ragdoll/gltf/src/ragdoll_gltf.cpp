@@ -21,7 +21,7 @@ constexpr std::size_t bones_max = 256;
 struct Piece {
     std::size_t joint = 0;
     int parent = -1;
-    GltfBone wanted = {};
+    GltfBoneOptions wanted = {};
     Vec3 start = {}, end = {};  // of its axis
     std::vector<Vec3> points = {};
     std::vector<std::size_t> children = {};
@@ -35,7 +35,7 @@ bool is_within(double x, double low, double high) {
     return x >= low && x <= high;  // NaN is not
 }
 
-Status check_bone(const GltfBone& bone, const std::string& where) {
+Status check_bone(const GltfBoneOptions& bone, const std::string& where) {
     if (!is_finite(bone.axis) || !(length(bone.axis) > 1e-6))
         return invalid(where + ".axis is no direction");
     if (!is_within(bone.swing, 0, pi)) return invalid(where + ".swing must be from 0 to pi");
@@ -58,8 +58,8 @@ Status check(const GltfFigureOptions& options) {
     return {};
 }
 
-const GltfBone& wanted_of(const GltfFigureOptions& options, const std::string& name) {
-    for (const GltfBone& bone : options.bones)
+const GltfBoneOptions& wanted_of(const GltfFigureOptions& options, const std::string& name) {
+    for (const GltfBoneOptions& bone : options.bones)
         if (bone.name == name) return bone;
     return options.otherwise;
 }
@@ -89,7 +89,7 @@ private:
     Vec3 place_of(std::size_t joint) const { return joints_[joint].world.shift * options_.scale; }
 
     void add(std::size_t k, bool bears) {
-        const GltfBone& wanted = wanted_of(options_, joints_[k].name);
+        const GltfBoneOptions& wanted = wanted_of(options_, joints_[k].name);
         const int above =
             joints_[k].parent < 0
                 ? -1
@@ -183,7 +183,7 @@ RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
         {.geometry = Capsule{radius, maximum(0.5 * size - radius, 2e-4 + 1e-3 * radius)},
          .density = options.density});
     if (piece.parent < 0) return bone;
-    const GltfBone& wanted = piece.wanted;
+    const GltfBoneOptions& wanted = piece.wanted;
     bone.muscle = wanted.muscle;
     const JointLimit limit{true, wanted.lower, wanted.upper};
     Vec3 x = along, z = side;
@@ -228,7 +228,7 @@ Result<GltfFigure> figure_from_gltf(std::span<const std::byte> bytes,
     if (!file.ok()) return file.error();
     const Result<std::vector<SkeletonJoint>> joints = gltf::read_skeleton(*file, options.skin);
     if (!joints.ok()) return joints.error();
-    for (const GltfBone& bone : options.bones)
+    for (const GltfBoneOptions& bone : options.bones)
         if (std::none_of(joints->begin(), joints->end(),
                          [&](const SkeletonJoint& joint) { return joint.name == bone.name; }))
             return invalid("the skin has no joint \"" + bone.name + "\"");

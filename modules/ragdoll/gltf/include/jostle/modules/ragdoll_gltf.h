@@ -32,7 +32,7 @@ enum class GltfBoneKind : std::uint8_t {
 };
 
 // What the joint of a name becomes.
-struct GltfBone {
+struct GltfBoneOptions {
     std::string name = {};
     GltfBoneKind kind = GltfBoneKind::cone_twist;
     physics::Vec3 axis = {1, 0, 0};    // of a hinge, in the joint's own axes
@@ -46,8 +46,8 @@ struct GltfFigureOptions {
     double scale = 1;            // m of a unit of the file, 1e-4 to 1e4
     double density = 1000;       // kg/m^3
     double least_radius = 0.02;  // m, of a bone's capsule, after scaling
-    GltfBone otherwise = {};     // joints that are not named below
-    std::vector<GltfBone> bones = {};
+    GltfBoneOptions otherwise = {};     // joints that are not named below
+    std::vector<GltfBoneOptions> bones = {};
 };
 
 struct GltfFigure {

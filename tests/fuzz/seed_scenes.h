@@ -24,8 +24,8 @@ inline std::string plain_name(std::string name) {
 
 inline void add_body(v1::Scene& piece, const v1::Scene& whole, const std::string& name) {
     const std::string own = name.substr(0, name.find('['));
-    const auto has = [](const std::string& wanted) {
-        return [wanted](const v1::Body& body) { return body.name() == wanted; };
+    const auto has = [](const std::string& bone_options) {
+        return [bone_options](const v1::Body& body) { return body.name() == bone_options; };
     };
     if (std::ranges::any_of(piece.bodies(), has(plain_name(name)))) return;
     const auto at = std::ranges::find_if(whole.bodies(), has(own));

@@ -69,8 +69,8 @@ std::size_t width_of(std::string_view type) {
 }
 
 // A whole number from 0 on that a file may have; its absence counts as `otherwise`.
-Result<std::size_t> whole(const Place& place, std::size_t otherwise) {
-    if (!place.there()) return otherwise;
+Result<std::size_t> whole(const Place& place, std::size_t default_bone) {
+    if (!place.there()) return default_bone;
     if (!place.value->is_number_integer()) return place.wrong("is no whole number");
     const auto value = place.value->is_number_unsigned()
                            ? place.value->get<std::uint64_t>()

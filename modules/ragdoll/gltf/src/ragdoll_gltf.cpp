@@ -21,7 +21,7 @@ constexpr std::size_t bones_max = 256;
 struct Piece {
     std::size_t joint = 0;
     int parent = -1;
-    GltfBoneOptions wanted = {};
+    GltfBoneOptions bone_options = {};
     Vec3 start = {}, end = {};  // of its axis
     std::vector<Vec3> points = {};
     std::vector<std::size_t> children = {};
@@ -47,9 +47,9 @@ Status check(const GltfFigureOptions& options) {
     if (!is_within(options.scale, 1e-4, 1e4)) return invalid("scale must be from 1e-4 to 1e4 m");
     if (!is_within(options.density, 1e-6, 1e6))
         return invalid("density must be from 1e-6 to 1e6 kg/m^3");
-    if (!is_within(options.least_radius, 1e-4, 100))
-        return invalid("least_radius must be from 1e-4 to 100 m");
-    if (Status s = check_bone(options.otherwise, "otherwise"); !s.ok()) return s;
+    if (!is_within(options.min_radius, 1e-4, 100))
+        return invalid("min_radius must be from 1e-4 to 100 m");
+    if (Status s = check_bone(options.default_bone, "otherwise"); !s.ok()) return s;
     for (std::size_t k = 0; k < options.bones.size(); k++)
         if (Status s = check_bone(options.bones[k], "bones[" + std::to_string(k) + "] (" +
                                                         options.bones[k].name + ")");
@@ -58,10 +58,10 @@ Status check(const GltfFigureOptions& options) {
     return {};
 }
 
-const GltfBoneOptions& wanted_of(const GltfFigureOptions& options, const std::string& name) {
+const GltfBoneOptions& bone_options_for(const GltfFigureOptions& options, const std::string& name) {
     for (const GltfBoneOptions& bone : options.bones)
         if (bone.name == name) return bone;
-    return options.otherwise;
+    return options.default_bone;
 }
 
 // What is welded gives its points to the one above that is kept. So does the tip of a chain, a
@@ -89,17 +89,17 @@ private:
     Vec3 place_of(std::size_t joint) const { return joints_[joint].world.shift * options_.scale; }
 
     void add(std::size_t k, bool bears) {
-        const GltfBoneOptions& wanted = wanted_of(options_, joints_[k].name);
+        const GltfBoneOptions& bone_options = bone_options_for(options_, joints_[k].name);
         const int above =
             joints_[k].parent < 0
                 ? -1
                 : static_cast<int>(of_joint_[static_cast<std::size_t>(joints_[k].parent)]);
-        const bool kept = above < 0 || (bears && wanted.kind != GltfBoneKind::welded);
+        const bool kept = above < 0 || (bears && bone_options.kind != GltfBoneKind::welded);
         of_joint_[k] = kept ? pieces.size() : static_cast<std::size_t>(above);
         if (kept) {
             if (above >= 0)
                 pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
-            pieces.push_back({.joint = k, .parent = above, .wanted = wanted, .start = place_of(k)});
+            pieces.push_back({.joint = k, .parent = above, .bone_options = bone_options, .start = place_of(k)});
         } else {
             tips_.push_back({of_joint_[k], place_of(k)});
         }
@@ -122,7 +122,7 @@ private:
         for (const auto& [owner, tip] : tips_)
             if (owner == k && length(tip - piece.start) > length(piece.end - piece.start))
                 piece.end = tip;
-        if (length(piece.end - piece.start) >= options_.least_radius) return;
+        if (length(piece.end - piece.start) >= options_.min_radius) return;
         const Vec3 from =
             piece.parent < 0 ? piece.start : pieces[static_cast<std::size_t>(piece.parent)].start;
         const Vec3 way = piece.start - from;
@@ -174,7 +174,7 @@ RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
     const Vec3 way = piece.end - piece.start;
     const double size = length(way);
     const Vec3 along = size > 1e-9 ? way * (1 / size) : Vec3{0, 1, 0};
-    const double radius = radius_of(piece, along, size, options.least_radius);
+    const double radius = radius_of(piece, along, size, options.min_radius);
     RagdollBone bone{.name = joint.name, .parent = piece.parent};
     const Vec3 side = across(along, joint.world.linear.x);
     // A capsule lies along y.
@@ -183,17 +183,17 @@ RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
         {.geometry = Capsule{radius, maximum(0.5 * size - radius, 2e-4 + 1e-3 * radius)},
          .density = options.density});
     if (piece.parent < 0) return bone;
-    const GltfBoneOptions& wanted = piece.wanted;
-    bone.muscle = wanted.muscle;
-    const JointLimit limit{true, wanted.lower, wanted.upper};
+    const GltfBoneOptions& bone_options = piece.bone_options;
+    bone.muscle = bone_options.muscle;
+    const JointLimit limit{true, bone_options.lower, bone_options.upper};
     Vec3 x = along, z = side;
-    if (wanted.kind == GltfBoneKind::hinge) {
-        const Vec3 axis = joint.world.linear * wanted.axis;
+    if (bone_options.kind == GltfBoneKind::hinge) {
+        const Vec3 axis = joint.world.linear * bone_options.axis;
         z = length(axis) > 1e-12 ? axis * (1 / length(axis)) : side;
         x = across(z, along);
         bone.joint = HingeJoint{.limit = limit};
-    } else if (wanted.kind == GltfBoneKind::cone_twist) {
-        bone.joint = ConeTwistJoint{.swing = wanted.swing, .twist = limit};
+    } else if (bone_options.kind == GltfBoneKind::cone_twist) {
+        bone.joint = ConeTwistJoint{.swing = bone_options.swing, .twist = limit};
     }
     bone.frame = {piece.start, rotation_of({x, cross(z, x), z})};
     return bone;

@@ -95,7 +95,7 @@ TEST(RagdollGltf, options_say_what_a_joint_becomes) {
     GltfFigureOptions options = with_knees();
     options.bones.push_back({.name = "head", .kind = GltfBoneKind::welded});
     options.bones.push_back({.name = "spine", .kind = GltfBoneKind::ball});
-    options.otherwise.swing = 0.3;
+    options.default_bone.swing = 0.3;
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().gltf(), options).value();
     const std::vector<RagdollBone>& bones = figure.def.bones;
     ASSERT_EQ(bones.size(), 6u);

@@ -28,7 +28,7 @@ enum class GltfBoneKind : std::uint8_t {
     cone_twist,  // about the bone, within `swing` and `lower`..`upper`
     hinge,       // about `axis`, within `lower`..`upper`
     ball,
-    welded,  // no bone of its own: fingers, toes, twist joints. What hangs on it is its parent's
+    merged,  // no bone of its own: fingers, toes, twist joints. What hangs on it is its parent's
 };
 
 // What the joint of a name becomes.
@@ -45,8 +45,8 @@ struct GltfFigureOptions {
     std::size_t skin = 0;        // which of the file's
     double scale = 1;            // m of a unit of the file, 1e-4 to 1e4
     double density = 1000;       // kg/m^3
-    double least_radius = 0.02;  // m, of a bone's capsule, after scaling
-    GltfBoneOptions otherwise = {};     // joints that are not named below
+    double min_radius = 0.02;  // m, of a bone's capsule, after scaling
+    GltfBoneOptions default_bone = {};     // joints that are not named below
     std::vector<GltfBoneOptions> bones = {};
 };
 

@@ -69,7 +69,7 @@ std::size_t width_of(std::string_view type) {
 }
 
 // A whole number from 0 on that a file may have; its absence counts as `otherwise`.
-Result<std::size_t> whole(const Place& place, std::size_t default_bone) {
+Result<std::size_t> whole(const JsonNode& place, std::size_t default_bone) {
     if (!place.there()) return default_bone;
     if (!place.value->is_number_integer()) return place.wrong("is no whole number");
     const auto value = place.value->is_number_unsigned()
@@ -81,20 +81,20 @@ Result<std::size_t> whole(const Place& place, std::size_t default_bone) {
 
 }  // namespace
 
-Error Place::wrong(const std::string& what) const {
+Error JsonNode::wrong(const std::string& what) const {
     return corrupt((path.empty() ? "the file" : path) + " " + what);
 }
-Place Place::at(const char* name) const {
+JsonNode JsonNode::at(const char* name) const {
     const std::string below = path.empty() ? name : path + "." + name;
     if (value == nullptr || !value->is_object()) return {nullptr, below};
     const auto found = value->find(name);
     return {found == value->end() ? nullptr : &*found, below};
 }
-Place Place::at(std::size_t index) const {
+JsonNode JsonNode::at(std::size_t index) const {
     const std::string below = path + "[" + std::to_string(index) + "]";
     return {index < size() ? &(*value)[index] : nullptr, below};
 }
-std::size_t Place::size() const {
+std::size_t JsonNode::size() const {
     return value != nullptr && value->is_array() ? value->size() : 0;
 }
 
@@ -102,7 +102,7 @@ Result<File> File::open(std::span<const std::byte> bytes, const GltfBufferReader
     if (bytes.size() > file_bytes_max) return corrupt("the file has more than 64 MB");
     File file;
     if (Status s = file.open_container(bytes); !s.ok()) return s.error();
-    const Place version = file.root().at("asset").at("version");
+    const JsonNode version = file.root().at("asset").at("version");
     if (!version.there() || !version.value->is_string() ||
         !version.value->get_ref<const std::string&>().starts_with("2."))
         return version.wrong("is not \"2.0\": no glTF 2 file");
@@ -155,11 +155,11 @@ Status File::parse(std::span<const std::byte> text) {
 }
 
 Status File::load_buffers(const GltfBufferReader& outside) {
-    const Result<Place> list = array("buffers");
+    const Result<JsonNode> list = array("buffers");
     if (!list.ok()) return list.error();
     std::size_t total = 0;
     for (std::size_t k = 0; k < list->size(); k++) {
-        const Place buffer = list->at(k), uri = buffer.at("uri");
+        const JsonNode buffer = list->at(k), uri = buffer.at("uri");
         const Result<std::size_t> length = whole(buffer.at("byteLength"), 0);
         if (!length.ok()) return length.error();
         std::vector<std::byte> bytes;
@@ -191,15 +191,15 @@ Status File::load_buffers(const GltfBufferReader& outside) {
     return {};
 }
 
-Result<Place> File::array(const char* name) const {
-    const Place place = root().at(name);
+Result<JsonNode> File::array(const char* name) const {
+    const JsonNode place = root().at(name);
     if (place.there() && !place.value->is_array()) return place.wrong("is no array");
     if (place.size() > elements_max)
         return place.wrong("has more than " + std::to_string(elements_max) + " elements");
     return place;
 }
 
-Result<std::size_t> File::index(const Place& place, std::size_t count, const char* of_what) {
+Result<std::size_t> File::index(const JsonNode& place, std::size_t count, const char* of_what) {
     if (!place.there()) return place.wrong("is missing");
     const Result<std::size_t> value = whole(place, 0);
     if (!value.ok()) return value.error();
@@ -209,11 +209,11 @@ Result<std::size_t> File::index(const Place& place, std::size_t count, const cha
     return value;
 }
 
-Result<std::vector<double>> File::numbers(const Place& place, std::size_t count) {
+Result<std::vector<double>> File::numbers(const JsonNode& place, std::size_t count) {
     if (place.size() != count) return place.wrong("must be " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t k = 0; k < count; k++) {
-        const Place number = place.at(k);
+        const JsonNode number = place.at(k);
         if (!number.value->is_number()) return number.wrong("is no number");
         values.push_back(number.value->get<double>());
         if (!is_finite(values.back())) return number.wrong("is not finite");
@@ -221,15 +221,15 @@ Result<std::vector<double>> File::numbers(const Place& place, std::size_t count)
     return values;
 }
 
-Result<Numbers> File::accessor(const Place& which, const std::string& type) const {
-    const Result<Place> accessors = array("accessors"), views = array("bufferViews");
+Result<Numbers> File::accessor(const JsonNode& which, const std::string& type) const {
+    const Result<JsonNode> accessors = array("accessors"), views = array("bufferViews");
     if (!accessors.ok()) return accessors.error();
     if (!views.ok()) return views.error();
     const Result<std::size_t> found = index(which, accessors->size(), "accessors");
     if (!found.ok()) return found.error();
-    const Place a = accessors->at(*found);
+    const JsonNode a = accessors->at(*found);
     if (a.at("sparse").there()) return a.wrong("is sparse, which is not read");
-    const Place kind = a.at("type");
+    const JsonNode kind = a.at("type");
     if (!kind.there() || *kind.value != type) return kind.wrong("is not \"" + type + "\"");
     const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
                               count = whole(a.at("count"), 0),
@@ -243,7 +243,7 @@ Result<Numbers> File::accessor(const Place& which, const std::string& type) cons
 
     const Result<std::size_t> view_index = index(a.at("bufferView"), views->size(), "buffer views");
     if (!view_index.ok()) return view_index.error();
-    const Place view = views->at(*view_index);
+    const JsonNode view = views->at(*view_index);
     const Result<std::size_t> buffer = index(view.at("buffer"), buffers_.size(), "buffers");
     if (!buffer.ok()) return buffer.error();
     Numbers numbers{.width = width_of(type)};
@@ -261,7 +261,7 @@ Result<Numbers> File::accessor(const Place& which, const std::string& type) cons
     if (*count > 0 && *offset + (*count - 1) * *stride + element > *length)
         return a.wrong("ends behind the end of its buffer view");
 
-    const Place normalised = a.at("normalized");
+    const JsonNode normalised = a.at("normalized");
     const bool shares = normalised.there() && *normalised.value == true;
     numbers.values.reserve(*count * numbers.width);
     for (std::size_t k = 0; k < *count; k++)

@@ -19,14 +19,14 @@ inline constexpr std::size_t elements_max = 1u << 16;  // of an array of nodes, 
 inline constexpr std::size_t numbers_max = 1u << 22;   // of an accessor
 
 // A value of the JSON text and where it stands: "nodes[3].children".
-struct Place {
+struct JsonNode {
     const nlohmann::json* value = nullptr;
     std::string path = {};
 
     bool there() const { return value != nullptr; }
     physics::Error wrong(const std::string& what) const;
-    Place at(const char* name) const;   // of an object; not there if it lacks it
-    Place at(std::size_t index) const;  // of an array
+    JsonNode at(const char* name) const;   // of an object; not there if it lacks it
+    JsonNode at(std::size_t index) const;  // of an array
     std::size_t size() const;           // of an array; else 0
 };
 
@@ -44,16 +44,16 @@ public:
     static physics::Result<File> open(std::span<const std::byte> bytes,
                                       const GltfBufferReader& outside);
 
-    Place root() const { return {&json_, ""}; }
+    JsonNode root() const { return {&json_, ""}; }
     // An array of the root of at most elements_max; not there: empty.
-    physics::Result<Place> array(const char* name) const;
+    physics::Result<JsonNode> array(const char* name) const;
     // An index into an array of the root of so many.
-    static physics::Result<std::size_t> index(const Place& place, std::size_t count,
+    static physics::Result<std::size_t> index(const JsonNode& place, std::size_t count,
                                               const char* of_what);
-    static physics::Result<std::vector<double>> numbers(const Place& place, std::size_t count);
+    static physics::Result<std::vector<double>> numbers(const JsonNode& place, std::size_t count);
     // Of the type ("VEC3", "MAT4"), each finite; integers as they are, or as shares of their
     // largest when normalised.
-    physics::Result<Numbers> accessor(const Place& index, const std::string& type) const;
+    physics::Result<Numbers> accessor(const JsonNode& index, const std::string& type) const;
 
 private:
     physics::Status open_container(std::span<const std::byte> bytes);

@@ -31,8 +31,8 @@ Affine affine_of(const double* m) {
     return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
 }
 
-Result<Affine> local_of(const Place& node) {
-    if (const Place matrix = node.at("matrix"); matrix.there()) {
+Result<Affine> local_of(const JsonNode& node) {
+    if (const JsonNode matrix = node.at("matrix"); matrix.there()) {
         const Result<std::vector<double>> m = File::numbers(matrix, 16);
         if (!m.ok()) return m.error();
         return affine_of(m->data());
@@ -40,7 +40,7 @@ Result<Affine> local_of(const Place& node) {
     std::vector<double> shift{0, 0, 0}, turn{0, 0, 0, 1}, scale{1, 1, 1};
     for (const auto& [name, values] :
          {std::pair{"translation", &shift}, {"rotation", &turn}, {"scale", &scale}}) {
-        const Place place = node.at(name);
+        const JsonNode place = node.at(name);
         if (!place.there()) continue;
         Result<std::vector<double>> read = File::numbers(place, values->size());
         if (!read.ok()) return read.error();
@@ -55,14 +55,14 @@ Result<Affine> local_of(const Place& node) {
 
 // Each node is the child of one at most, and of none of those below it.
 Result<std::vector<Node>> read_nodes(const File& file) {
-    const Result<Place> list = file.array("nodes");
+    const Result<JsonNode> list = file.array("nodes");
     if (!list.ok()) return list.error();
     std::vector<Node> nodes(list->size());
     for (std::size_t k = 0; k < nodes.size(); k++) {
         const Result<Affine> local = local_of(list->at(k));
         if (!local.ok()) return local.error();
         nodes[k].local = *local;
-        const Place children = list->at(k).at("children");
+        const JsonNode children = list->at(k).at("children");
         for (std::size_t c = 0; c < children.size(); c++) {
             const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
             if (!child.ok()) return child.error();
@@ -90,8 +90,8 @@ Result<std::vector<Node>> read_nodes(const File& file) {
     return nodes;
 }
 
-std::string name_of(const Place& node, std::size_t index) {
-    const Place name = node.at("name");
+std::string name_of(const JsonNode& node, std::size_t index) {
+    const JsonNode name = node.at("name");
     if (name.there() && name.value->is_string())
         return name.value->get_ref<const std::string&>().substr(0, 200);
     return "node " + std::to_string(index);
@@ -100,13 +100,13 @@ std::string name_of(const Place& node, std::size_t index) {
 struct SkinReader {
     const File& file;
     const std::vector<Node>& nodes;
-    Place skin;
+    JsonNode skin;
     std::vector<std::size_t> joint_nodes;  // in the skin's order
     std::vector<SkeletonJoint> joints;     // parents first
     std::vector<std::size_t> place_of;     // by the skin's order
 
     Status read_joints() {
-        const Place list = skin.at("joints");
+        const JsonNode list = skin.at("joints");
         if (list.size() == 0 || list.size() > joints_max)
             return list.wrong("must be 1 to " + std::to_string(joints_max) + " nodes");
         std::vector<std::size_t> of_node(nodes.size(), nobody);
@@ -155,7 +155,7 @@ struct SkinReader {
     Result<std::vector<Affine>> binds() const {
         std::vector<Affine> result;
         for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
-        const Place place = skin.at("inverseBindMatrices");
+        const JsonNode place = skin.at("inverseBindMatrices");
         if (!place.there()) return result;
         const Result<Numbers> matrices = file.accessor(place, "MAT4");
         if (!matrices.ok()) return matrices.error();
@@ -170,16 +170,16 @@ struct SkinReader {
     Status read_points(std::size_t index) {
         const Result<std::vector<Affine>> to_scene = binds();
         if (!to_scene.ok()) return to_scene.error();
-        const Result<Place> meshes = file.array("meshes");
+        const Result<JsonNode> meshes = file.array("meshes");
         if (!meshes.ok()) return meshes.error();
         std::size_t points = 0, all = 0;
-        const Place list = file.root().at("nodes");
+        const JsonNode list = file.root().at("nodes");
         for (std::size_t k = 0; k < list.size(); k++) {
-            const Place of_skin = list.at(k).at("skin"), of_mesh = list.at(k).at("mesh");
+            const JsonNode of_skin = list.at(k).at("skin"), of_mesh = list.at(k).at("mesh");
             if (!of_skin.there() || !of_mesh.there() || *of_skin.value != index) continue;
             const Result<std::size_t> mesh = File::index(of_mesh, meshes->size(), "meshes");
             if (!mesh.ok()) return mesh.error();
-            const Place primitives = meshes->at(*mesh).at("primitives");
+            const JsonNode primitives = meshes->at(*mesh).at("primitives");
             all += primitives.size();
             if (all > elements_max)
                 return primitives.wrong("are too many: at most " + std::to_string(elements_max) +
@@ -192,9 +192,9 @@ struct SkinReader {
         return {};
     }
 
-    Status read_primitive(const Place& attributes, const std::vector<Affine>& to_scene,
+    Status read_primitive(const JsonNode& attributes, const std::vector<Affine>& to_scene,
                           std::size_t& points) {
-        const Place joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
+        const JsonNode joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
         if (!joints_at.there() || !weights_at.there()) return {};
         const Result<Numbers> position = file.accessor(attributes.at("POSITION"), "VEC3"),
                               joint = file.accessor(joints_at, "VEC4"),
@@ -231,7 +231,7 @@ Affine operator*(const Affine& a, const Affine& b) {
 }
 
 Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t skin) {
-    const Result<Place> skins = file.array("skins");
+    const Result<JsonNode> skins = file.array("skins");
     if (!skins.ok()) return skins.error();
     if (skin >= skins->size())
         return skins->wrong("has no [" + std::to_string(skin) + "]; there are " +

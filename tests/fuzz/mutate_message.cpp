@@ -164,12 +164,12 @@ void mutate(Message& message, Random& random) {
     const Reflection& r = *message.GetReflection();
     const auto& descriptor = *message.GetDescriptor();
     if (descriptor.field_count() == 0) return;
-    std::vector<const FieldDescriptor*> there;
-    r.ListFields(message, &there);
+    std::vector<const FieldDescriptor*> exists;
+    r.ListFields(message, &exists);
     // Mostly what is there already: messages would else grow without end.
     const FieldDescriptor* field =
-        !there.empty() && below(random, 4) != 0
-            ? there[below(random, static_cast<std::uint32_t>(there.size()))]
+        !exists.empty() && below(random, 4) != 0
+            ? exists[below(random, static_cast<std::uint32_t>(exists.size()))]
             : descriptor.field(static_cast<int>(
                   below(random, static_cast<std::uint32_t>(descriptor.field_count()))));
     if (below(random, 12) == 0) return r.ClearField(&message, field);

@@ -70,18 +70,18 @@ std::size_t width_of(std::string_view type) {
 
 // A whole number from 0 on that a file may have; its absence counts as `otherwise`.
 Result<std::size_t> whole(const JsonNode& place, std::size_t default_bone) {
-    if (!place.there()) return default_bone;
-    if (!place.value->is_number_integer()) return place.wrong("is no whole number");
+    if (!place.exists()) return default_bone;
+    if (!place.value->is_number_integer()) return place.make_error("is no whole number");
     const auto value = place.value->is_number_unsigned()
                            ? place.value->get<std::uint64_t>()
                            : static_cast<std::uint64_t>(place.value->get<std::int64_t>());
-    if (value > file_bytes_max) return place.wrong("is negative or above 64 million");
+    if (value > file_bytes_max) return place.make_error("is negative or above 64 million");
     return static_cast<std::size_t>(value);
 }
 
 }  // namespace
 
-Error JsonNode::wrong(const std::string& what) const {
+Error JsonNode::make_error(const std::string& what) const {
     return corrupt((path.empty() ? "the file" : path) + " " + what);
 }
 JsonNode JsonNode::at(const char* name) const {
@@ -103,9 +103,9 @@ Result<File> File::open(std::span<const std::byte> bytes, const GltfBufferReader
     File file;
     if (Status s = file.open_container(bytes); !s.ok()) return s.error();
     const JsonNode version = file.root().at("asset").at("version");
-    if (!version.there() || !version.value->is_string() ||
+    if (!version.exists() || !version.value->is_string() ||
         !version.value->get_ref<const std::string&>().starts_with("2."))
-        return version.wrong("is not \"2.0\": no glTF 2 file");
+        return version.make_error("is not \"2.0\": no glTF 2 file");
     if (Status s = file.load_buffers(outside); !s.ok()) return s.error();
     return file;
 }
@@ -163,28 +163,28 @@ Status File::load_buffers(const GltfBufferReader& outside) {
         const Result<std::size_t> length = whole(buffer.at("byteLength"), 0);
         if (!length.ok()) return length.error();
         std::vector<std::byte> bytes;
-        if (!uri.there()) {
-            if (k > 0 || !has_chunk_) return buffer.wrong("has no uri, and the file no such chunk");
+        if (!uri.exists()) {
+            if (k > 0 || !has_chunk_) return buffer.make_error("has no uri, and the file no such chunk");
             bytes = std::move(chunk_);
         } else if (!uri.value->is_string()) {
-            return uri.wrong("is no text");
+            return uri.make_error("is no text");
         } else if (const auto& text = uri.value->get_ref<const std::string&>();
                    text.starts_with("data:")) {
             const std::size_t comma = text.find(";base64,");
-            if (comma == std::string::npos) return uri.wrong("is a data URI, but not in base64");
+            if (comma == std::string::npos) return uri.make_error("is a data URI, but not in base64");
             auto decoded = from_base64(std::string_view(text).substr(comma + 8));
-            if (!decoded) return uri.wrong("is not base64");
+            if (!decoded) return uri.make_error("is not base64");
             bytes = std::move(*decoded);
         } else {
-            if (!outside) return uri.wrong("names a buffer outside, and nobody reads those here");
+            if (!outside) return uri.make_error("names a buffer outside, and nobody reads those here");
             Result<std::vector<std::byte>> read = outside(text);
-            if (!read.ok()) return uri.wrong("cannot be read: " + read.error().message);
+            if (!read.ok()) return uri.make_error("cannot be read: " + read.error().message);
             bytes = std::move(*read);
         }
         total += bytes.size();
-        if (total > file_bytes_max) return list->wrong("have more than 64 MB");
+        if (total > file_bytes_max) return list->make_error("have more than 64 MB");
         if (bytes.size() < *length)
-            return buffer.wrong("has " + std::to_string(bytes.size()) + " bytes and says " +
+            return buffer.make_error("has " + std::to_string(bytes.size()) + " bytes and says " +
                                 std::to_string(*length));
         buffers_.push_back(std::move(bytes));
     }
@@ -193,30 +193,30 @@ Status File::load_buffers(const GltfBufferReader& outside) {
 
 Result<JsonNode> File::array(const char* name) const {
     const JsonNode place = root().at(name);
-    if (place.there() && !place.value->is_array()) return place.wrong("is no array");
+    if (place.exists() && !place.value->is_array()) return place.make_error("is no array");
     if (place.size() > elements_max)
-        return place.wrong("has more than " + std::to_string(elements_max) + " elements");
+        return place.make_error("has more than " + std::to_string(elements_max) + " elements");
     return place;
 }
 
 Result<std::size_t> File::index(const JsonNode& place, std::size_t count, const char* of_what) {
-    if (!place.there()) return place.wrong("is missing");
+    if (!place.exists()) return place.make_error("is missing");
     const Result<std::size_t> value = whole(place, 0);
     if (!value.ok()) return value.error();
     if (*value >= count)
-        return place.wrong("is " + std::to_string(*value) + "; there are " + std::to_string(count) +
+        return place.make_error("is " + std::to_string(*value) + "; there are " + std::to_string(count) +
                            " " + of_what);
     return value;
 }
 
 Result<std::vector<double>> File::numbers(const JsonNode& place, std::size_t count) {
-    if (place.size() != count) return place.wrong("must be " + std::to_string(count) + " numbers");
+    if (place.size() != count) return place.make_error("must be " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t k = 0; k < count; k++) {
         const JsonNode number = place.at(k);
-        if (!number.value->is_number()) return number.wrong("is no number");
+        if (!number.value->is_number()) return number.make_error("is no number");
         values.push_back(number.value->get<double>());
-        if (!is_finite(values.back())) return number.wrong("is not finite");
+        if (!is_finite(values.back())) return number.make_error("is not finite");
     }
     return values;
 }
@@ -228,18 +228,18 @@ Result<Numbers> File::accessor(const JsonNode& which, const std::string& type) c
     const Result<std::size_t> found = index(which, accessors->size(), "accessors");
     if (!found.ok()) return found.error();
     const JsonNode a = accessors->at(*found);
-    if (a.at("sparse").there()) return a.wrong("is sparse, which is not read");
+    if (a.at("sparse").exists()) return a.make_error("is sparse, which is not read");
     const JsonNode kind = a.at("type");
-    if (!kind.there() || *kind.value != type) return kind.wrong("is not \"" + type + "\"");
+    if (!kind.exists() || *kind.value != type) return kind.make_error("is not \"" + type + "\"");
     const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
                               count = whole(a.at("count"), 0),
                               offset = whole(a.at("byteOffset"), 0);
     for (const auto* value : {&component_type, &count, &offset})
         if (!value->ok()) return value->error();
     if (*count > numbers_max / width_of(type))
-        return a.at("count").wrong("is more than " + std::to_string(numbers_max / width_of(type)));
+        return a.at("count").make_error("is more than " + std::to_string(numbers_max / width_of(type)));
     const Component component = component_of(*component_type);
-    if (component.read == nullptr) return a.at("componentType").wrong("is none of glTF's");
+    if (component.read == nullptr) return a.at("componentType").make_error("is none of glTF's");
 
     const Result<std::size_t> view_index = index(a.at("bufferView"), views->size(), "buffer views");
     if (!view_index.ok()) return view_index.error();
@@ -255,20 +255,20 @@ Result<Numbers> File::accessor(const JsonNode& which, const std::string& type) c
         if (!value->ok()) return value->error();
     const std::vector<std::byte>& bytes = buffers_[*buffer];
     if (*begin > bytes.size() || *length > bytes.size() - *begin)
-        return view.wrong("ends behind the end of its buffer");
-    if (*stride < element) return view.at("byteStride").wrong("is less than an element has");
+        return view.make_error("ends behind the end of its buffer");
+    if (*stride < element) return view.at("byteStride").make_error("is less than an element has");
     // Each is at most 64 million: no product overflows.
     if (*count > 0 && *offset + (*count - 1) * *stride + element > *length)
-        return a.wrong("ends behind the end of its buffer view");
+        return a.make_error("ends behind the end of its buffer view");
 
     const JsonNode normalised = a.at("normalized");
-    const bool shares = normalised.there() && *normalised.value == true;
+    const bool shares = normalised.exists() && *normalised.value == true;
     numbers.values.reserve(*count * numbers.width);
     for (std::size_t k = 0; k < *count; k++)
         for (std::size_t i = 0; i < numbers.width; i++) {
             const double value =
                 component.read(bytes.data() + *begin + *offset + k * *stride + i * component.bytes);
-            if (!is_finite(value)) return a.wrong("has a number that is not finite");
+            if (!is_finite(value)) return a.make_error("has a number that is not finite");
             numbers.values.push_back(shares ? value / component.largest : value);
         }
     return numbers;

@@ -23,8 +23,8 @@ struct JsonNode {
     const nlohmann::json* value = nullptr;
     std::string path = {};
 
-    bool there() const { return value != nullptr; }
-    physics::Error wrong(const std::string& what) const;
+    bool exists() const { return value != nullptr; }
+    physics::Error make_error(const std::string& what) const;
     JsonNode at(const char* name) const;   // of an object; not there if it lacks it
     JsonNode at(std::size_t index) const;  // of an array
     std::size_t size() const;           // of an array; else 0

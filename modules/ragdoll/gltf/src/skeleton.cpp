@@ -32,7 +32,7 @@ Affine affine_of(const double* m) {
 }
 
 Result<Affine> local_of(const JsonNode& node) {
-    if (const JsonNode matrix = node.at("matrix"); matrix.there()) {
+    if (const JsonNode matrix = node.at("matrix"); matrix.exists()) {
         const Result<std::vector<double>> m = File::numbers(matrix, 16);
         if (!m.ok()) return m.error();
         return affine_of(m->data());
@@ -41,14 +41,14 @@ Result<Affine> local_of(const JsonNode& node) {
     for (const auto& [name, values] :
          {std::pair{"translation", &shift}, {"rotation", &turn}, {"scale", &scale}}) {
         const JsonNode place = node.at(name);
-        if (!place.there()) continue;
+        if (!place.exists()) continue;
         Result<std::vector<double>> read = File::numbers(place, values->size());
         if (!read.ok()) return read.error();
         *values = *read;
     }
     const Quat q{turn[0], turn[1], turn[2], turn[3]};
     if (!(norm_squared(q) > 0.9 && norm_squared(q) < 1.1))
-        return node.at("rotation").wrong("is no unit quaternion");
+        return node.at("rotation").make_error("is no unit quaternion");
     const Mat3 m = to_matrix(normalized(q));
     return Affine{{m.x * scale[0], m.y * scale[1], m.z * scale[2]}, {shift[0], shift[1], shift[2]}};
 }
@@ -67,7 +67,7 @@ Result<std::vector<Node>> read_nodes(const File& file) {
             const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
             if (!child.ok()) return child.error();
             if (nodes[*child].parent != nobody)
-                return children.at(c).wrong("is a child of nodes[" +
+                return children.at(c).make_error("is a child of nodes[" +
                                             std::to_string(nodes[*child].parent) + "] already");
             nodes[*child].parent = k;
         }
@@ -77,13 +77,13 @@ Result<std::vector<Node>> read_nodes(const File& file) {
         way.clear();
         for (std::size_t at = k; at != nobody && !nodes[at].placed; at = nodes[at].parent) {
             way.push_back(at);
-            if (way.size() > nodes.size()) return list->at(k).wrong("is below itself");
+            if (way.size() > nodes.size()) return list->at(k).make_error("is below itself");
         }
         for (; !way.empty(); way.pop_back()) {
             Node& node = nodes[way.back()];
             node.world = node.parent == nobody ? node.local : nodes[node.parent].world * node.local;
             if (!is_near(node.world))
-                return list->at(way.back()).wrong("stands further away than 1e9");
+                return list->at(way.back()).make_error("stands further away than 1e9");
             node.placed = true;
         }
     }
@@ -92,7 +92,7 @@ Result<std::vector<Node>> read_nodes(const File& file) {
 
 std::string name_of(const JsonNode& node, std::size_t index) {
     const JsonNode name = node.at("name");
-    if (name.there() && name.value->is_string())
+    if (name.exists() && name.value->is_string())
         return name.value->get_ref<const std::string&>().substr(0, 200);
     return "node " + std::to_string(index);
 }
@@ -108,12 +108,12 @@ struct SkinReader {
     Status read_joints() {
         const JsonNode list = skin.at("joints");
         if (list.size() == 0 || list.size() > joints_max)
-            return list.wrong("must be 1 to " + std::to_string(joints_max) + " nodes");
+            return list.make_error("must be 1 to " + std::to_string(joints_max) + " nodes");
         std::vector<std::size_t> of_node(nodes.size(), nobody);
         for (std::size_t k = 0; k < list.size(); k++) {
             const Result<std::size_t> node = File::index(list.at(k), nodes.size(), "nodes");
             if (!node.ok()) return node.error();
-            if (of_node[*node] != nobody) return list.at(k).wrong("is there twice");
+            if (of_node[*node] != nobody) return list.at(k).make_error("is there twice");
             of_node[*node] = k;
             joint_nodes.push_back(*node);
         }
@@ -134,7 +134,7 @@ struct SkinReader {
         for (std::size_t k = 0; k < parents.size(); k++)
             (parents[k] == nobody ? order : children[parents[k]]).push_back(k);
         if (order.size() != 1)
-            return skin.at("joints").wrong("have " + std::to_string(order.size()) +
+            return skin.at("joints").make_error("have " + std::to_string(order.size()) +
                                            " roots; a figure has one");
         for (std::size_t k = 0; k < order.size(); k++)
             order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
@@ -156,11 +156,11 @@ struct SkinReader {
         std::vector<Affine> result;
         for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
         const JsonNode place = skin.at("inverseBindMatrices");
-        if (!place.there()) return result;
+        if (!place.exists()) return result;
         const Result<Numbers> matrices = file.accessor(place, "MAT4");
         if (!matrices.ok()) return matrices.error();
         if (matrices->count() < result.size())
-            return place.wrong("has " + std::to_string(matrices->count()) + " matrices for " +
+            return place.make_error("has " + std::to_string(matrices->count()) + " matrices for " +
                                std::to_string(result.size()) + " joints");
         for (std::size_t k = 0; k < result.size(); k++)
             result[k] = result[k] * affine_of((*matrices)[k]);
@@ -176,13 +176,13 @@ struct SkinReader {
         const JsonNode list = file.root().at("nodes");
         for (std::size_t k = 0; k < list.size(); k++) {
             const JsonNode of_skin = list.at(k).at("skin"), of_mesh = list.at(k).at("mesh");
-            if (!of_skin.there() || !of_mesh.there() || *of_skin.value != index) continue;
+            if (!of_skin.exists() || !of_mesh.exists() || *of_skin.value != index) continue;
             const Result<std::size_t> mesh = File::index(of_mesh, meshes->size(), "meshes");
             if (!mesh.ok()) return mesh.error();
             const JsonNode primitives = meshes->at(*mesh).at("primitives");
             all += primitives.size();
             if (all > elements_max)
-                return primitives.wrong("are too many: at most " + std::to_string(elements_max) +
+                return primitives.make_error("are too many: at most " + std::to_string(elements_max) +
                                         " of all meshes of a skin");
             for (std::size_t p = 0; p < primitives.size(); p++)
                 if (Status s = read_primitive(primitives.at(p).at("attributes"), *to_scene, points);
@@ -195,27 +195,27 @@ struct SkinReader {
     Status read_primitive(const JsonNode& attributes, const std::vector<Affine>& to_scene,
                           std::size_t& points) {
         const JsonNode joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
-        if (!joints_at.there() || !weights_at.there()) return {};
+        if (!joints_at.exists() || !weights_at.exists()) return {};
         const Result<Numbers> position = file.accessor(attributes.at("POSITION"), "VEC3"),
                               joint = file.accessor(joints_at, "VEC4"),
                               weight = file.accessor(weights_at, "VEC4");
         for (const auto* numbers : {&position, &joint, &weight})
             if (!numbers->ok()) return numbers->error();
         if (joint->count() != position->count() || weight->count() != position->count())
-            return attributes.wrong("has attributes of different counts");
+            return attributes.make_error("has attributes of different counts");
         points += position->count();
         if (points > points_max)
-            return attributes.wrong("has more points than " + std::to_string(points_max));
+            return attributes.make_error("has more points than " + std::to_string(points_max));
         for (std::size_t k = 0; k < position->count(); k++) {
             const double *const w = (*weight)[k], *const j = (*joint)[k], *const x = (*position)[k];
             const auto most = static_cast<std::size_t>(std::max_element(w, w + 4) - w);
             if (!(j[most] >= 0 && j[most] < static_cast<double>(to_scene.size())))
-                return joints_at.wrong("names a joint that the skin has not");
+                return joints_at.make_error("names a joint that the skin has not");
             const auto at = static_cast<std::size_t>(j[most]);
-            const Vec3 there = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
-            if (!(length(there) < farthest))
-                return attributes.at("POSITION").wrong("stands further away than 1e9");
-            joints[place_of[at]].points.push_back(there);
+            const Vec3 exists = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
+            if (!(length(exists) < farthest))
+                return attributes.at("POSITION").make_error("stands further away than 1e9");
+            joints[place_of[at]].points.push_back(exists);
         }
         return {};
     }
@@ -234,7 +234,7 @@ Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t s
     const Result<JsonNode> skins = file.array("skins");
     if (!skins.ok()) return skins.error();
     if (skin >= skins->size())
-        return skins->wrong("has no [" + std::to_string(skin) + "]; there are " +
+        return skins->make_error("has no [" + std::to_string(skin) + "]; there are " +
                             std::to_string(skins->size()));
     const Result<std::vector<Node>> nodes = read_nodes(file);
     if (!nodes.ok()) return nodes.error();

@@ -221,7 +221,7 @@ Result<std::vector<double>> File::numbers(const JsonNode& place, std::size_t cou
     return values;
 }
 
-Result<Numbers> File::accessor(const JsonNode& which, const std::string& type) const {
+Result<AccessorData> File::accessor(const JsonNode& which, const std::string& type) const {
     const Result<JsonNode> accessors = array("accessors"), views = array("bufferViews");
     if (!accessors.ok()) return accessors.error();
     if (!views.ok()) return views.error();
@@ -246,7 +246,7 @@ Result<Numbers> File::accessor(const JsonNode& which, const std::string& type) c
     const JsonNode view = views->at(*view_index);
     const Result<std::size_t> buffer = index(view.at("buffer"), buffers_.size(), "buffers");
     if (!buffer.ok()) return buffer.error();
-    Numbers numbers{.width = width_of(type)};
+    AccessorData numbers{.width = width_of(type)};
     const std::size_t element = numbers.width * component.bytes;
     const Result<std::size_t> begin = whole(view.at("byteOffset"), 0),
                               length = whole(view.at("byteLength"), 0),

@@ -31,7 +31,7 @@ struct JsonNode {
 };
 
 // What an accessor holds, as doubles: `width` for each element.
-struct Numbers {
+struct AccessorData {
     std::size_t width = 0;
     std::vector<double> values;
 
@@ -53,7 +53,7 @@ public:
     static physics::Result<std::vector<double>> numbers(const JsonNode& place, std::size_t count);
     // Of the type ("VEC3", "MAT4"), each finite; integers as they are, or as shares of their
     // largest when normalised.
-    physics::Result<Numbers> accessor(const JsonNode& index, const std::string& type) const;
+    physics::Result<AccessorData> accessor(const JsonNode& index, const std::string& type) const;
 
 private:
     physics::Status open_container(std::span<const std::byte> bytes);

@@ -157,7 +157,7 @@ struct SkinReader {
         for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
         const JsonNode place = skin.at("inverseBindMatrices");
         if (!place.exists()) return result;
-        const Result<Numbers> matrices = file.accessor(place, "MAT4");
+        const Result<AccessorData> matrices = file.accessor(place, "MAT4");
         if (!matrices.ok()) return matrices.error();
         if (matrices->count() < result.size())
             return place.make_error("has " + std::to_string(matrices->count()) + " matrices for " +
@@ -196,7 +196,7 @@ struct SkinReader {
                           std::size_t& points) {
         const JsonNode joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
         if (!joints_at.exists() || !weights_at.exists()) return {};
-        const Result<Numbers> position = file.accessor(attributes.at("POSITION"), "VEC3"),
+        const Result<AccessorData> position = file.accessor(attributes.at("POSITION"), "VEC3"),
                               joint = file.accessor(joints_at, "VEC4"),
                               weight = file.accessor(weights_at, "VEC4");
         for (const auto* numbers : {&position, &joint, &weight})

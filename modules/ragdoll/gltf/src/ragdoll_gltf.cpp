@@ -66,9 +66,9 @@ const GltfBoneOptions& bone_options_for(const GltfFigureOptions& options, const 
 
 // What is welded gives its points to the one above that is kept. So does the tip of a chain, a
 // joint on which nothing hangs: it says where its parent ends.
-class Pieces {
+class BoneBuilder {
 public:
-    Pieces(const std::vector<SkeletonJoint>& joints, const GltfFigureOptions& options)
+    BoneBuilder(const std::vector<SkeletonJoint>& joints, const GltfFigureOptions& options)
         : joints_(joints), options_(options), of_joint_(joints.size()) {
         std::vector<bool> bears(joints.size());
         for (std::size_t k = joints.size(); k-- > 0;) {
@@ -232,7 +232,7 @@ Result<GltfFigure> figure_from_gltf(std::span<const std::byte> bytes,
         if (std::none_of(joints->begin(), joints->end(),
                          [&](const SkeletonJoint& joint) { return joint.name == bone.name; }))
             return invalid("the skin has no joint \"" + bone.name + "\"");
-    const Pieces found(*joints, options);
+    const BoneBuilder found(*joints, options);
     if (found.pieces.size() > bones_max)
         return invalid("the skin has " + std::to_string(found.pieces.size()) +
                        " joints with something on them; a figure has at most " +

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t bones_max = 256;
 
 // A kept joint while it becomes a bone; in metres.
-struct Piece {
+struct BoneSegment {
     std::size_t joint = 0;
     int parent = -1;
     GltfBoneOptions bone_options = {};
@@ -83,7 +83,7 @@ public:
         for (std::size_t k = 0; k < pieces.size(); k++) find_end(k);
     }
 
-    std::vector<Piece> pieces;
+    std::vector<BoneSegment> pieces;
 
 private:
     Vec3 place_of(std::size_t joint) const { return joints_[joint].world.shift * options_.scale; }
@@ -110,7 +110,7 @@ private:
     // To the child on which most hangs; without one to its tip, or as far as its points go along
     // the way that leads to it.
     void find_end(std::size_t k) {
-        Piece& piece = pieces[k];
+        BoneSegment& piece = pieces[k];
         if (!piece.children.empty()) {
             std::size_t most = piece.children.front();
             for (const std::size_t child : piece.children)
@@ -158,7 +158,7 @@ Quat rotation_of(const Mat3& m) {
 }
 
 // The mean distance of its points from its axis, at most what makes it a ball.
-double radius_of(const Piece& piece, Vec3 along, double size, double least) {
+double radius_of(const BoneSegment& piece, Vec3 along, double size, double least) {
     double sum = 0;
     for (const Vec3 point : piece.points) {
         const Vec3 arm = point - piece.start;
@@ -169,7 +169,7 @@ double radius_of(const Piece& piece, Vec3 along, double size, double least) {
     return maximum(least, minimum(mean, maximum(0.5 * size, least)));
 }
 
-RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
+RagdollBone bone_of(const BoneSegment& piece, const SkeletonJoint& joint,
                     const GltfFigureOptions& options) {
     const Vec3 way = piece.end - piece.start;
     const double size = length(way);
@@ -238,7 +238,7 @@ Result<GltfFigure> figure_from_gltf(std::span<const std::byte> bytes,
                        " joints with something on them; a figure has at most " +
                        std::to_string(bones_max) + ": weld some");
     GltfFigure figure;
-    for (const Piece& piece : found.pieces) {
+    for (const BoneSegment& piece : found.pieces) {
         const SkeletonJoint& joint = (*joints)[piece.joint];
         figure.def.bones.push_back(bone_of(piece, joint, options));
         figure.nodes.push_back(joint.node);

@@ -11,18 +11,18 @@ using namespace physics;
 
 namespace {
 
-constexpr std::size_t nobody = static_cast<std::size_t>(-1);
-constexpr double farthest = 1e9;  // units: what is further away is no figure's
+constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
+constexpr double coordinate_max = 1e9;  // units: what is further away is no figure's
 
 struct Node {
-    std::size_t parent = nobody;
+    std::size_t parent = no_joint;
     Affine local, world;
     bool placed = false;
 };
 
 bool is_near(const Affine& m) {
     for (const Vec3 v : {m.linear.x, m.linear.y, m.linear.z, m.shift})
-        if (!(length(v) < farthest)) return false;
+        if (!(length(v) < coordinate_max)) return false;
     return true;
 }
 
@@ -66,7 +66,7 @@ Result<std::vector<Node>> read_nodes(const File& file) {
         for (std::size_t c = 0; c < children.size(); c++) {
             const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
             if (!child.ok()) return child.error();
-            if (nodes[*child].parent != nobody)
+            if (nodes[*child].parent != no_joint)
                 return children.at(c).make_error("is a child of nodes[" +
                                             std::to_string(nodes[*child].parent) + "] already");
             nodes[*child].parent = k;
@@ -75,13 +75,13 @@ Result<std::vector<Node>> read_nodes(const File& file) {
     std::vector<std::size_t> way;
     for (std::size_t k = 0; k < nodes.size(); k++) {
         way.clear();
-        for (std::size_t at = k; at != nobody && !nodes[at].placed; at = nodes[at].parent) {
+        for (std::size_t at = k; at != no_joint && !nodes[at].placed; at = nodes[at].parent) {
             way.push_back(at);
             if (way.size() > nodes.size()) return list->at(k).make_error("is below itself");
         }
         for (; !way.empty(); way.pop_back()) {
             Node& node = nodes[way.back()];
-            node.world = node.parent == nobody ? node.local : nodes[node.parent].world * node.local;
+            node.world = node.parent == no_joint ? node.local : nodes[node.parent].world * node.local;
             if (!is_near(node.world))
                 return list->at(way.back()).make_error("stands further away than 1e9");
             node.placed = true;
@@ -109,30 +109,30 @@ struct SkinReader {
         const JsonNode list = skin.at("joints");
         if (list.size() == 0 || list.size() > joints_max)
             return list.make_error("must be 1 to " + std::to_string(joints_max) + " nodes");
-        std::vector<std::size_t> of_node(nodes.size(), nobody);
+        std::vector<std::size_t> of_node(nodes.size(), no_joint);
         for (std::size_t k = 0; k < list.size(); k++) {
             const Result<std::size_t> node = File::index(list.at(k), nodes.size(), "nodes");
             if (!node.ok()) return node.error();
-            if (of_node[*node] != nobody) return list.at(k).make_error("is there twice");
+            if (of_node[*node] != no_joint) return list.at(k).make_error("is there twice");
             of_node[*node] = k;
             joint_nodes.push_back(*node);
         }
         std::vector<std::size_t> parents;
         for (const std::size_t node : joint_nodes) {
             std::size_t above = nodes[node].parent;
-            while (above != nobody && of_node[above] == nobody) above = nodes[above].parent;
-            parents.push_back(above == nobody ? nobody : of_node[above]);
+            while (above != no_joint && of_node[above] == no_joint) above = nodes[above].parent;
+            parents.push_back(above == no_joint ? no_joint : of_node[above]);
         }
         return sort(parents);
     }
 
     // Level by level, each in the skin's order.
     Status sort(const std::vector<std::size_t>& parents) {
-        place_of.assign(parents.size(), nobody);
+        place_of.assign(parents.size(), no_joint);
         std::vector<std::vector<std::size_t>> children(parents.size());
         std::vector<std::size_t> order;
         for (std::size_t k = 0; k < parents.size(); k++)
-            (parents[k] == nobody ? order : children[parents[k]]).push_back(k);
+            (parents[k] == no_joint ? order : children[parents[k]]).push_back(k);
         if (order.size() != 1)
             return skin.at("joints").make_error("have " + std::to_string(order.size()) +
                                            " roots; a figure has one");
@@ -144,7 +144,7 @@ struct SkinReader {
             joints.push_back(
                 {.node = node,
                  .name = name_of(file.root().at("nodes").at(node), node),
-                 .parent = parents[k] == nobody ? -1 : static_cast<int>(place_of[parents[k]]),
+                 .parent = parents[k] == no_joint ? -1 : static_cast<int>(place_of[parents[k]]),
                  .world = nodes[node].world});
         }
         return {};
@@ -213,7 +213,7 @@ struct SkinReader {
                 return joints_at.make_error("names a joint that the skin has not");
             const auto at = static_cast<std::size_t>(j[most]);
             const Vec3 exists = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
-            if (!(length(exists) < farthest))
+            if (!(length(exists) < coordinate_max))
                 return attributes.at("POSITION").make_error("stands further away than 1e9");
             joints[place_of[at]].points.push_back(exists);
         }

@@ -132,7 +132,7 @@ bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first
 void check_couplings(const VehicleDef& def, Check& check) {
     check.number("couplings", static_cast<double>(def.couplings.size()), 0, couplings_max);
     for (std::size_t k = 0; k < def.couplings.size(); k++) {
-        const Coupling& coupling = def.couplings[k];
+        const DifferentialLock& coupling = def.couplings[k];
         check.enter("couplings", k);
         if (!check_groups(def, coupling.first, coupling.second, check)) return;
         check.number("kind", static_cast<double>(coupling.kind), 0, 1);

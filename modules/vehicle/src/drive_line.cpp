@@ -108,7 +108,7 @@ double add_group(const Car& car, const std::vector<std::uint32_t>& group, double
 
 void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
     const double drive = absolute(car.clutch_torque * ratio_now(car));
-    for (const Coupling& coupling : car.def.couplings) {
+    for (const DifferentialLock& coupling : car.def.couplings) {
         Link& link = links.of[links.count++];
         link.size = 0;
         const double inertia =

@@ -11,7 +11,7 @@
 namespace jostle::test {
 namespace {
 
-using modules::Coupling;
+using modules::DifferentialLock;
 using modules::CouplingKind;
 
 // The push of the left and right rear wheel, the left one on ice, and how they spin.
@@ -19,7 +19,7 @@ struct Split {
     double left, right, spin_left, spin_right;
     double spun_up;  // N: what the inertia of the wheel on ice takes more than the other's
 };
-Split on_split_ground(std::optional<Coupling> coupling) {
+Split on_split_ground(std::optional<DifferentialLock> coupling) {
     TestCar of({.substeps = 2});
     VehicleDef def = plain_saloon(of.chassis);
     def.wheels[2].tyre.friction = 0.01;  // 0.1 with the ground's 1
@@ -53,7 +53,7 @@ TEST(Differential, an_open_one_gives_both_wheels_what_the_worse_one_bears) {
 }
 
 TEST(Differential, limited_slip_adds_what_its_friction_bears) {
-    const Coupling lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
+    const DifferentialLock lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
     const Split split = on_split_ground(lock);
     EXPECT_GT(split.spin_left, 1.2 * split.spin_right);
     // Each side gets half of the torque, the faster one less the lock's, the slower one more.
@@ -65,7 +65,7 @@ TEST(Differential, limited_slip_adds_what_its_friction_bears) {
 
 TEST(Differential, a_locked_one_turns_both_wheels_alike) {
     const Split split =
-        on_split_ground(Coupling{.first = {2}, .second = {3}, .kind = CouplingKind::locked});
+        on_split_ground(DifferentialLock{.first = {2}, .second = {3}, .kind = CouplingKind::locked});
     EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
     EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
 }

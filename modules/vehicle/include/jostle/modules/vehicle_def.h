@@ -95,7 +95,7 @@ enum class CouplingKind : std::uint8_t {
     limited_slip,  // by at most preload + ratio * |torque of the gearbox|
     locked,        // at any torque
 };
-struct Coupling {
+struct DifferentialLock {
     std::vector<std::uint32_t> first = {}, second = {};  // wheels, at least one each
     CouplingKind kind = CouplingKind::limited_slip;
     double preload = 50;  // N m, 0 to 1e7
@@ -159,7 +159,7 @@ struct VehicleDef {
     BodyId chassis = {};  // a dynamic body
     std::vector<Wheel> wheels = {};
     std::vector<AntiRollBar> anti_roll_bars = {};
-    std::vector<Coupling> couplings = {};
+    std::vector<DifferentialLock> couplings = {};
     SteeringDrive steering_drive = {};
     Engine engine = {};
     Gearbox gearbox = {};

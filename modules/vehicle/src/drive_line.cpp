@@ -113,7 +113,7 @@ void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
         link.size = 0;
         const double inertia =
             add_group(car, coupling.first, 1, link) + add_group(car, coupling.second, -1, link);
-        const bool locked = coupling.kind == CouplingKind::locked;
+        const bool locked = coupling.kind == DifferentialLockKind::locked;
         link.most = locked ? 1e12 : coupling.preload + coupling.ratio * drive;
         link.stiff = coupling_stiff * inertia / h;
         link.before = speed_of(link, y);

@@ -142,7 +142,7 @@ VehicleDef tracked(const TrackedDef& def) {
         made.wheels.push_back(wheel);
         if (k % wheels > 0)
             made.couplings.push_back(
-                {.first = {k - 1}, .second = {k}, .kind = CouplingKind::locked});
+                {.first = {k - 1}, .second = {k}, .kind = DifferentialLockKind::locked});
     }
     made.steering_drive.ratio = def.steering_ratio;
     made.steering_drive.torque = def.steering_torque;

@@ -60,7 +60,7 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
     v.all("couplings", def.couplings, [&](DifferentialLock& coupling) {
         visit_group(v, "first", coupling.first);
         visit_group(v, "second", coupling.second);
-        v.field("kind", coupling.kind, CouplingKind::locked);
+        v.field("kind", coupling.kind, DifferentialLockKind::locked);
         v.field("preload", coupling.preload);
         v.field("ratio", coupling.ratio);
     });

@@ -91,13 +91,13 @@ struct AntiRollBar {
 // Where torque splits it does so by drive shares, whatever the speeds: an open differential. A
 // coupling holds the mean speeds of two groups of wheels together: left and right of an axle, or
 // front and rear.
-enum class CouplingKind : std::uint8_t {
+enum class DifferentialLockKind : std::uint8_t {
     limited_slip,  // by at most preload + ratio * |torque of the gearbox|
     locked,        // at any torque
 };
 struct DifferentialLock {
     std::vector<std::uint32_t> first = {}, second = {};  // wheels, at least one each
-    CouplingKind kind = CouplingKind::limited_slip;
+    DifferentialLockKind kind = DifferentialLockKind::limited_slip;
     double preload = 50;  // N m, 0 to 1e7
     double ratio = 0.3;   // 0 to 10
 };

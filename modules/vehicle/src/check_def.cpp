@@ -129,10 +129,10 @@ bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first
     return true;
 }
 
-void check_couplings(const VehicleDef& def, Check& check) {
-    check.number("couplings", static_cast<double>(def.couplings.size()), 0, couplings_max);
-    for (std::size_t k = 0; k < def.couplings.size(); k++) {
-        const DifferentialLock& coupling = def.couplings[k];
+void check_differential_locks(const VehicleDef& def, Check& check) {
+    check.number("couplings", static_cast<double>(def.differential_locks.size()), 0, differential_locks_max);
+    for (std::size_t k = 0; k < def.differential_locks.size(); k++) {
+        const DifferentialLock& coupling = def.differential_locks[k];
         check.enter("couplings", k);
         if (!check_groups(def, coupling.first, coupling.second, check)) return;
         check.number("kind", static_cast<double>(coupling.kind), 0, 1);
@@ -230,7 +230,7 @@ std::string fault_of(const VehicleDef& def) {
     Check check;
     check_wheels(def, check);
     check_bars(def, check);
-    check_couplings(def, check);
+    check_differential_locks(def, check);
     check_steering_drive(def, check);
     check_engine(def.engine, check);
     check_gearbox(def.gearbox, check);

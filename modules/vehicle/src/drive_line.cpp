@@ -21,12 +21,12 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t unknowns_max = wheels_max + 1;
-constexpr std::size_t links_max = wheels_max + 1 + couplings_max + 1;
+constexpr std::size_t links_max = wheels_max + 1 + differential_locks_max + 1;
 constexpr int rounds_max = 4;
 
 // How stiff links are while they hold, against the inertia that they hold: what a link that holds
 // slips in a sub-step is its torque over this. A brake at 300 N m lets a wheel creep by 1e-7 rad/s.
-constexpr double brake_stiff = 1e7, clutch_stiff = 300, coupling_stiff = 3000;
+constexpr double brake_stiffness = 1e7, clutch_stiffness = 300, differential_lock_stiffness = 3000;
 
 struct Link {
     std::array<std::uint8_t, unknowns_max> at;
@@ -65,7 +65,7 @@ void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links
         link.weight[0] = 1;
         link.size = 1;
         link.most = wheel.brake;
-        link.stiff = brake_stiff * wheel.answers / h;
+        link.stiff = brake_stiffness * wheel.answers / h;
         link.before = wheel.spin;
         link.grip = guess(link, wheel.inertia, h);
     }
@@ -91,7 +91,7 @@ void add_clutch(const Car& car, double h, const Speeds& y, Links& links) {
     link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
     link.weight[link.size++] = 1;
     link.most = most;
-    link.stiff = clutch_stiff * car.def.engine.inertia / h;
+    link.stiff = clutch_stiffness * car.def.engine.inertia / h;
     link.before = speed_of(link, y);
     link.grip = guess(link, car.def.engine.inertia, h);
 }
@@ -106,16 +106,16 @@ double add_group(const Car& car, const std::vector<std::uint32_t>& group, double
     return inertia;
 }
 
-void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
+void add_differential_locks(const Car& car, double h, const Speeds& y, Links& links) {
     const double drive = absolute(car.clutch_torque * ratio_now(car));
-    for (const DifferentialLock& coupling : car.def.couplings) {
+    for (const DifferentialLock& coupling : car.def.differential_locks) {
         Link& link = links.of[links.count++];
         link.size = 0;
         const double inertia =
             add_group(car, coupling.first, 1, link) + add_group(car, coupling.second, -1, link);
         const bool locked = coupling.kind == DifferentialLockKind::locked;
         link.most = locked ? 1e12 : coupling.preload + coupling.ratio * drive;
-        link.stiff = coupling_stiff * inertia / h;
+        link.stiff = differential_lock_stiffness * inertia / h;
         link.before = speed_of(link, y);
         link.grip = guess(link, inertia / 4, h);
     }
@@ -132,7 +132,7 @@ void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
     link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
     link.weight[link.size++] = -2 * drive.ratio * car.steering;
     link.most = drive.torque;
-    link.stiff = coupling_stiff * inertia / h;
+    link.stiff = differential_lock_stiffness * inertia / h;
     link.before = speed_of(link, y);
     link.grip = guess(link, inertia / 4, h);
 }
@@ -244,7 +244,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
     const std::size_t clutch = links.count;
     add_clutch(car, h, y, links);
     const bool clutched = links.count > clutch;
-    add_couplings(car, h, y, links);
+    add_differential_locks(car, h, y, links);
     add_steering(car, h, y, links);
 
     const double throttle = throttle_now(car);

@@ -52,7 +52,7 @@ double bar_push(const Car& car, std::uint32_t wheel) {
     return push;
 }
 
-void couple(const Car& car, const Contacts& contacts, Rows& rows) {
+void fill_effective_mass(const Car& car, const Contacts& contacts, Rows& rows) {
     const double inverse_mass = 1 / car.mass;
     for (std::size_t i = 0; i < contacts.count; i++) {
         const Contact& a = contacts.all[i];
@@ -118,7 +118,7 @@ void solve(const Frame& frame, const Rows& rows, Contacts& contacts) {
 void solve_loads(const Car& car, const Frame& frame, Contacts& contacts) {
     if (contacts.count == 0) return;
     Rows rows;
-    couple(car, contacts, rows);
+    fill_effective_mass(car, contacts, rows);
     for (std::size_t i = 0; i < contacts.count; i++)
         rows.of[i] = make_row(car, frame, contacts.all[i], rows.w[i][i]);
     // Who would pull bears nothing; at most all of them, one after the other.

@@ -122,7 +122,7 @@ VehicleDef saloon(const SaloonDef& def) {
         made.wheels.push_back(wheel);
     }
     made.anti_roll_bars = {{0, 1, def.anti_roll}, {2, 3, def.anti_roll}};
-    if (def.front_drive < 1) made.couplings.push_back({.first = {2}, .second = {3}});
+    if (def.front_drive < 1) made.differential_locks.push_back({.first = {2}, .second = {3}});
     return made;
 }
 
@@ -141,7 +141,7 @@ VehicleDef tracked(const TrackedDef& def) {
             (left ? made.steering_drive.left : made.steering_drive.right).push_back(k);
         made.wheels.push_back(wheel);
         if (k % wheels > 0)
-            made.couplings.push_back(
+            made.differential_locks.push_back(
                 {.first = {k - 1}, .second = {k}, .kind = DifferentialLockKind::locked});
     }
     made.steering_drive.ratio = def.steering_ratio;

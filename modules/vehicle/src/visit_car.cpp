@@ -57,7 +57,7 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
         v.field("right", bar.right);
         v.field("stiffness", bar.stiffness);
     });
-    v.all("couplings", def.couplings, [&](DifferentialLock& coupling) {
+    v.all("couplings", def.differential_locks, [&](DifferentialLock& coupling) {
         visit_group(v, "first", coupling.first);
         visit_group(v, "second", coupling.second);
         v.field("kind", coupling.kind, DifferentialLockKind::locked);

@@ -24,7 +24,7 @@ Split on_split_ground(std::optional<DifferentialLock> coupling) {
     VehicleDef def = plain_saloon(of.chassis);
     def.wheels[2].tyre.friction = 0.01;  // 0.1 with the ground's 1
     def.gearbox.automatic = false;       // no shift in between
-    if (coupling) def.couplings = {*coupling};
+    if (coupling) def.differential_locks = {*coupling};
     of.add(def);
     of.drive(2);
     of.set({.throttle = 0.5});
@@ -74,7 +74,7 @@ TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
     const auto difference = [](bool locked) {
         TestCar of({}, {0, 0, -5});
         VehicleDef def = plain_saloon(of.chassis);
-        if (locked) def.couplings = {{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked}};
+        if (locked) def.differential_locks = {{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked}};
         of.add(def);
         roll_off(of, 0.5);
         of.set({.steering = 0.5, .gear = 0});
@@ -96,7 +96,7 @@ TEST(Differential, a_centre_lock_holds_the_axles_together) {
     saloon.front_drive = 0.4;
     VehicleDef def = modules::saloon(saloon);
     for (std::size_t k : {0u, 1u}) def.wheels[k].tyre.friction = 0.01;
-    def.couplings = {{.first = {0, 1}, .second = {2, 3}, .kind = DifferentialLockKind::locked}};
+    def.differential_locks = {{.first = {0, 1}, .second = {2, 3}, .kind = DifferentialLockKind::locked}};
     of.add(def);
     of.set({.throttle = 0.6});
     of.drive(2);

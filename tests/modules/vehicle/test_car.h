@@ -36,7 +36,7 @@ inline VehicleDef plain_saloon(BodyId chassis) {
     of.anti_roll = 0;
     VehicleDef def = modules::saloon(of);
     def.aerodynamics = {.drag_area = 0};
-    def.couplings.clear();
+    def.differential_locks.clear();
     return def;
 }
 

@@ -18,7 +18,7 @@ using physics::BodyId;
 using physics::Vec3;
 
 inline constexpr std::size_t wheels_max = 16;     // of a car
-inline constexpr std::size_t couplings_max = 16;  // of a car: differentials that lock
+inline constexpr std::size_t differential_locks_max = 16;  // of a car: differentials that lock
 inline constexpr std::size_t bars_max = 6;        // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
 inline constexpr std::size_t gears_max = 12;  // ahead
@@ -159,7 +159,7 @@ struct VehicleDef {
     BodyId chassis = {};  // a dynamic body
     std::vector<Wheel> wheels = {};
     std::vector<AntiRollBar> anti_roll_bars = {};
-    std::vector<DifferentialLock> couplings = {};
+    std::vector<DifferentialLock> differential_locks = {};
     SteeringDrive steering_drive = {};
     Engine engine = {};
     Gearbox gearbox = {};

@@ -57,10 +57,10 @@ double wanted_lean(const Car& car) {
 }
 
 // The a that is wanted, and how it changes.
-struct Aside {
+struct LateralAcceleration {
     double wanted, change;  // m/s^2, m/s^3
 };
-Aside wanted_aside(const Car& car) {
+LateralAcceleration wanted_aside(const Car& car) {
     const Lean& lean = car.lean;
     const double w = 2 * pi * car.def.balance.frequency, g = lean.weight, l = lean.height;
     const SinCos angle = sin_cos(lean.angle);
@@ -86,7 +86,7 @@ double slip_for(double share, double friction, double stiffness) {
 }
 
 // rad of steering while the way that it rolls decides.
-double angle_by_way(const Car& car, const Aside& aside, double dt) {
+double angle_by_way(const Car& car, const LateralAcceleration& aside, double dt) {
     const double v = maximum(car.speed, slowest), base = axle_distance(car.def);
     const Tyre& tyre = car.def.wheels.front().tyre;
     const double lags =
@@ -97,7 +97,7 @@ double angle_by_way(const Car& car, const Aside& aside, double dt) {
 }
 
 // ... and while what its tyre bears decides: from where the wheel goes by the slip for its share.
-double angle_by_slip(const Car& car, const Aside& aside) {
+double angle_by_slip(const Car& car, const LateralAcceleration& aside) {
     const double friction = maximum(least_friction(car), 0.01);
     const double share = aside.wanted / (friction * car.lean.weight);
     // Its swing about the upright axis is damped: only what turns it along the way shall be left.
@@ -145,7 +145,7 @@ void measure_lean(const BodyState& chassis, Car& car) {
 double balance_steering(const Car& car, double dt) {
     if (!car.lean.touching) return car.steering;
     const double share = feet_share(car), lock = full_lock(car.def);
-    const Aside aside = wanted_aside(car);
+    const LateralAcceleration aside = wanted_aside(car);
     const double by_slip = clamp((car.speed - mixes_from) / (mixes_to - mixes_from), 0, 1);
     double angle = 0;
     if (by_slip < 1) angle += (1 - by_slip) * angle_by_way(car, aside, dt);

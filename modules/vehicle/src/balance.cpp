@@ -25,10 +25,10 @@ using namespace physics;
 
 namespace {
 
-constexpr double slowest = 0.5;  // m/s that the steering counts with
-constexpr double mixes_from = 15,
-                 mixes_to = 30;        // m/s between which the two ways to steer are mixed
-constexpr double damps_swing = 0.025;  // s
+constexpr double speed_min = 0.5;  // m/s that the steering counts with
+constexpr double blend_speed_low = 15,
+                 blend_speed_high = 30;        // m/s between which the two ways to steer are mixed
+constexpr double swing_damping_seconds = 0.025;  // s
 constexpr double rider_share = 0.85;   // of friction that a rider uses
 
 double axle_distance(const VehicleDef& def) {
@@ -36,7 +36,7 @@ double axle_distance(const VehicleDef& def) {
 }
 
 // How much the feet do; all when it stands or rolls back.
-double feet_share(const Car& car) {
+double feet_support_share(const Car& car) {
     const double below = car.def.balance.feet_below;
     return below > 0 ? clamp(2 - 2 * car.speed / below, 0, 1) : 0;
 }
@@ -49,8 +49,8 @@ double least_friction(const Car& car) {
 }
 
 // rad: no further than friction and full lock bear at this speed.
-double wanted_lean(const Car& car) {
-    const double v = maximum(car.speed, slowest);
+double target_lean_angle(const Car& car) {
+    const double v = maximum(car.speed, speed_min);
     const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
     const double most = arc_tangent(rider_share * minimum(least_friction(car), locked), 1);
     return clamp(car.controls.steering * car.def.balance.lean_most, -most, most);
@@ -60,7 +60,7 @@ double wanted_lean(const Car& car) {
 struct LateralAcceleration {
     double wanted, change;  // m/s^2, m/s^3
 };
-LateralAcceleration wanted_aside(const Car& car) {
+LateralAcceleration target_lateral_acceleration(const Car& car) {
     const Lean& lean = car.lean;
     const double w = 2 * pi * car.def.balance.frequency, g = lean.weight, l = lean.height;
     const SinCos angle = sin_cos(lean.angle);
@@ -68,9 +68,9 @@ LateralAcceleration wanted_aside(const Car& car) {
     // No faster than a part of its weight moves it.
     const double most = 0.3 * g / l;
     const double turn =
-        clamp(w * w * (wanted_lean(car) - lean.angle), -most, most) - 2 * w * lean.rate;
+        clamp(w * w * (target_lean_angle(car) - lean.angle), -most, most) - 2 * w * lean.rate;
     double pushed = 0;
-    for (const WheelRun& run : car.wheels) pushed += run.aside;
+    for (const WheelRun& run : car.wheels) pushed += run.lateral;
     const double falls = (g * angle.sin - pushed / car.mass * cos) / l;
     return {(g * angle.sin - l * turn) / cos, (g + l * w * w) * lean.rate + 2 * l * w * falls};
 }
@@ -86,23 +86,23 @@ double slip_for(double share, double friction, double stiffness) {
 }
 
 // rad of steering while the way that it rolls decides.
-double angle_by_way(const Car& car, const LateralAcceleration& aside, double dt) {
-    const double v = maximum(car.speed, slowest), base = axle_distance(car.def);
+double steering_from_path(const Car& car, const LateralAcceleration& lateral, double dt) {
+    const double v = maximum(car.speed, speed_min), base = axle_distance(car.def);
     const Tyre& tyre = car.def.wheels.front().tyre;
     const double lags =
         v / (tyre.cornering_stiffness * car.lean.weight) + tyre.relaxation_length / maximum(v, 2);
-    const double target = (aside.wanted + lags * aside.change) * base / (v * v);
+    const double target = (lateral.wanted + lags * lateral.change) * base / (v * v);
     const double foot = 0.5 * base / (v * dt);
     return (target + foot * car.steering * full_lock(car.def)) / (1 + foot);
 }
 
 // ... and while what its tyre bears decides: from where the wheel goes by the slip for its share.
-double angle_by_slip(const Car& car, const LateralAcceleration& aside) {
+double steering_from_slip(const Car& car, const LateralAcceleration& lateral) {
     const double friction = maximum(least_friction(car), 0.01);
-    const double share = aside.wanted / (friction * car.lean.weight);
+    const double share = lateral.wanted / (friction * car.lean.weight);
     // Its swing about the upright axis is damped: only what turns it along the way shall be left.
-    const double swings = car.lean.turn - aside.wanted / maximum(car.speed, mixes_from);
-    return car.lean.course - damps_swing * swings +
+    const double swings = car.lean.turn - lateral.wanted / maximum(car.speed, blend_speed_low);
+    return car.lean.course - swing_damping_seconds * swings +
            slip_for(share, friction, car.def.wheels.front().tyre.cornering_stiffness);
 }
 
@@ -120,18 +120,18 @@ void measure_lean(const BodyState& chassis, Car& car) {
     car.lean.touching = touching > 0;
     if (touching == 0) return;
     normal = normalized(normal, {0, 1, 0});
-    const Vec3 ahead = rotate(chassis.pose.rotation, {0, 0, -1});
-    const Vec3 right = normalized(cross(ahead, normal), {1, 0, 0});
+    const Vec3 forward = rotate(chassis.pose.rotation, {0, 0, -1});
+    const Vec3 right = normalized(cross(forward, normal), {1, 0, 0});
     // Across the way that it goes: where it touches is known from a moment ago.
     const Vec3 v = chassis.linear_velocity, along = v - normal * dot(v, normal);
-    const Vec3 course = length_squared(along) > 9 ? normalized(along) : ahead;
+    const Vec3 course = length_squared(along) > 9 ? normalized(along) : forward;
     const Vec3 across = normalized(cross(course, normal), {1, 0, 0});
     const Vec3 up = cross(across, course), arm = chassis.center - point / touching;
-    const double aside = dot(arm, across), above = dot(arm, up);
-    const double height = maximum(square_root(aside * aside + above * above), 0.05);
-    const double inertia = dot(ahead, chassis.inertia * ahead);
-    car.lean.angle = arc_tangent(aside, above);
-    car.lean.rate = dot(chassis.angular_velocity, ahead);
+    const double lateral = dot(arm, across), above = dot(arm, up);
+    const double height = maximum(square_root(lateral * lateral + above * above), 0.05);
+    const double inertia = dot(forward, chassis.inertia * forward);
+    car.lean.angle = arc_tangent(lateral, above);
+    car.lean.rate = dot(chassis.angular_velocity, forward);
     car.lean.height = height + inertia / (chassis.mass * height);
     car.lean.weight = maximum(-dot(car.other_a, normal), 0.1);
     car.lean.own = inertia;
@@ -139,26 +139,26 @@ void measure_lean(const BodyState& chassis, Car& car) {
     car.lean.inertia = inertia + chassis.mass * height * height;
     const Vec3 hub = apply(chassis.pose, car.def.wheels.front().attachment);
     const Vec3 front = v + cross(chassis.angular_velocity, hub - chassis.center);
-    car.lean.course = arc_tangent(dot(front, right), maximum(dot(front, ahead), slowest));
+    car.lean.course = arc_tangent(dot(front, right), maximum(dot(front, forward), speed_min));
 }
 
 double balance_steering(const Car& car, double dt) {
     if (!car.lean.touching) return car.steering;
-    const double share = feet_share(car), lock = full_lock(car.def);
-    const LateralAcceleration aside = wanted_aside(car);
-    const double by_slip = clamp((car.speed - mixes_from) / (mixes_to - mixes_from), 0, 1);
+    const double share = feet_support_share(car), lock = full_lock(car.def);
+    const LateralAcceleration lateral = target_lateral_acceleration(car);
+    const double by_slip = clamp((car.speed - blend_speed_low) / (blend_speed_high - blend_speed_low), 0, 1);
     double angle = 0;
-    if (by_slip < 1) angle += (1 - by_slip) * angle_by_way(car, aside, dt);
-    if (by_slip > 0) angle += by_slip * angle_by_slip(car, aside);
+    if (by_slip < 1) angle += (1 - by_slip) * steering_from_path(car, lateral, dt);
+    if (by_slip > 0) angle += by_slip * steering_from_slip(car, lateral);
     return clamp((1 - share) * angle / lock + share * car.controls.steering, -1, 1);
 }
 
 // As a pendulum without a foot that moves; fades to nothing with the speed. Feet push with the
 // weight half a metre aside, reach the ground, and lift nothing that lies on its side.
-Vec3 balance_by_feet(const Frame& frame, const Car& car) {
+Vec3 feet_angular_impulse(const Frame& frame, const Car& car) {
     const Balance& balance = car.def.balance;
     const Lean& lean = car.lean;
-    const double share = feet_share(car);
+    const double share = feet_support_share(car);
     if (!balance.on || share <= 0 || !lean.touching) return {};
     const double lies = clamp((1.1 - absolute(lean.angle)) / 0.4, 0, 1);
     const double w = 2 * pi * balance.frequency;
@@ -173,13 +173,13 @@ Vec3 balance_by_feet(const Frame& frame, const Car& car) {
 // N m that a rider brakes by: what the tyre bears besides what it bears aside, and less when the
 // rear wheel is about to lift.
 double rider_brake(const Car& car, std::size_t wheel, double asked) {
-    if (!car.def.balance.on || absolute(car.speed) < slowest) return asked;
+    if (!car.def.balance.on || absolute(car.speed) < speed_min) return asked;
     const WheelRun& run = car.wheels[wheel];
     const double grip = rider_share * run.friction * run.load;
-    const double ahead = square_root(maximum(grip * grip - run.aside * run.aside, 0));
+    const double forward = square_root(maximum(grip * grip - run.lateral * run.lateral, 0));
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.back().load / weight / 0.15, 0, 1);
-    return minimum(asked, ahead * stays * car.def.wheels[wheel].radius);
+    return minimum(asked, forward * stays * car.def.wheels[wheel].radius);
 }
 
 // Share of the throttle: less when the front wheel is about to lift, or the rear one to spin.

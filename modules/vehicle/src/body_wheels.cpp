@@ -63,9 +63,9 @@ Status make_one(World& world, const BodyState& chassis, const Filter& filter, st
                            cross(chassis.angular_velocity, body.pose.position - chassis.center);
     // It rolls: four wheels that are still to be spun up slide, and slide where they like.
     const Vec3 axle = rotate(chassis.pose.rotation, wheel.axle);
-    const Vec3 ahead = rotate(chassis.pose.rotation, cross(wheel.axle, wheel.down));
+    const Vec3 forward = rotate(chassis.pose.rotation, cross(wheel.axle, wheel.down));
     WheelBody& run = car.bodies[index];
-    run.spin = clamp(dot(body.linear_velocity, ahead) / wheel.radius, -1e5, 1e5);
+    run.spin = clamp(dot(body.linear_velocity, forward) / wheel.radius, -1e5, 1e5);
     body.angular_velocity = chassis.angular_velocity - axle * run.spin;
     ShapeDef shape{.geometry = Cylinder{wheel.radius, 0.5 * wheel.width},
                    .pose = {{}, turn_to({0, 1, 0}, wheel.axle, {1, 0, 0})},
@@ -239,7 +239,7 @@ void read_body_wheels(const World& world, double dt, Car& car) {
         const Result<BodyState> body = world.body(car.bodies[k].body);
         if (!joint.ok() || !body.ok()) {
             run.touches = false;
-            run.load = run.ahead = run.aside = 0;
+            run.load = run.forward = run.lateral = 0;
             continue;
         }
         run.travel = maximum(joint->travel + wheel.suspension.longest, 0);
@@ -251,8 +251,8 @@ void read_body_wheels(const World& world, double dt, Car& car) {
         // Of the ground on the wheel, if it keeps its speed.
         const Vec3 ground = -joint->force - weight * wheel.mass;
         run.load = maximum(-dot(ground, down), 0);
-        run.ahead = dot(ground, rotate(turn, car.rigs[k].ahead));
-        run.aside = dot(ground, axle);
+        run.forward = dot(ground, rotate(turn, car.rigs[k].forward));
+        run.lateral = dot(ground, axle);
         run.friction = wheel.tyre.friction;
         run.normal = -down;
         run.point = body->center + down * wheel.radius;

@@ -25,9 +25,9 @@ enum class Driver : std::uint8_t { nobody, pilot, person };
 struct WheelRun {
     double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
     double spin = 0, angle = 0;             // rad/s, rad
-    double bend_ahead = 0, bend_aside = 0;  // m that the tread is bent: pushes the chassis so
+    double longitudinal_deflection = 0, lateral_deflection = 0;  // m that the tread is bent: pushes the chassis so
     double travel = 0;                      // m
-    double load = 0, ahead = 0, aside = 0;  // N
+    double load = 0, forward = 0, lateral = 0;  // N
     double friction = 0;                    // with the ground
     bool touches = false;
     BodyId ground = {};
@@ -57,7 +57,7 @@ struct Ground {
 
 // What follows from the definition and the controls, for a step.
 struct Rig {
-    Vec3 down = {}, axle = {}, ahead = {};  // in the chassis, steered
+    Vec3 down = {}, axle = {}, forward = {};  // in the chassis, steered
 };
 
 // Of a two-wheeler, at the start of the step.
@@ -121,11 +121,11 @@ struct Frame {
 // How a tread pushes at a load, in a sub-step.
 struct Tread {
     double limit;                         // N: friction * load
-    double bend_ahead, bend_aside;        // s per m of bend: C / (3 mu length)
+    double longitudinal_deflection, lateral_deflection;        // s per m of bend: C / (3 mu length)
     double roll;                          // share of its bend that a sub-step leaves
     double rolls;                         // 0 at standstill, 1 from 1 m/s on
-    double damping_ahead, damping_aside;  // N s/m, at standstill
-    double secant_ahead, secant_aside;    // N per m of bend, as it is bent
+    double longitudinal_damping, lateral_damping;  // N s/m, at standstill
+    double longitudinal_secant, lateral_secant;    // N per m of bend, as it is bent
 };
 
 // A wheel that touches, in a sub-step. Step by step filled in by find_contacts(), solve_loads(),
@@ -133,15 +133,15 @@ struct Tread {
 struct Contact {
     std::uint32_t wheel;
     Vec3 arm;                   // m from the centre of mass
-    Vec3 normal, ahead, aside;  // unit
+    Vec3 normal, forward, lateral;  // unit
     Vec3 velocity;              // m/s of the chassis there, against the ground
-    double velocity_ahead, velocity_aside;
+    double longitudinal_velocity, lateral_velocity;
     double pressed;       // m
     double lever;         // suspension travel per motion along the normal
     double inverse_mass;  // 1/kg that a tyre meets along the ground
     double load;          // N
     Tread tread;
-    double force_ahead, force_aside;  // N
+    double longitudinal_force, lateral_force;  // N
 };
 
 struct Contacts {

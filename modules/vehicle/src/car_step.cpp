@@ -70,7 +70,7 @@ double inverse_mass_at(const Car& car, const Contact& contact) {
         const Vec3 turn = cross(contact.arm, direction);
         return 1 / car.mass + dot(turn, car.inverse_inertia * turn);
     };
-    return maximum(along(contact.ahead), along(contact.aside)) *
+    return maximum(along(contact.forward), along(contact.lateral)) *
            static_cast<double>(car.wheels.size());
 }
 
@@ -94,8 +94,8 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
     contact.normal = normal;
     contact.lever = 1 / facing;
     const Vec3 axle = frame.axes * rig.axle;
-    contact.ahead = normalized(cross(normal, axle), frame.axes * rig.ahead);
-    contact.aside = cross(contact.ahead, normal);
+    contact.forward = normalized(cross(normal, axle), frame.axes * rig.forward);
+    contact.lateral = cross(contact.forward, normal);
     contact.arm = hub + down * length - frame.center;
     if (wheel.crown > 0) {
         // Round across: it touches at the side to which it leans.
@@ -127,8 +127,8 @@ void find_contacts(const SubstepContext& substep, const Frame& frame, Car& car,
             run.normal = contact.normal;
             continue;
         }
-        run.travel = run.load = run.ahead = run.aside = 0;
-        run.bend_ahead = run.bend_aside = 0;
+        run.travel = run.load = run.forward = run.lateral = 0;
+        run.longitudinal_deflection = run.lateral_deflection = 0;
     }
 }
 
@@ -148,20 +148,20 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
 }
 
 // How the tyre answers if the wheel spins on, and how that changes with its spin.
-void bend_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+void deflect_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRun& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
-    contact.velocity_ahead = dot(contact.velocity, contact.ahead);
-    contact.velocity_aside = dot(contact.velocity, contact.aside);
+    contact.longitudinal_velocity = dot(contact.velocity, contact.forward);
+    contact.lateral_velocity = dot(contact.velocity, contact.lateral);
     Tread& tread = contact.tread =
-        tread_of(tyre, contact, run.friction, absolute(contact.velocity_ahead), frame.h);
-    const double slip = contact.velocity_ahead - spun.radius * run.spin;
-    run.bend_ahead = (run.bend_ahead - frame.h * slip) * tread.roll;
-    run.bend_aside = (run.bend_aside - frame.h * contact.velocity_aside) * tread.roll;
-    const double s2 = hold(tread, run.bend_ahead, run.bend_aside);
-    push_of(tread, run.bend_ahead, run.bend_aside, s2);
-    spun.force = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
-    spun.slope = spun.radius * (tread.secant_ahead * frame.h * tread.roll + tread.damping_ahead);
+        tread_of(tyre, contact, run.friction, absolute(contact.longitudinal_velocity), frame.h);
+    const double slip = contact.longitudinal_velocity - spun.radius * run.spin;
+    run.longitudinal_deflection = (run.longitudinal_deflection - frame.h * slip) * tread.roll;
+    run.lateral_deflection = (run.lateral_deflection - frame.h * contact.lateral_velocity) * tread.roll;
+    const double s2 = hold(tread, run.longitudinal_deflection, run.lateral_deflection);
+    push_of(tread, run.longitudinal_deflection, run.lateral_deflection, s2);
+    spun.force = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
+    spun.slope = spun.radius * (tread.longitudinal_secant * frame.h * tread.roll + tread.longitudinal_damping);
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
 }
 
@@ -172,27 +172,27 @@ void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     const Tread& tread = contact.tread;
     const double gained = spun.spin - run.spin;
     const double counted = spun.force + spun.slope * gained;
-    const double slip = contact.velocity_ahead - spun.radius * spun.spin;
-    run.bend_ahead += frame.h * spun.radius * gained * tread.roll;
-    hold(tread, run.bend_ahead, run.bend_aside);
-    double ahead = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
-    double aside =
-        tread.secant_aside * run.bend_aside - tread.damping_aside * contact.velocity_aside;
-    const double force2 = ahead * ahead + aside * aside;
+    const double slip = contact.longitudinal_velocity - spun.radius * spun.spin;
+    run.longitudinal_deflection += frame.h * spun.radius * gained * tread.roll;
+    hold(tread, run.longitudinal_deflection, run.lateral_deflection);
+    double forward = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
+    double lateral =
+        tread.lateral_secant * run.lateral_deflection - tread.lateral_damping * contact.lateral_velocity;
+    const double force2 = forward * forward + lateral * lateral;
     if (force2 > tread.limit * tread.limit) {
         const double less = tread.limit / square_root(force2);
-        ahead *= less;
-        aside *= less;
+        forward *= less;
+        lateral *= less;
     }
-    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - ahead) / spun.answers;
-    contact.force_ahead = run.ahead = ahead;
-    contact.force_aside = run.aside = aside;
+    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - forward) / spun.answers;
+    contact.longitudinal_force = run.forward = forward;
+    contact.lateral_force = run.lateral = lateral;
     run.load = contact.load;
 }
 
 void drive(const Frame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
     prepare_spin(car, wheels);
-    for (Contact& contact : contacts) bend_tread(frame, car, wheels[contact.wheel], contact);
+    for (Contact& contact : contacts) deflect_tread(frame, car, wheels[contact.wheel], contact);
     solve_drive_line(car, frame.h, wheels);
     for (Contact& contact : contacts) grip(frame, car, wheels[contact.wheel], contact);
 }
@@ -214,8 +214,8 @@ void push_ground(SubstepContext& substep, const Frame& frame, const Contact& con
 void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& contacts, Car& car,
                     Push& push) {
     for (const Contact& contact : contacts) {
-        const Vec3 impulse = (contact.normal * contact.load + contact.ahead * contact.force_ahead +
-                              contact.aside * contact.force_aside) *
+        const Vec3 impulse = (contact.normal * contact.load + contact.forward * contact.longitudinal_force +
+                              contact.lateral * contact.lateral_force) *
                              frame.h;
         push.impulse += impulse;
         push.turn += cross(contact.arm, impulse);
@@ -265,7 +265,7 @@ void step_car(SubstepContext& substep, Car& car) {
     push_by_wheels(substep, frame, contacts, car, push);
     turn_wheels(frame, wheels, car, push);
     push_by_air(frame, car, push);
-    push.turn += balance_by_feet(frame, car);
+    push.turn += feet_angular_impulse(frame, car);
     car.carried = contacts.count > 0;
     car.carry = car.carried ? car.other_a * (-car.mass * substep.h()) : Vec3{};
     substep.add_impulse(chassis, push.impulse - car.carry * (steps - 1), frame.center);

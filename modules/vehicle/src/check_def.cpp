@@ -172,8 +172,8 @@ void check_engine(const Engine& engine, Check& check) {
 
 void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.enter("gearbox");
-    check.number("ahead", static_cast<double>(gearbox.ahead.size()), 1, gears_max);
-    for (const double ratio : gearbox.ahead) check.number("ahead", ratio, 0.01, 1000);
+    check.number("ahead", static_cast<double>(gearbox.forward.size()), 1, gears_max);
+    for (const double ratio : gearbox.forward) check.number("ahead", ratio, 0.01, 1000);
     check.number("reverse", gearbox.reverse, 0.01, 1000);
     check.number("final_ratio", gearbox.final_ratio, 0.01, 1000);
     check.number("efficiency", gearbox.efficiency, 0.1, 1);
@@ -213,12 +213,12 @@ void check_run(const WheelRun& run, Check& check) {
     check.number("damping", run.damping, 0, 1e15);
     check.number("spin", run.spin, -1e5, 1e5);
     check.number("angle", run.angle, 0, 7);
-    check.number("bend_ahead", run.bend_ahead, -1e3, 1e3);
-    check.number("bend_aside", run.bend_aside, -1e3, 1e3);
+    check.number("longitudinal_deflection", run.longitudinal_deflection, -1e3, 1e3);
+    check.number("lateral_deflection", run.lateral_deflection, -1e3, 1e3);
     check.number("travel", run.travel, 0, 1e4);
     check.number("load", run.load, 0, 1e30);
-    check.number("ahead", run.ahead, -1e30, 1e30);
-    check.number("aside", run.aside, -1e30, 1e30);
+    check.number("ahead", run.forward, -1e30, 1e30);
+    check.number("aside", run.lateral, -1e30, 1e30);
     check.number("friction", run.friction, 0, 100);
     check.vector("point", run.point, 1e8);
     check.vector("normal", run.normal, 1.001);
@@ -285,7 +285,7 @@ std::string fault_of(const Car& car) {
     check.number("engine_speed", car.engine_speed, 0, 1e5);
     check.number("engine_torque", car.engine_torque, -1e12, 1e12);
     check.number("clutch_torque", car.clutch_torque, -1e12, 1e12);
-    check.number("gear", car.gear, -1, static_cast<double>(car.def.gearbox.ahead.size()));
+    check.number("gear", car.gear, -1, static_cast<double>(car.def.gearbox.forward.size()));
     check.number("shift_left", car.shift_left, 0, 10);
     check.number("pause_left", car.pause_left, 0, 120);
     check.number("speed", car.speed, -1e6, 1e6);

@@ -221,7 +221,7 @@ double ratio_now(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     if (car.gear == 0 || car.shift_left > 0) return 0;
     if (car.gear < 0) return -gearbox.reverse * gearbox.final_ratio;
-    return gearbox.ahead[static_cast<std::size_t>(car.gear) - 1] * gearbox.final_ratio;
+    return gearbox.forward[static_cast<std::size_t>(car.gear) - 1] * gearbox.final_ratio;
 }
 
 double mean_driven_spin(const Car& car) {

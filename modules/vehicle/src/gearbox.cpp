@@ -29,7 +29,7 @@ bool is_in_gear(const Car& car) {
 double up_at(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     const auto gear = static_cast<std::size_t>(car.gear);
-    const double step = gearbox.ahead[gear - 1] / gearbox.ahead[gear];
+    const double step = gearbox.forward[gear - 1] / gearbox.forward[gear];
     const double asked = gearbox.up_at * (0.5 + 0.5 * car.controls.throttle);
     return minimum(maximum(asked, 1.25 * step * gearbox.down_at), gearbox.up_at);
 }
@@ -38,26 +38,26 @@ double up_at(const Car& car) {
 // would brake the driven wheels by all that the clutch holds, mostly more than their tyres do: at
 // 60 m/s a saloon's in first gear by 6,700 N m, where 2,500 lock them, and a car whose rear wheels
 // slide ahead no longer goes straight.
-std::int32_t lowest_ahead(const Car& car) {
+std::int32_t lowest_forward(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     double radius = 0;
     for (const Wheel& wheel : car.def.wheels) radius += wheel.drive_share * wheel.radius;
-    const auto top = static_cast<std::int32_t>(gearbox.ahead.size());
+    const auto top = static_cast<std::int32_t>(gearbox.forward.size());
     std::int32_t gear = 1;
     while (gear < top && radius > 0 &&
-           gearbox.ahead[static_cast<std::size_t>(gear) - 1] * gearbox.final_ratio * car.speed >
+           gearbox.forward[static_cast<std::size_t>(gear) - 1] * gearbox.final_ratio * car.speed >
                car.def.engine.most * radius)
         gear++;
     return gear;
 }
 
-std::int32_t next_ahead(const Car& car) {
+std::int32_t next_forward(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
-    const std::int32_t lowest = lowest_ahead(car);
+    const std::int32_t lowest = lowest_forward(car);
     if (car.gear < 1) return absolute(car.speed) < reverses_below || car.speed > 0 ? lowest : 0;
     if (car.gear < lowest) return lowest;
     if (car.pause_left > 0) return car.gear;
-    const auto top = static_cast<std::int32_t>(gearbox.ahead.size());
+    const auto top = static_cast<std::int32_t>(gearbox.forward.size());
     if (car.engine_speed < gearbox.down_at && car.gear > lowest) {
         // Slow wheels have let the clutch go: straight to where it takes again.
         return car.gear - 1;
@@ -69,11 +69,11 @@ std::int32_t next_ahead(const Car& car) {
 
 std::int32_t wanted(const Car& car) {
     const std::int32_t asked = car.controls.gear;
-    const auto top = static_cast<std::int32_t>(car.def.gearbox.ahead.size());
+    const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
     if (!car.def.gearbox.automatic) return asked > top ? top : asked;
     if (asked == 0) return 0;
     if (asked < 0) return car.speed < reverses_below ? -1 : 0;
-    return next_ahead(car);
+    return next_forward(car);
 }
 
 }  // namespace

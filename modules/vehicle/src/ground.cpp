@@ -134,10 +134,10 @@ void stand(const World& world, const Way& way, const std::optional<Found>& found
 
 void look_for_ground(const World& world, const Queries& queries, const BodyState& body, double dt,
                      Car& car) {
-    const Vec3 ahead = body.linear_velocity * (0.5 * dt);
-    Chassis chassis{body.pose, body.center + ahead, body.linear_velocity, body.angular_velocity,
+    const Vec3 forward = body.linear_velocity * (0.5 * dt);
+    Chassis chassis{body.pose, body.center + forward, body.linear_velocity, body.angular_velocity,
                     dt};
-    chassis.pose.position += ahead;
+    chassis.pose.position += forward;
     car.grounds.resize(car.wheels.size());
     std::array<Way, wheels_max> ways;
     std::array<std::optional<Found>, wheels_max> found;

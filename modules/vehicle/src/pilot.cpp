@@ -26,9 +26,9 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     const Vec3 radial = distance > 0.1 ? out / distance : Vec3{1, 0, 0};
     const Vec3 along{radial.z, 0, -radial.x};
     const Vec3 course = normalized(along - radial * clamp((distance - pilot.radius) / 10, -1, 1));
-    const Vec3 ahead = rotate(chassis.pose.rotation, {0, 0, -1});
-    const double left = cross(ahead, course).y;
-    const double off = dot(ahead, course) < 0 ? (left < 0 ? -1 : 1) : left;
+    const Vec3 forward = rotate(chassis.pose.rotation, {0, 0, -1});
+    const double left = cross(forward, course).y;
+    const double off = dot(forward, course) < 0 ? (left < 0 ? -1 : 1) : left;
     const double angle = off + wheel_base(car.def) / pilot.radius;
 
     CarControls controls = car.controls;
@@ -44,16 +44,16 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
 
 CarControls person_controls(const Car& car) {
     constexpr double stands = 0.5;  // m/s
-    const double ahead = car.held_ahead, speed = car.speed;
+    const double forward = car.held_ahead, speed = car.speed;
     CarControls controls = car.controls;
     controls.steering = car.held_aside;
     controls.hand_brake = (car.held_buttons & 1) != 0 ? 1 : 0;
     controls.clutch = 0;
     const bool back = controls.gear < 0;
-    if (ahead < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
-    if (ahead > 0 && controls.gear < 1 && speed > -stands) controls.gear = 1;
+    if (forward < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
+    if (forward > 0 && controls.gear < 1 && speed > -stands) controls.gear = 1;
     // Along the gear it drives, against it it brakes.
-    const double along = controls.gear < 0 ? -ahead : ahead;
+    const double along = controls.gear < 0 ? -ahead : forward;
     controls.throttle = maximum(along, 0);
     controls.brake = maximum(-along, 0);
     return controls;
@@ -62,7 +62,7 @@ CarControls person_controls(const Car& car) {
 void hold_controls(Car& car, const Controls& controls) {
     constexpr std::uint32_t up = 4, down = 8;
     const std::uint32_t pressed = controls.buttons & ~car.held_buttons;
-    const auto top = static_cast<std::int32_t>(car.def.gearbox.ahead.size());
+    const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
     car.driver = Driver::person;
     car.held_aside = controls.axes[0];
     car.held_ahead = controls.axes[1];

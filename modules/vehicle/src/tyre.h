@@ -42,32 +42,32 @@ inline Tread tread_of(const Tyre& tyre, const Contact& contact, double friction,
     tread.roll = 1 / (1 + h * speed * per_length);
     const double k_ahead = contact.load * tyre.longitudinal_stiffness * per_length,
                  k_aside = contact.load * tyre.cornering_stiffness * per_length;
-    tread.damping_ahead =
+    tread.longitudinal_damping =
         tread_damping(tyre.damping, k_ahead, contact.inverse_mass, tread.rolls, h);
-    tread.damping_aside =
+    tread.lateral_damping =
         tread_damping(tyre.damping, k_aside, contact.inverse_mass, tread.rolls, h);
     // Where a tread is too stiff for the sub-step it gives way; suspension.cpp says how.
     const double z2 = h * h * physics::maximum(k_ahead, k_aside) * contact.inverse_mass;
     const double gives = (4 + z2) / (4 + z2 + z2 * z2);
     const double scale = gives * per_length / (3 * physics::maximum(friction, 1e-9));
-    tread.bend_ahead = tyre.longitudinal_stiffness * scale;
-    tread.bend_aside = tyre.cornering_stiffness * scale;
+    tread.longitudinal_deflection = tyre.longitudinal_stiffness * scale;
+    tread.lateral_deflection = tyre.cornering_stiffness * scale;
     return tread;
 }
 
 // Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
-inline double hold(const Tread& tread, double& ahead, double& aside) {
-    const double x = tread.bend_ahead * ahead, y = tread.bend_aside * aside;
+inline double hold(const Tread& tread, double& forward, double& lateral) {
+    const double x = tread.longitudinal_deflection * forward, y = tread.lateral_deflection * lateral;
     const double most = (1 + 2 * tread.rolls) / 3, s2 = x * x + y * y;
     if (s2 <= most * most) return s2;
     const double less = most / physics::square_root(s2);
-    ahead *= less;
-    aside *= less;
+    forward *= less;
+    lateral *= less;
     return most * most;
 }
 
 // Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
-inline void push_of(Tread& tread, double ahead, double aside, double s2) {
+inline void push_of(Tread& tread, double forward, double lateral, double s2) {
     constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);
     double secant = tread.limit * (3 - 3 * s + s2);
@@ -75,15 +75,15 @@ inline void push_of(Tread& tread, double ahead, double aside, double s2) {
         const double standing = tread.limit * (s > 1.0 / 3 ? 1 / s : 3);
         secant = tread.rolls * secant + (1 - tread.rolls) * standing;
     }
-    tread.secant_ahead = secant * tread.bend_ahead;
-    tread.secant_aside = secant * tread.bend_aside;
+    tread.longitudinal_secant = secant * tread.longitudinal_deflection;
+    tread.lateral_secant = secant * tread.lateral_deflection;
     const double most = (1 + 2 * tread.rolls) / 3, share = s2 / (most * most);
     if (share <= sticks) return;
     const double slides = (share - sticks) / (1 - sticks);
-    const double bend2 = ahead * ahead + aside * aside;
+    const double bend2 = forward * forward + lateral * lateral;
     const double against = secant * slides * physics::square_root(s2 / bend2);
-    tread.secant_ahead += against - slides * tread.secant_ahead;
-    tread.secant_aside += against - slides * tread.secant_aside;
+    tread.longitudinal_secant += against - slides * tread.longitudinal_secant;
+    tread.lateral_secant += against - slides * tread.lateral_secant;
 }
 
 }  // namespace jostle::modules::vehicle_detail

@@ -71,7 +71,7 @@ VehicleDef make_of(const SceneCars& cars, BodyId chassis) {
                                    .length = of.wheel_base,
                                    .height = of.height,
                                    .wheel = of.wheel});
-        tank.gearbox.ahead = {16, 8, 4};
+        tank.gearbox.forward = {16, 8, 4};
         tank.gearbox.reverse = 16;
         return tank;
     }
@@ -100,7 +100,7 @@ void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, Channe
     for (const double x : {center.x, center.y, center.z}) channels.quantized(x, -8, 8, 16);
     const double limit = run.friction * run.load;
     const bool slides =
-        run.touches && run.ahead * run.ahead + run.aside * run.aside > 0.9 * limit * limit;
+        run.touches && run.forward * run.forward + run.lateral * run.lateral > 0.9 * limit * limit;
     channels.value((run.touches ? 1 : 0) + (slides ? 2 : 0));
     channels.quantized(run.angle, 0, 2 * pi, 16);
     channels.quantized(run.spin, -400, 400, 16);

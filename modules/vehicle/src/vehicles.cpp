@@ -81,7 +81,7 @@ WheelState state_of(const Car& car, std::size_t k) {
             .normal = run.normal,
             .travel = run.travel,
             .load = run.load,
-            .force = {run.ahead, run.aside, 0},
+            .force = {run.forward, run.lateral, 0},
             .spin = run.spin,
             .angle = run.angle,
             .steering = angle_of(car, k),

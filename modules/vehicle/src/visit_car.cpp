@@ -89,7 +89,7 @@ void visit_drive(StateVisitor& v, VehicleDef& def) {
     v.field("friction", def.engine.friction);
     Gearbox& gearbox = def.gearbox;
     v.field("automatic", gearbox.automatic);
-    v.all("ahead", gearbox.ahead, [&](double& ratio) { v.field("ratio", ratio); });
+    v.all("ahead", gearbox.forward, [&](double& ratio) { v.field("ratio", ratio); });
     v.field("reverse", gearbox.reverse);
     v.field("final_ratio", gearbox.final_ratio);
     v.field("efficiency", gearbox.efficiency);
@@ -124,12 +124,12 @@ void visit_run(StateVisitor& v, WheelRun& run) {
     v.field("damping", run.damping);
     v.field("spin", run.spin);
     v.field("angle", run.angle);
-    v.field("bend_ahead", run.bend_ahead);
-    v.field("bend_aside", run.bend_aside);
+    v.field("longitudinal_deflection", run.longitudinal_deflection);
+    v.field("lateral_deflection", run.lateral_deflection);
     v.field("travel", run.travel);
     v.field("load", run.load);
-    v.field("ahead", run.ahead);
-    v.field("aside", run.aside);
+    v.field("ahead", run.forward);
+    v.field("aside", run.lateral);
     v.field("friction", run.friction);
     v.field("touches", run.touches);
     v.field("ground", run.ground);

@@ -127,7 +127,7 @@ struct Engine {
 
 struct Gearbox {
     bool automatic = true;
-    std::vector<double> ahead = {3.6, 2.1, 1.4, 1.0, 0.8};  // 0.01 to 1000 each
+    std::vector<double> forward = {3.6, 2.1, 1.4, 1.0, 0.8};  // 0.01 to 1000 each
     double reverse = 3.3;                                   // 0.01 to 1000
     double final_ratio = 3.7;                               // 0.01 to 1000
     double efficiency = 0.95;                               // 0.1 to 1

@@ -29,7 +29,7 @@ constexpr double speed_min = 0.5;  // m/s that the steering counts with
 constexpr double blend_speed_low = 15,
                  blend_speed_high = 30;        // m/s between which the two ways to steer are mixed
 constexpr double swing_damping_seconds = 0.025;  // s
-constexpr double rider_share = 0.85;   // of friction that a rider uses
+constexpr double rider_friction_share = 0.85;   // of friction that a rider uses
 
 double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
@@ -52,7 +52,7 @@ double least_friction(const Car& car) {
 double target_lean_angle(const Car& car) {
     const double v = maximum(car.speed, speed_min);
     const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
-    const double most = arc_tangent(rider_share * minimum(least_friction(car), locked), 1);
+    const double most = arc_tangent(rider_friction_share * minimum(least_friction(car), locked), 1);
     return clamp(car.controls.steering * car.def.balance.lean_most, -most, most);
 }
 
@@ -78,7 +78,7 @@ LateralAcceleration target_lateral_acceleration(const Car& car) {
 // rad that the front wheel slips while the tyre, as a brush (tyre.h), bears a share of friction:
 // share = 1 - (1 - c / (3 mu) slip)^3.
 double slip_for(double share, double friction, double stiffness) {
-    const double left = 1 - minimum(absolute(share), rider_share);
+    const double left = 1 - minimum(absolute(share), rider_friction_share);
     double root = 1 - (1 - left) / 3;
     for (int round = 0; round < 4; round++) root -= (root * root * root - left) / (3 * root * root);
     const double slip = 3 * friction / stiffness * (1 - root);
@@ -175,7 +175,7 @@ Vec3 feet_angular_impulse(const Frame& frame, const Car& car) {
 double rider_brake(const Car& car, std::size_t wheel, double asked) {
     if (!car.def.balance.on || absolute(car.speed) < speed_min) return asked;
     const WheelRun& run = car.wheels[wheel];
-    const double grip = rider_share * run.friction * run.load;
+    const double grip = rider_friction_share * run.friction * run.load;
     const double forward = square_root(maximum(grip * grip - run.lateral * run.lateral, 0));
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.back().load / weight / 0.15, 0, 1);

@@ -43,7 +43,7 @@ double feet_support_share(const Car& car) {
 
 double least_friction(const Car& car) {
     double least = 10;
-    for (const WheelRun& run : car.wheels)
+    for (const WheelRuntime& run : car.wheels)
         if (run.touches) least = minimum(least, run.friction);
     return least;
 }
@@ -70,7 +70,7 @@ LateralAcceleration target_lateral_acceleration(const Car& car) {
     const double turn =
         clamp(w * w * (target_lean_angle(car) - lean.angle), -most, most) - 2 * w * lean.rate;
     double pushed = 0;
-    for (const WheelRun& run : car.wheels) pushed += run.lateral;
+    for (const WheelRuntime& run : car.wheels) pushed += run.lateral;
     const double falls = (g * angle.sin - pushed / car.mass * cos) / l;
     return {(g * angle.sin - l * turn) / cos, (g + l * w * w) * lean.rate + 2 * l * w * falls};
 }
@@ -111,7 +111,7 @@ double steering_from_slip(const Car& car, const LateralAcceleration& lateral) {
 void measure_lean(const BodyState& chassis, Car& car) {
     Vec3 normal{}, point{};
     double touching = 0;
-    for (const WheelRun& run : car.wheels) {
+    for (const WheelRuntime& run : car.wheels) {
         if (!run.touches) continue;
         normal += run.normal;
         point += run.point;
@@ -174,7 +174,7 @@ Vec3 feet_angular_impulse(const Frame& frame, const Car& car) {
 // rear wheel is about to lift.
 double rider_brake(const Car& car, std::size_t wheel, double asked) {
     if (!car.def.balance.on || absolute(car.speed) < speed_min) return asked;
-    const WheelRun& run = car.wheels[wheel];
+    const WheelRuntime& run = car.wheels[wheel];
     const double grip = rider_friction_share * run.friction * run.load;
     const double forward = square_root(maximum(grip * grip - run.lateral * run.lateral, 0));
     const double weight = car.mass * car.lean.weight;
@@ -187,7 +187,7 @@ double rider_throttle(const Car& car) {
     if (!car.def.balance.on) return 1;
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.front().load / weight / 0.15, 0, 1);
-    const WheelRun& rear = car.wheels.back();
+    const WheelRuntime& rear = car.wheels.back();
     const double slip = car.def.wheels.back().radius * rear.spin - car.speed;
     const double grips = clamp(2 - slip / maximum(0.05 * absolute(car.speed), 0.3), 0, 1);
     return minimum(stays, grips);

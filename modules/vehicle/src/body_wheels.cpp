@@ -35,7 +35,7 @@ double inverse_mass_of(const Wheel& wheel, const BodyState& chassis) {
     return 1 / wheel.mass + 1 / chassis.mass + dot(turn, inverse(chassis.inertia) * turn);
 }
 
-WheelJoint joint_of(const Wheel& wheel, const WheelRun& run, const BodyState& chassis) {
+WheelJoint joint_of(const Wheel& wheel, const WheelRuntime& run, const BodyState& chassis) {
     const Suspension& suspension = wheel.suspension;
     const double inverse_mass = inverse_mass_of(wheel, chassis);
     const double rate = square_root(run.stiffness * inverse_mass);
@@ -233,7 +233,7 @@ void read_body_wheels(const World& world, double dt, Car& car) {
     car.speed = -dot(chassis->linear_velocity, rotate(turn, {0, 0, 1}));
     const Vec3 weight = world.gravity();
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
-        WheelRun& run = car.wheels[k];
+        WheelRuntime& run = car.wheels[k];
         const Wheel& wheel = car.def.wheels[k];
         const Result<JointState> joint = world.joint(car.bodies[k].joint);
         const Result<BodyState> body = world.body(car.bodies[k].body);

@@ -22,7 +22,7 @@ using physics::Transform;
 enum class Driver : std::uint8_t { nobody, pilot, person };
 
 // Saved.
-struct WheelRun {
+struct WheelRuntime {
     double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
     double spin = 0, angle = 0;             // rad/s, rad
     double longitudinal_deflection = 0, lateral_deflection = 0;  // m that the tread is bent: pushes the chassis so
@@ -83,7 +83,7 @@ struct Car {
     double held_aside = 0, held_ahead = 0;  // what a person holds, -1 to 1
     std::uint32_t held_buttons = 0;
 
-    std::vector<WheelRun> wheels;
+    std::vector<WheelRuntime> wheels;
     std::vector<WheelBody> bodies;  // as many, or none
     double steering = 0;            // -1 to 1, follows the controls
     double engine_speed = 0;

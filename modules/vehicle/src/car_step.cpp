@@ -117,7 +117,7 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
 void find_contacts(const SubstepContext& substep, const Frame& frame, Car& car,
                    Contacts& contacts) {
     for (std::uint32_t k = 0; k < car.wheels.size(); k++) {
-        WheelRun& run = car.wheels[k];
+        WheelRuntime& run = car.wheels[k];
         Contact& contact = contacts.all[contacts.count];
         run.touches = touch(substep, frame, k, car, contact);
         if (run.touches) {
@@ -149,7 +149,7 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
 
 // How the tyre answers if the wheel spins on, and how that changes with its spin.
 void deflect_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
-    WheelRun& run = car.wheels[contact.wheel];
+    WheelRuntime& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
     contact.longitudinal_velocity = dot(contact.velocity, contact.forward);
     contact.lateral_velocity = dot(contact.velocity, contact.lateral);
@@ -168,7 +168,7 @@ void deflect_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& conta
 // Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
 // The spin then takes what the drive line counted on and the tyre did not give.
 void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
-    WheelRun& run = car.wheels[contact.wheel];
+    WheelRuntime& run = car.wheels[contact.wheel];
     const Tread& tread = contact.tread;
     const double gained = spun.spin - run.spin;
     const double counted = spun.force + spun.slope * gained;
@@ -228,7 +228,7 @@ void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& p
     constexpr double turn = 2 * pi;
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
-        WheelRun& run = car.wheels[k];
+        WheelRuntime& run = car.wheels[k];
         left += car.rigs[k].axle * (wheels[k].inertia * (wheels[k].spin - run.spin));
         run.spin = wheels[k].spin;
         run.angle += run.spin * frame.h;

@@ -208,7 +208,7 @@ bool is_unit(Vec3 axis) {
     return absolute(length_squared(axis) - 1) < 1e-9;
 }
 
-void check_run(const WheelRun& run, Check& check) {
+void check_run(const WheelRuntime& run, Check& check) {
     check.number("stiffness", run.stiffness, 0, 1e15);
     check.number("damping", run.damping, 0, 1e15);
     check.number("spin", run.spin, -1e5, 1e5);

@@ -91,7 +91,7 @@ Way way_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
             rotate(turn, axle)};
 }
 
-void take_friction(const World& world, const Tyre& tyre, const Found& found, WheelRun& run) {
+void take_friction(const World& world, const Tyre& tyre, const Found& found, WheelRuntime& run) {
     if (run.shape == found.shape && run.friction > 0 && world.step_count() % friction_steps != 0)
         return;
     const Result<ShapeState> shape = world.shape(found.shape);
@@ -110,7 +110,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
 
 void stand(const World& world, const Way& way, const std::optional<Found>& found, std::size_t index,
            Car& car) {
-    WheelRun& run = car.wheels[index];
+    WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
     if (!bears(way, found)) return;
     ground.found = true;

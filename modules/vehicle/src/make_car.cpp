@@ -46,7 +46,7 @@ Car make_car(const VehicleDef& def, const BodyState& chassis, Vec3 gravity) {
         wheel.down = normalized(wheel.down);
         wheel.axle = normalized(wheel.axle);
         const double w = 2 * pi * wheel.suspension.frequency;
-        WheelRun& run = car.wheels.emplace_back();
+        WheelRuntime& run = car.wheels.emplace_back();
         run.stiffness = masses[k] * w * w;
         run.damping = 2 * wheel.suspension.damping * masses[k] * w;
     }

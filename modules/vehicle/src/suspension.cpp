@@ -66,7 +66,7 @@ void fill_effective_mass(const Car& car, const Contacts& contacts, Rows& rows) {
 }
 
 Row make_row(const Car& car, const Frame& frame, const Contact& contact, double w) {
-    const WheelRun& wheel = car.wheels[contact.wheel];
+    const WheelRuntime& wheel = car.wheels[contact.wheel];
     const Suspension& suspension = car.def.wheels[contact.wheel].suspension;
     double stiffness = wheel.stiffness, damping = wheel.damping;
     double push = suspension.preload + stiffness * contact.pressed;

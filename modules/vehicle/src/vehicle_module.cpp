@@ -93,7 +93,7 @@ VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
     return def;
 }
 
-void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, ChannelWriter& channels) {
+void publish_wheel(const Wheel& wheel, const WheelRuntime& run, double angle, ChannelWriter& channels) {
     channels.quantized(wheel.radius, 0, 2, 8);
     channels.quantized(wheel.width, 0, 1, 8);
     const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);

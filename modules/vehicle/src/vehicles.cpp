@@ -51,7 +51,7 @@ void steer(Car& car, double dt) {
 
 // A sleeping car stands on something that sleeps, or it must look again.
 bool lost_its_ground(const World& world, const Car& car) {
-    return std::any_of(car.wheels.begin(), car.wheels.end(), [&](const WheelRun& run) {
+    return std::any_of(car.wheels.begin(), car.wheels.end(), [&](const WheelRuntime& run) {
         if (!run.touches) return false;
         if (!world.contains(run.shape)) return true;
         const Result<BodyState> ground = world.body(run.ground);
@@ -74,7 +74,7 @@ void begin_step(const World& world, const Queries& queries, const BodyState& cha
 }
 
 WheelState state_of(const Car& car, std::size_t k) {
-    const WheelRun& run = car.wheels[k];
+    const WheelRuntime& run = car.wheels[k];
     return {.touches = run.touches,
             .ground = run.ground,
             .point = run.point,

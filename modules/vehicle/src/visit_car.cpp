@@ -119,7 +119,7 @@ void visit_controls(StateVisitor& v, Car& car) {
     v.field("pilot_speed", car.pilot.speed);
 }
 
-void visit_run(StateVisitor& v, WheelRun& run) {
+void visit_run(StateVisitor& v, WheelRuntime& run) {
     v.field("stiffness", run.stiffness);
     v.field("damping", run.damping);
     v.field("spin", run.spin);
@@ -145,7 +145,7 @@ void visit_car(StateVisitor& v, Car& car) {
     visit_def(v, car.def);
     visit_drive(v, car.def);
     visit_controls(v, car);
-    v.all("runs", car.wheels, [&](WheelRun& run) { visit_run(v, run); });
+    v.all("runs", car.wheels, [&](WheelRuntime& run) { visit_run(v, run); });
     v.all("bodies", car.bodies, [&](WheelBody& wheel) {
         v.field("body", wheel.body);
         v.field("joint", wheel.joint);

@@ -133,7 +133,7 @@ void measure_lean(const BodyState& chassis, Car& car) {
     car.lean.angle = arc_tangent(lateral, above);
     car.lean.rate = dot(chassis.angular_velocity, forward);
     car.lean.height = height + inertia / (chassis.mass * height);
-    car.lean.weight = maximum(-dot(car.other_a, normal), 0.1);
+    car.lean.weight = maximum(-dot(car.external_acceleration, normal), 0.1);
     car.lean.own = inertia;
     car.lean.turn = -dot(chassis.angular_velocity, normal);
     car.lean.inertia = inertia + chassis.mass * height * height;

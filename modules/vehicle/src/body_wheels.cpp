@@ -16,7 +16,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double learns_drag = 0.02;  // s
+constexpr double resistance_time_constant = 0.02;  // s
 
 // x ahead, y up along the suspension, z along the axle, to the right.
 Quat frame_of(const Wheel& wheel) {
@@ -104,11 +104,11 @@ double spin_of(const MovingBody& wheel, const MovingBody& chassis, Vec3 axle) {
 }
 
 // What turned it since the last sub-step besides the drive line.
-void learn(double spin, double inertia, double h, WheelBody& wheel) {
-    const double resists = (inertia * (spin - wheel.spin) - wheel.pushed) / h;
-    wheel.resists += (resists - wheel.resists) * (h / (h + learns_drag));
+void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel) {
+    const double resistance = (inertia * (spin - wheel.spin) - wheel.reaction_impulse) / h;
+    wheel.resistance += (resistance - wheel.resistance) * (h / (h + resistance_time_constant));
     wheel.spin = spin;
-    wheel.pushed = 0;
+    wheel.reaction_impulse = 0;
 }
 
 // As the drive line sees it.
@@ -117,7 +117,7 @@ SpunWheel spun(const Wheel& made, const WheelBody& wheel) {
             .inertia = inertia_of(made),
             .share = made.drive_share,
             .brake = 0,
-            .force = -wheel.resists / made.radius,
+            .force = -wheel.resistance / made.radius,
             .slope = 0,
             .spin = wheel.spin,
             .answers = 0};
@@ -207,7 +207,7 @@ void turn_body_wheels(SubstepContext& substep, Car& car) {
         if (substep.contains(wheel.body)) {
             const MovingBody body = substep.body(wheel.body);
             axles[k] = rotate(body.pose.rotation, car.def.wheels[k].axle);
-            learn(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h, wheel);
+            estimate_resistance(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h, wheel);
         }
         wheels[k] = spun(car.def.wheels[k], wheel);
     }
@@ -215,9 +215,9 @@ void turn_body_wheels(SubstepContext& substep, Car& car) {
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
         WheelBody& wheel = car.bodies[k];
         if (!substep.contains(wheel.body)) continue;
-        wheel.pushed = wheels[k].inertia * (wheels[k].spin - wheel.spin) - h * wheel.resists;
-        substep.add_angular_impulse(wheel.body, axles[k] * -wheel.pushed);
-        substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.pushed);
+        wheel.reaction_impulse = wheels[k].inertia * (wheels[k].spin - wheel.spin) - h * wheel.resistance;
+        substep.add_angular_impulse(wheel.body, axles[k] * -wheel.reaction_impulse);
+        substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.reaction_impulse);
     }
     press_by_bars(substep, chassis, car);
     const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});

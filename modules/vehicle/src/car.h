@@ -19,7 +19,7 @@ using physics::ShapeId;
 using physics::Transform;
 
 // Who decides on the controls.
-enum class Driver : std::uint8_t { nobody, pilot, person };
+enum class Driver : std::uint8_t { none, pilot, player };
 
 // Saved.
 struct WheelRuntime {
@@ -41,7 +41,7 @@ struct WheelBody {
     physics::JointId joint = {};
     double spin = 0;     // rad/s ahead at the last sub-step
     double pushed = 0;   // N m s that it was given then
-    double resists = 0;  // N m that ground and brakes turn it by: learned
+    double resistance = 0;  // N m that ground and brakes turn it by: learned
 };
 
 // The ground under a wheel, for a step.
@@ -52,7 +52,7 @@ struct Ground {
     Vec3 velocity = {};       // m/s, there
     double reach = 0;         // m from the plane to the wheel's centre when it touches
     double inverse_mass = 0;  // 1/kg that a tyre meets along the ground; 0: not asked yet
-    Vec3 pushed = {};         // N s: what it is owed at the end of the step
+    Vec3 reaction_impulse = {};         // N s: what it is owed at the end of the step
 };
 
 // What follows from the definition and the controls, for a step.
@@ -80,8 +80,8 @@ struct Car {
     CarControls controls;
     Driver driver = Driver::nobody;
     Pilot pilot;
-    double held_aside = 0, held_ahead = 0;  // what a person holds, -1 to 1
-    std::uint32_t held_buttons = 0;
+    double driver_steering = 0, driver_throttle = 0;  // what a person holds, -1 to 1
+    std::uint32_t driver_buttons = 0;
 
     std::vector<WheelRuntime> wheels;
     std::vector<WheelBody> bodies;  // as many, or none
@@ -92,16 +92,16 @@ struct Car {
     double shift_left = 0, pause_left = 0;  // s
     double speed = 0;                       // m/s ahead
     // What else pushes the chassis: found from where it was expected after the last sub-step.
-    bool follows = false;
+    bool has_expected_motion = false;
     Vec3 expected_v = {}, expected_w = {};
-    Vec3 other_a = {}, other_alpha = {};
-    bool carried = false;  // wheels bear it
+    Vec3 external_acceleration = {}, external_angular_acceleration = {};
+    bool supported = false;  // wheels bear it
 
     // Of the step.
     bool active = false;
-    Vec3 carry = {};  // N s of each sub-step
+    Vec3 support_impulse = {};  // N s of each sub-step
     double mass = 0;
-    double other_most = 100;  // m/s^2, rad/s^2 that are learned
+    double external_acceleration_max = 100;  // m/s^2, rad/s^2 that are learned
     Mat3 inverse_inertia;     // world axes
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;

@@ -15,36 +15,36 @@ namespace {
 
 // s in which what else pushes the chassis (gravity, contacts) is learned. It must not be much
 // quicker than a sub-step: impacts would be taken for weight.
-constexpr double learns = 0.02;
+constexpr double external_time_constant = 0.02;
 
-Vec3 bounded_push(Vec3 a, double most) {
+Vec3 clamp_components(Vec3 a, double most) {
     return min(max(a, Vec3{-most, -most, -most}), Vec3{most, most, most});
 }
 
 // What the chassis did since the last solve that the car did not ask for.
-void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
-    if (car.follows) {
-        const double share = h / (h + learns);
+void estimate_external_acceleration(const MovingBody& chassis, double h, Car& car) {
+    if (car.has_expected_motion) {
+        const double share = h / (h + external_time_constant);
         // A crash is not learned as if it lasted.
         const Vec3 a = (chassis.linear_velocity - car.expected_v) / h,
                    alpha = (chassis.angular_velocity - car.expected_w) / h;
-        car.other_a += (bounded_push(a, car.other_most) - car.other_a) * share;
-        car.other_alpha += (bounded_push(alpha, car.other_most) - car.other_alpha) * share;
+        car.external_acceleration += (clamp_components(a, car.external_acceleration_max) - car.external_acceleration) * share;
+        car.external_angular_acceleration += (clamp_components(alpha, car.external_acceleration_max) - car.external_angular_acceleration) * share;
     }
-    car.follows = true;
+    car.has_expected_motion = true;
     car.expected_v = chassis.linear_velocity;
     car.expected_w = chassis.angular_velocity;
 }
 
 // Sub-steps for which a solve holds.
-int held(const SubstepContext& substep, const Car& car) {
+int substeps_per_solve(const SubstepContext& substep, const Car& car) {
     const double most = 1 / car.def.rate + 1e-9;
     return most < 2 * substep.h() ? 1 : static_cast<int>(most / substep.h());
 }
 
 Frame frame_of(const SubstepContext& substep, double h, Car& car) {
     const MovingBody chassis = substep.body(car.def.chassis);
-    learn_other_pushes(chassis, h, car);
+    estimate_external_acceleration(chassis, h, car);
     Frame frame;
     frame.pose = chassis.pose;
     frame.axes = to_matrix(chassis.pose.rotation);
@@ -53,10 +53,10 @@ Frame frame_of(const SubstepContext& substep, double h, Car& car) {
     // tyres and dampers would take for a drift.
     const double ripple = 0.5 * (h - substep.h());
     frame.v = chassis.linear_velocity;
-    if (!car.carried) frame.v += car.other_a * -ripple;
-    frame.w = chassis.angular_velocity - car.other_alpha * ripple;
-    frame.next_v = frame.v + car.other_a * h;
-    frame.next_w = frame.w + car.other_alpha * h;
+    if (!car.supported) frame.v += car.external_acceleration * -ripple;
+    frame.w = chassis.angular_velocity - car.external_angular_acceleration * ripple;
+    frame.next_v = frame.v + car.external_acceleration * h;
+    frame.next_w = frame.w + car.external_angular_acceleration * h;
     frame.h = h;
     frame.time = (substep.index() + 0.5) * substep.h();
     return frame;
@@ -208,7 +208,7 @@ void push_ground(SubstepContext& substep, const Frame& frame, const Contact& con
     Ground& ground = car.grounds[contact.wheel];
     if (!ground.dynamic) return;
     const BodyId body = car.wheels[contact.wheel].ground;
-    if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.pushed += -impulse;
+    if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.reaction_impulse += -impulse;
 }
 
 void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& contacts, Car& car,
@@ -247,13 +247,13 @@ void push_by_air(const Frame& frame, const Car& car, Push& push) {
 // Euler method with the longer step. Only what carries the car against what else pushes it, the
 // same all the time, is pushed sub-step by sub-step: who stands still has no velocity then.
 void step_car(SubstepContext& substep, Car& car) {
-    const int hold_for = held(substep, car);
+    const int solve_interval = substeps_per_solve(substep, car);
     const BodyId chassis = car.def.chassis;
-    if (substep.index() % hold_for != 0) {
-        if (car.carried) substep.add_impulse(chassis, car.carry, substep.body(chassis).center);
+    if (substep.index() % solve_interval != 0) {
+        if (car.supported) substep.add_impulse(chassis, car.support_impulse, substep.body(chassis).center);
         return;
     }
-    const int left = substep.count() - substep.index(), steps = left < hold_for ? left : hold_for;
+    const int left = substep.count() - substep.index(), steps = left < solve_interval ? left : solve_interval;
     const Frame frame = frame_of(substep, steps * substep.h(), car);
     Contacts contacts;
     find_contacts(substep, frame, car, contacts);
@@ -266,9 +266,9 @@ void step_car(SubstepContext& substep, Car& car) {
     turn_wheels(frame, wheels, car, push);
     push_by_air(frame, car, push);
     push.turn += feet_angular_impulse(frame, car);
-    car.carried = contacts.count > 0;
-    car.carry = car.carried ? car.other_a * (-car.mass * substep.h()) : Vec3{};
-    substep.add_impulse(chassis, push.impulse - car.carry * (steps - 1), frame.center);
+    car.supported = contacts.count > 0;
+    car.support_impulse = car.supported ? car.external_acceleration * (-car.mass * substep.h()) : Vec3{};
+    substep.add_impulse(chassis, push.impulse - car.support_impulse * (steps - 1), frame.center);
     substep.add_angular_impulse(chassis, push.turn);
     car.expected_v += push.impulse * (1 / car.mass);
     car.expected_w += car.inverse_inertia * push.turn;

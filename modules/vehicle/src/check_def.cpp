@@ -208,7 +208,7 @@ bool is_unit(Vec3 axis) {
     return absolute(length_squared(axis) - 1) < 1e-9;
 }
 
-void check_run(const WheelRuntime& run, Check& check) {
+void check_wheel_runtime(const WheelRuntime& run, Check& check) {
     check.number("stiffness", run.stiffness, 0, 1e15);
     check.number("damping", run.damping, 0, 1e15);
     check.number("spin", run.spin, -1e5, 1e5);
@@ -269,18 +269,18 @@ std::string fault_of(const Car& car) {
                    "wheels have axes that are not unit");
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         check.enter("wheels", k);
-        check_run(car.wheels[k], check);
+        check_wheel_runtime(car.wheels[k], check);
     }
     check.that(car.bodies.size() == (car.def.cast == WheelCast::body ? car.wheels.size() : 0),
                "wheels have another number of bodies");
     for (const WheelBody& wheel : car.bodies) {
         check.number("spin", wheel.spin, -1e6, 1e6);
-        check.number("pushed", wheel.pushed, -1e12, 1e12);
-        check.number("resists", wheel.resists, -1e12, 1e12);
+        check.number("pushed", wheel.reaction_impulse, -1e12, 1e12);
+        check.number("resists", wheel.resistance, -1e12, 1e12);
     }
     check.leave();
-    check.number("held_aside", car.held_aside, -1, 1);
-    check.number("held_ahead", car.held_ahead, -1, 1);
+    check.number("driver_steering", car.driver_steering, -1, 1);
+    check.number("driver_throttle", car.driver_throttle, -1, 1);
     check.number("steering", car.steering, -1, 1);
     check.number("engine_speed", car.engine_speed, 0, 1e5);
     check.number("engine_torque", car.engine_torque, -1e12, 1e12);
@@ -291,8 +291,8 @@ std::string fault_of(const Car& car) {
     check.number("speed", car.speed, -1e6, 1e6);
     check.vector("expected_v", car.expected_v, 1e6);
     check.vector("expected_w", car.expected_w, 1e6);
-    check.vector("other_a", car.other_a, 1e6);
-    check.vector("other_alpha", car.other_alpha, 1e6);
+    check.vector("external_acceleration", car.external_acceleration, 1e6);
+    check.vector("external_angular_acceleration", car.external_angular_acceleration, 1e6);
     return check.fault();
 }
 

@@ -51,7 +51,7 @@ Car make_car(const VehicleDef& def, const BodyState& chassis, Vec3 gravity) {
         run.damping = 2 * wheel.suspension.damping * masses[k] * w;
     }
     car.engine_speed = def.engine.idle;
-    car.other_a = gravity;
+    car.external_acceleration = gravity;
     car.speed = -dot(chassis.linear_velocity, rotate(chassis.pose.rotation, {0, 0, 1}));
     return car;
 }

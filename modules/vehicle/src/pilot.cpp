@@ -42,12 +42,12 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     return controls;
 }
 
-CarControls person_controls(const Car& car) {
+CarControls driver_controls(const Car& car) {
     constexpr double stands = 0.5;  // m/s
-    const double forward = car.held_ahead, speed = car.speed;
+    const double forward = car.driver_throttle, speed = car.speed;
     CarControls controls = car.controls;
-    controls.steering = car.held_aside;
-    controls.hand_brake = (car.held_buttons & 1) != 0 ? 1 : 0;
+    controls.steering = car.driver_steering;
+    controls.hand_brake = (car.driver_buttons & 1) != 0 ? 1 : 0;
     controls.clutch = 0;
     const bool back = controls.gear < 0;
     if (forward < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
@@ -59,14 +59,14 @@ CarControls person_controls(const Car& car) {
     return controls;
 }
 
-void hold_controls(Car& car, const Controls& controls) {
+void apply_driver_input(Car& car, const Controls& controls) {
     constexpr std::uint32_t up = 4, down = 8;
-    const std::uint32_t pressed = controls.buttons & ~car.held_buttons;
+    const std::uint32_t pressed = controls.buttons & ~car.driver_buttons;
     const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
     car.driver = Driver::person;
-    car.held_aside = controls.axes[0];
-    car.held_ahead = controls.axes[1];
-    car.held_buttons = controls.buttons;
+    car.driver_steering = controls.axes[0];
+    car.driver_throttle = controls.axes[1];
+    car.driver_buttons = controls.buttons;
     if (car.def.gearbox.automatic) return;
     if ((pressed & up) != 0 && car.controls.gear < top) car.controls.gear++;
     if ((pressed & down) != 0 && car.controls.gear > -1) car.controls.gear--;

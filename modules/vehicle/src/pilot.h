@@ -12,9 +12,9 @@ namespace jostle::modules::vehicle_detail {
 CarControls pilot_controls(const Car& car, const physics::BodyState& chassis);
 
 // Of what is held: ahead is throttle, back is the brake, and reverse once the car stands.
-CarControls person_controls(const Car& car);
+CarControls driver_controls(const Car& car);
 
 // Takes hold, once: a press of a gear button shifts a manual gearbox.
-void hold_controls(Car& car, const physics::Controls& controls);
+void apply_driver_input(Car& car, const physics::Controls& controls);
 
 }  // namespace jostle::modules::vehicle_detail

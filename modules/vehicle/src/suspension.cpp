@@ -25,7 +25,7 @@ constexpr double stop_stiffness = 30;  // of the spring's: what a wheel that is 
 
 struct Row {
     double push;      // N of the spring now
-    double resists;   // N s/m: c + theta h k
+    double resistance;   // N s/m: c + theta h k
     double velocity;  // m/s at the end of the sub-step if it bears nothing
     bool bears;
 };
@@ -87,7 +87,7 @@ Row make_row(const Car& car, const Frame& frame, const Contact& contact, double 
     Row row;
     row.bears = true;
     row.push = contact.lever * push;
-    row.resists = maximum(lever2 * (damping + theta * frame.h * stiffness), 1e-9);
+    row.resistance = maximum(lever2 * (damping + theta * frame.h * stiffness), 1e-9);
     const Vec3 other = (frame.next_v - frame.v) + cross(frame.next_w - frame.w, contact.arm);
     row.velocity = dot(contact.velocity + other, contact.normal);
     return row;
@@ -105,8 +105,8 @@ void solve(const Frame& frame, const Rows& rows, Contacts& contacts) {
         const Row& row = rows.of[bearing[i]];
         for (std::size_t j = 0; j <= i; j++)
             system.a[i][j] = frame.h * rows.w[bearing[i]][bearing[j]];
-        system.a[i][i] += 1 / row.resists;
-        system.b[i] = row.push / row.resists - row.velocity;
+        system.a[i][i] += 1 / row.resistance;
+        system.b[i] = row.push / row.resistance - row.velocity;
     }
     system.solve();
     for (Contact& contact : contacts) contact.load = 0;

@@ -188,7 +188,7 @@ bool Vehicles::is_controllable(BodyId body) const {
 void Vehicles::control(World& world, BodyId body, const Controls& controls) {
     for (Car& car : cars_) {
         if (car.def.chassis != body) continue;
-        hold_controls(car, controls);
+        apply_driver_input(car, controls);
         // The body may be gone: then the car ends in the next step.
         static_cast<void>(world.wake(body));
     }

@@ -63,9 +63,9 @@ bool lost_its_ground(const World& world, const Car& car) {
 void begin_step(const World& world, const Queries& queries, const BodyState& chassis, double dt,
                 Car& car) {
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
-    if (car.driver == Driver::person) car.controls = person_controls(car);
+    if (car.driver == Driver::person) car.controls = driver_controls(car);
     car.mass = chassis.mass;
-    car.other_most = 100 + 10 * length(world.gravity());
+    car.external_acceleration_max = 100 + 10 * length(world.gravity());
     car.inverse_inertia = inverse(chassis.inertia);
     choose_gear(car, dt);
     if (car.def.balance.on) measure_lean(chassis, car);
@@ -200,7 +200,7 @@ void Vehicles::before_step(World& world, double dt) {
         car.active = chassis->awake;
         if (!chassis->awake && car.bodies.empty() && lost_its_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
-        if (!car.active) car.follows = false;
+        if (!car.active) car.has_expected_motion = false;
     }
     cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
     const Queries queries = world.queries();
@@ -233,10 +233,10 @@ void Vehicles::after_step(World& world, double dt) {
         }
         for (std::size_t k = 0; k < car.grounds.size(); k++) {
             const Ground& ground = car.grounds[k];
-            if (!ground.dynamic || ground.pushed == Vec3{}) continue;
+            if (!ground.dynamic || ground.reaction_impulse == Vec3{}) continue;
             // The body may be gone: then nobody is owed.
             static_cast<void>(
-                world.apply_force(car.wheels[k].ground, ground.pushed / dt, ground.point));
+                world.apply_force(car.wheels[k].ground, ground.reaction_impulse / dt, ground.point));
         }
     }
 }

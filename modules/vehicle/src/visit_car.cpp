@@ -111,15 +111,15 @@ void visit_controls(StateVisitor& v, Car& car) {
     v.field("clutch", car.controls.clutch);
     v.field("gear", car.controls.gear);
     v.field("driver", car.driver, Driver::person);
-    v.field("held_aside", car.held_aside);
-    v.field("held_ahead", car.held_ahead);
-    v.field("held_buttons", car.held_buttons);
+    v.field("driver_steering", car.driver_steering);
+    v.field("driver_throttle", car.driver_throttle);
+    v.field("driver_buttons", car.driver_buttons);
     v.field("pilot_center", car.pilot.center);
     v.field("pilot_radius", car.pilot.radius);
     v.field("pilot_speed", car.pilot.speed);
 }
 
-void visit_run(StateVisitor& v, WheelRuntime& run) {
+void visit_wheel_runtime(StateVisitor& v, WheelRuntime& run) {
     v.field("stiffness", run.stiffness);
     v.field("damping", run.damping);
     v.field("spin", run.spin);
@@ -145,13 +145,13 @@ void visit_car(StateVisitor& v, Car& car) {
     visit_def(v, car.def);
     visit_drive(v, car.def);
     visit_controls(v, car);
-    v.all("runs", car.wheels, [&](WheelRuntime& run) { visit_run(v, run); });
+    v.all("runs", car.wheels, [&](WheelRuntime& run) { visit_wheel_runtime(v, run); });
     v.all("bodies", car.bodies, [&](WheelBody& wheel) {
         v.field("body", wheel.body);
         v.field("joint", wheel.joint);
         v.field("last_spin", wheel.spin);
-        v.field("pushed", wheel.pushed);
-        v.field("resists", wheel.resists);
+        v.field("pushed", wheel.reaction_impulse);
+        v.field("resists", wheel.resistance);
     });
     v.field("turned", car.steering);
     v.field("engine_speed", car.engine_speed);
@@ -161,12 +161,12 @@ void visit_car(StateVisitor& v, Car& car) {
     v.field("shift_left", car.shift_left);
     v.field("pause_left", car.pause_left);
     v.field("speed", car.speed);
-    v.field("follows", car.follows);
-    v.field("carried", car.carried);
+    v.field("follows", car.has_expected_motion);
+    v.field("carried", car.supported);
     v.field("expected_v", car.expected_v);
     v.field("expected_w", car.expected_w);
-    v.field("other_a", car.other_a);
-    v.field("other_alpha", car.other_alpha);
+    v.field("external_acceleration", car.external_acceleration);
+    v.field("external_angular_acceleration", car.external_angular_acceleration);
     if (!v.loading()) return;
     car.active = false;
     const std::string fault = fault_of(car);

@@ -40,7 +40,7 @@ struct WheelBody {
     BodyId body = {};
     physics::JointId joint = {};
     double spin = 0;     // rad/s ahead at the last sub-step
-    double pushed = 0;   // N m s that it was given then
+    double drive_impulse = 0;   // N m s that it was given then
     double resistance = 0;  // N m that ground and brakes turn it by: learned
 };
 

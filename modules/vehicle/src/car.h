@@ -56,7 +56,7 @@ struct Ground {
 };
 
 // What follows from the definition and the controls, for a step.
-struct Rig {
+struct WheelAxes {
     Vec3 down = {}, axle = {}, forward = {};  // in the chassis, steered
 };
 
@@ -104,7 +104,7 @@ struct Car {
     double external_acceleration_max = 100;  // m/s^2, rad/s^2 that are learned
     Mat3 inverse_inertia;     // world axes
     std::vector<Ground> grounds;
-    std::vector<Rig> rigs;
+    std::vector<WheelAxes> rigs;
     Lean lean;
 };
 

@@ -79,7 +79,7 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
     Ground& ground = car.grounds[index];
     if (!ground.found) return false;
     const Wheel& wheel = car.def.wheels[index];
-    const Rig& rig = car.rigs[index];
+    const WheelAxes& rig = car.rigs[index];
     const Vec3 down = frame.axes * rig.down, normal = ground.normal;
     const double facing = -dot(down, normal);
     if (facing < 0.1) return false;

@@ -101,8 +101,8 @@ double steering_from_slip(const Car& car, const LateralAcceleration& lateral) {
     const double friction = maximum(least_friction(car), 0.01);
     const double share = lateral.wanted / (friction * car.lean.weight);
     // Its swing about the upright axis is damped: only what turns it along the way shall be left.
-    const double swings = car.lean.turn - lateral.wanted / maximum(car.speed, blend_speed_low);
-    return car.lean.course - swing_damping_seconds * swings +
+    const double swings = car.lean.yaw_rate - lateral.wanted / maximum(car.speed, blend_speed_low);
+    return car.lean.front_heading - swing_damping_seconds * swings +
            slip_for(share, friction, car.def.wheels.front().tyre.cornering_stiffness);
 }
 
@@ -134,12 +134,12 @@ void measure_lean(const BodyState& chassis, Car& car) {
     car.lean.rate = dot(chassis.angular_velocity, forward);
     car.lean.height = height + inertia / (chassis.mass * height);
     car.lean.weight = maximum(-dot(car.external_acceleration, normal), 0.1);
-    car.lean.own = inertia;
-    car.lean.turn = -dot(chassis.angular_velocity, normal);
+    car.lean.own_inertia = inertia;
+    car.lean.yaw_rate = -dot(chassis.angular_velocity, normal);
     car.lean.inertia = inertia + chassis.mass * height * height;
     const Vec3 hub = apply(chassis.pose, car.def.wheels.front().attachment);
     const Vec3 front = v + cross(chassis.angular_velocity, hub - chassis.center);
-    car.lean.course = arc_tangent(dot(front, right), maximum(dot(front, forward), speed_min));
+    car.lean.front_heading = arc_tangent(dot(front, right), maximum(dot(front, forward), speed_min));
 }
 
 double balance_steering(const Car& car, double dt) {
@@ -165,7 +165,7 @@ Vec3 feet_angular_impulse(const Frame& frame, const Car& car) {
     const double rate = -dot(frame.w, frame.axes.z), damps = 2 * w * lean.inertia;
     const double stands = (w * w + lean.weight / lean.height) * lean.inertia;
     // Implicit in what the chassis alone answers: its tyres give way aside.
-    const double upright = -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own);
+    const double upright = -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own_inertia);
     const double most = 0.5 * car.mass * lean.weight;
     return frame.axes.z * (-clamp(upright, -most, most) * share * lies * frame.h);
 }

@@ -251,7 +251,7 @@ void read_body_wheels(const World& world, double dt, Car& car) {
         // Of the ground on the wheel, if it keeps its speed.
         const Vec3 ground = -joint->force - weight * wheel.mass;
         run.load = maximum(-dot(ground, down), 0);
-        run.forward = dot(ground, rotate(turn, car.rigs[k].forward));
+        run.forward = dot(ground, rotate(turn, car.wheel_axes[k].forward));
         run.lateral = dot(ground, axle);
         run.friction = wheel.tyre.friction;
         run.normal = -down;

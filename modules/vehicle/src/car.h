@@ -67,9 +67,9 @@ struct Lean {
     double height = 1;           // m: of a pendulum that falls as fast
     double weight = 9.81;        // m/s^2 down
     double inertia = 0;          // kg m^2 about the line that it leans over
-    double own = 1;              // kg m^2 about its centre of mass, along its way
-    double turn = 0;             // rad/s to the right
-    double course = 0;           // rad to the right: where the front wheel goes
+    double own_inertia = 1;              // kg m^2 about its centre of mass, along its way
+    double yaw_rate = 0;             // rad/s to the right
+    double front_heading = 0;           // rad to the right: where the front wheel goes
 };
 
 enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
@@ -104,7 +104,7 @@ struct Car {
     double external_acceleration_max = 100;  // m/s^2, rad/s^2 that are learned
     Mat3 inverse_inertia;     // world axes
     std::vector<Ground> grounds;
-    std::vector<WheelAxes> rigs;
+    std::vector<WheelAxes> wheel_axes;
     Lean lean;
 };
 

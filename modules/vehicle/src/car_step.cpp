@@ -79,7 +79,7 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
     Ground& ground = car.grounds[index];
     if (!ground.found) return false;
     const Wheel& wheel = car.def.wheels[index];
-    const WheelAxes& rig = car.rigs[index];
+    const WheelAxes& rig = car.wheel_axes[index];
     const Vec3 down = frame.axes * rig.down, normal = ground.normal;
     const double facing = -dot(down, normal);
     if (facing < 0.1) return false;
@@ -218,7 +218,7 @@ void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& conta
                               contact.lateral * contact.lateral_force) *
                              frame.h;
         push.impulse += impulse;
-        push.turn += cross(contact.arm, impulse);
+        push.yaw_rate += cross(contact.arm, impulse);
         push_ground(substep, frame, contact, impulse, car);
     }
 }
@@ -229,12 +229,12 @@ void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& p
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         WheelRuntime& run = car.wheels[k];
-        left += car.rigs[k].axle * (wheels[k].inertia * (wheels[k].spin - run.spin));
+        left += car.wheel_axes[k].axle * (wheels[k].inertia * (wheels[k].spin - run.spin));
         run.spin = wheels[k].spin;
         run.angle += run.spin * frame.h;
         if (run.angle < 0 || run.angle > turn) run.angle -= turn * std::floor(run.angle / turn);
     }
-    push.turn += frame.axes * left;
+    push.yaw_rate += frame.axes * left;
 }
 
 void push_by_air(const Frame& frame, const Car& car, Push& push) {
@@ -265,13 +265,13 @@ void step_car(SubstepContext& substep, Car& car) {
     push_by_wheels(substep, frame, contacts, car, push);
     turn_wheels(frame, wheels, car, push);
     push_by_air(frame, car, push);
-    push.turn += feet_angular_impulse(frame, car);
+    push.yaw_rate += feet_angular_impulse(frame, car);
     car.supported = contacts.count > 0;
     car.support_impulse = car.supported ? car.external_acceleration * (-car.mass * substep.h()) : Vec3{};
     substep.add_impulse(chassis, push.impulse - car.support_impulse * (steps - 1), frame.center);
-    substep.add_angular_impulse(chassis, push.turn);
+    substep.add_angular_impulse(chassis, push.yaw_rate);
     car.expected_v += push.impulse * (1 / car.mass);
-    car.expected_w += car.inverse_inertia * push.turn;
+    car.expected_w += car.inverse_inertia * push.yaw_rate;
     car.speed = -dot(frame.v, frame.axes.z);
 }
 

@@ -143,7 +143,7 @@ void look_for_ground(const World& world, const Queries& queries, const BodyState
     std::array<std::optional<Found>, wheels_max> found;
     const std::size_t count = car.wheels.size();
     for (std::size_t k = 0; k < count; k++)
-        ways[k] = way_of(chassis, car.def.wheels[k], car.rigs[k].axle);
+        ways[k] = way_of(chassis, car.def.wheels[k], car.wheel_axes[k].axle);
     if (car.def.cast != WheelCast::ray)
         cast_whole_wheels(queries, car, std::span(ways).first(count), found);
     for (std::size_t k = 0; k < count; k++) {

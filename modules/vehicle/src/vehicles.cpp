@@ -39,12 +39,12 @@ void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
     const double wanted = car.def.balance.on ? balance_steering(car, dt) : car.controls.steering;
     car.steering += clamp(wanted - car.steering, -most, most);
-    car.rigs.resize(car.wheels.size());
+    car.wheel_axes.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& wheel = car.def.wheels[k];
         const Vec3 back = cross(wheel.axle, -wheel.down);
         const SinCos turn = sin_cos(angle_of(car, k));
-        car.rigs[k] = {wheel.down, wheel.axle * turn.cos + back * turn.sin,
+        car.wheel_axes[k] = {wheel.down, wheel.axle * turn.cos + back * turn.sin,
                        wheel.axle * turn.sin - back * turn.cos};
     }
 }

@@ -34,7 +34,7 @@ struct Link {
     std::size_t size;
     double most;   // N m
     double stiff;  // N m s/rad
-    Grip grip;
+    FrictionState grip;
     double before;  // rad/s: its speed at the start
 };
 struct Links {
@@ -51,9 +51,9 @@ double speed_of(const Link& link, const Speeds& y) {
 }
 
 // Slips if a sub-step of all that it bears does not stop it.
-Grip guess(const Link& link, double inertia, double h) {
-    if (absolute(link.before) * inertia <= h * link.most) return Grip::holds;
-    return link.before > 0 ? Grip::slips_ahead : Grip::slips_back;
+FrictionState guess(const Link& link, double inertia, double h) {
+    if (absolute(link.before) * inertia <= h * link.most) return FrictionState::holds;
+    return link.before > 0 ? FrictionState::slips_ahead : FrictionState::slips_back;
 }
 
 void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links) {
@@ -156,8 +156,8 @@ void assemble(const Car& car, double h, const SpunWheels& wheels, double throttl
 }
 
 void add(const Link& link, double h, System& system) {
-    if (link.grip != Grip::holds) {
-        const double push = h * (link.grip == Grip::slips_ahead ? link.most : -link.most);
+    if (link.grip != FrictionState::holds) {
+        const double push = h * (link.grip == FrictionState::slips_ahead ? link.most : -link.most);
         for (std::size_t k = 0; k < link.size; k++) system.b[link.at[k]] -= push * link.weight[k];
         return;
     }
@@ -171,20 +171,20 @@ void add(const Link& link, double h, System& system) {
 // Whether a link was not as guessed.
 bool corrected(Link& link, const Speeds& y) {
     const double speed = speed_of(link, y);
-    if (link.grip == Grip::holds) {
+    if (link.grip == FrictionState::holds) {
         if (absolute(link.stiff * speed) <= link.most) return false;
-        link.grip = speed > 0 ? Grip::slips_ahead : Grip::slips_back;
+        link.grip = speed > 0 ? FrictionState::slips_ahead : FrictionState::slips_back;
         return true;
     }
-    if (link.grip == Grip::slips_ahead ? speed >= 0 : speed <= 0) return false;
-    link.grip = Grip::holds;
+    if (link.grip == FrictionState::slips_ahead ? speed >= 0 : speed <= 0) return false;
+    link.grip = FrictionState::holds;
     return true;
 }
 
 double torque_of(const Link& link, const Speeds& y) {
-    if (link.grip == Grip::holds)
+    if (link.grip == FrictionState::holds)
         return clamp(link.stiff * speed_of(link, y), -link.most, link.most);
-    return link.grip == Grip::slips_ahead ? link.most : -link.most;
+    return link.grip == FrictionState::slips_ahead ? link.most : -link.most;
 }
 
 // The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.
@@ -265,7 +265,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
     for (std::size_t i = 0; i < engine; i++) wheels[i].spin = clamp(y[i], -1e5, 1e5);
     // What a brake holds stands still.
     for (std::size_t k = 0; k < clutch; k++)
-        if (links.of[k].grip == Grip::holds) wheels[links.of[k].at[0]].spin = 0;
+        if (links.of[k].grip == FrictionState::holds) wheels[links.of[k].at[0]].spin = 0;
 }
 
 }  // namespace jostle::modules::vehicle_detail

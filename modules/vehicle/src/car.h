@@ -72,7 +72,7 @@ struct Lean {
     double front_heading = 0;           // rad to the right: where the front wheel goes
 };
 
-enum class FrictionState : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
+enum class FrictionState : std::uint8_t { holds, slipping_forward, slipping_backward };  // of a brake, clutch, coupling
 
 struct Car {
     CarId id = 0;

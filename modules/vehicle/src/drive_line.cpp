@@ -53,7 +53,7 @@ double speed_of(const Link& link, const Speeds& y) {
 // Slips if a sub-step of all that it bears does not stop it.
 FrictionState guess(const Link& link, double inertia, double h) {
     if (absolute(link.before) * inertia <= h * link.most) return FrictionState::holds;
-    return link.before > 0 ? FrictionState::slips_ahead : FrictionState::slips_back;
+    return link.before > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
 }
 
 void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links) {
@@ -157,7 +157,7 @@ void assemble(const Car& car, double h, const SpunWheels& wheels, double throttl
 
 void add(const Link& link, double h, System& system) {
     if (link.grip != FrictionState::holds) {
-        const double push = h * (link.grip == FrictionState::slips_ahead ? link.most : -link.most);
+        const double push = h * (link.grip == FrictionState::slipping_forward ? link.most : -link.most);
         for (std::size_t k = 0; k < link.size; k++) system.b[link.at[k]] -= push * link.weight[k];
         return;
     }
@@ -173,10 +173,10 @@ bool corrected(Link& link, const Speeds& y) {
     const double speed = speed_of(link, y);
     if (link.grip == FrictionState::holds) {
         if (absolute(link.stiff * speed) <= link.most) return false;
-        link.grip = speed > 0 ? FrictionState::slips_ahead : FrictionState::slips_back;
+        link.grip = speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
         return true;
     }
-    if (link.grip == FrictionState::slips_ahead ? speed >= 0 : speed <= 0) return false;
+    if (link.grip == FrictionState::slipping_forward ? speed >= 0 : speed <= 0) return false;
     link.grip = FrictionState::holds;
     return true;
 }
@@ -184,7 +184,7 @@ bool corrected(Link& link, const Speeds& y) {
 double torque_of(const Link& link, const Speeds& y) {
     if (link.grip == FrictionState::holds)
         return clamp(link.stiff * speed_of(link, y), -link.most, link.most);
-    return link.grip == FrictionState::slips_ahead ? link.most : -link.most;
+    return link.grip == FrictionState::slipping_forward ? link.most : -link.most;
 }
 
 // The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.

@@ -155,7 +155,7 @@ double balance_steering(const Car& car, double dt) {
 
 // As a pendulum without a foot that moves; fades to nothing with the speed. Feet push with the
 // weight half a metre aside, reach the ground, and lift nothing that lies on its side.
-Vec3 feet_angular_impulse(const Frame& frame, const Car& car) {
+Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
     const Balance& balance = car.def.balance;
     const Lean& lean = car.lean;
     const double share = feet_support_share(car);

@@ -14,7 +14,7 @@ void measure_lean(const physics::BodyState& chassis, Car& car);
 double balance_steering(const Car& car, double dt);
 
 // N m s of a solve, where it is slow.
-Vec3 feet_angular_impulse(const Frame& frame, const Car& car);
+Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car);
 
 // What the rider makes of brakes, N m, and of the throttle: a share. Nothing of a car's.
 double rider_brake(const Car& car, std::size_t wheel, double asked);

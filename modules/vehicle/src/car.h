@@ -109,7 +109,7 @@ struct Car {
 };
 
 // The chassis in a sub-step.
-struct Frame {
+struct ChassisFrame {
     Transform pose = {};
     Mat3 axes;
     Vec3 center = {}, v = {}, w = {};

@@ -42,10 +42,10 @@ int substeps_per_solve(const SubstepContext& substep, const Car& car) {
     return most < 2 * substep.h() ? 1 : static_cast<int>(most / substep.h());
 }
 
-Frame frame_of(const SubstepContext& substep, double h, Car& car) {
+ChassisFrame frame_of(const SubstepContext& substep, double h, Car& car) {
     const MovingBody chassis = substep.body(car.def.chassis);
     estimate_external_acceleration(chassis, h, car);
-    Frame frame;
+    ChassisFrame frame;
     frame.pose = chassis.pose;
     frame.axes = to_matrix(chassis.pose.rotation);
     frame.center = chassis.center;
@@ -74,7 +74,7 @@ double inverse_mass_at(const Car& car, const Contact& contact) {
            static_cast<double>(car.wheels.size());
 }
 
-bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t index, Car& car,
+bool touch(const SubstepContext& substep, const ChassisFrame& frame, std::uint32_t index, Car& car,
            Contact& contact) {
     Ground& ground = car.grounds[index];
     if (!ground.found) return false;
@@ -114,7 +114,7 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
     return true;
 }
 
-void find_contacts(const SubstepContext& substep, const Frame& frame, Car& car,
+void find_contacts(const SubstepContext& substep, const ChassisFrame& frame, Car& car,
                    Contacts& contacts) {
     for (std::uint32_t k = 0; k < car.wheels.size(); k++) {
         WheelRuntime& run = car.wheels[k];
@@ -148,7 +148,7 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
 }
 
 // How the tyre answers if the wheel spins on, and how that changes with its spin.
-void deflect_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+void deflect_tread(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
     contact.longitudinal_velocity = dot(contact.velocity, contact.forward);
@@ -167,7 +167,7 @@ void deflect_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& conta
 
 // Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
 // The spin then takes what the drive line counted on and the tyre did not give.
-void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+void grip(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const Tread& tread = contact.tread;
     const double gained = spun.spin - run.spin;
@@ -190,7 +190,7 @@ void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     run.load = contact.load;
 }
 
-void drive(const Frame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
+void drive(const ChassisFrame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
     prepare_spin(car, wheels);
     for (Contact& contact : contacts) deflect_tread(frame, car, wheels[contact.wheel], contact);
     solve_drive_line(car, frame.h, wheels);
@@ -203,7 +203,7 @@ struct Push {
     Vec3 impulse = {}, turn = {};  // N s, N m s about the centre of mass
 };
 
-void push_ground(SubstepContext& substep, const Frame& frame, const Contact& contact, Vec3 impulse,
+void push_ground(SubstepContext& substep, const ChassisFrame& frame, const Contact& contact, Vec3 impulse,
                  Car& car) {
     Ground& ground = car.grounds[contact.wheel];
     if (!ground.dynamic) return;
@@ -211,7 +211,7 @@ void push_ground(SubstepContext& substep, const Frame& frame, const Contact& con
     if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.reaction_impulse += -impulse;
 }
 
-void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& contacts, Car& car,
+void push_by_wheels(SubstepContext& substep, const ChassisFrame& frame, Contacts& contacts, Car& car,
                     Push& push) {
     for (const Contact& contact : contacts) {
         const Vec3 impulse = (contact.normal * contact.load + contact.forward * contact.longitudinal_force +
@@ -224,7 +224,7 @@ void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& conta
 }
 
 // Wheels take their spin from the chassis and leave it there.
-void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& push) {
+void turn_wheels(const ChassisFrame& frame, const SpunWheels& wheels, Car& car, Push& push) {
     constexpr double turn = 2 * pi;
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -237,7 +237,7 @@ void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& p
     push.yaw_rate += frame.axes * left;
 }
 
-void push_by_air(const Frame& frame, const Car& car, Push& push) {
+void push_by_air(const ChassisFrame& frame, const Car& car, Push& push) {
     push.impulse += air_push(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
 }
 
@@ -254,7 +254,7 @@ void step_car(SubstepContext& substep, Car& car) {
         return;
     }
     const int left = substep.count() - substep.index(), steps = left < solve_interval ? left : solve_interval;
-    const Frame frame = frame_of(substep, steps * substep.h(), car);
+    const ChassisFrame frame = frame_of(substep, steps * substep.h(), car);
     Contacts contacts;
     find_contacts(substep, frame, car, contacts);
     solve_loads(car, frame, contacts);

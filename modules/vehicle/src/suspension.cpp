@@ -65,7 +65,7 @@ void fill_effective_mass(const Car& car, const Contacts& contacts, Rows& rows) {
     }
 }
 
-Row make_row(const Car& car, const Frame& frame, const Contact& contact, double w) {
+Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, double w) {
     const WheelRuntime& wheel = car.wheels[contact.wheel];
     const Suspension& suspension = car.def.wheels[contact.wheel].suspension;
     double stiffness = wheel.stiffness, damping = wheel.damping;
@@ -94,7 +94,7 @@ Row make_row(const Car& car, const Frame& frame, const Contact& contact, double 
 }
 
 // (1 / B + h W) N = push / B - v, of those that bear.
-void solve(const Frame& frame, const Rows& rows, Contacts& contacts) {
+void solve(const ChassisFrame& frame, const Rows& rows, Contacts& contacts) {
     SmallSystem<wheels_max> system;
     std::array<std::size_t, wheels_max> bearing;
     std::size_t count = 0;
@@ -115,7 +115,7 @@ void solve(const Frame& frame, const Rows& rows, Contacts& contacts) {
 
 }  // namespace
 
-void solve_loads(const Car& car, const Frame& frame, Contacts& contacts) {
+void solve_loads(const Car& car, const ChassisFrame& frame, Contacts& contacts) {
     if (contacts.count == 0) return;
     Rows rows;
     fill_effective_mass(car, contacts, rows);

@@ -9,6 +9,6 @@
 namespace jostle::modules::vehicle_detail {
 
 // Fills in Contact::load.
-void solve_loads(const Car& car, const Frame& frame, Contacts& contacts);
+void solve_loads(const Car& car, const ChassisFrame& frame, Contacts& contacts);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -119,7 +119,7 @@ struct ChassisFrame {
 };
 
 // How a tread pushes at a load, in a sub-step.
-struct Tread {
+struct TreadState {
     double limit;                         // N: friction * load
     double longitudinal_deflection, lateral_deflection;        // s per m of bend: C / (3 mu length)
     double roll;                          // share of its bend that a sub-step leaves
@@ -140,7 +140,7 @@ struct Contact {
     double lever;         // suspension travel per motion along the normal
     double inverse_mass;  // 1/kg that a tyre meets along the ground
     double load;          // N
-    Tread tread;
+    TreadState tread;
     double longitudinal_force, lateral_force;  // N
 };
 

@@ -153,7 +153,7 @@ void deflect_tread(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
     contact.longitudinal_velocity = dot(contact.velocity, contact.forward);
     contact.lateral_velocity = dot(contact.velocity, contact.lateral);
-    Tread& tread = contact.tread =
+    TreadState& tread = contact.tread =
         tread_of(tyre, contact, run.friction, absolute(contact.longitudinal_velocity), frame.h);
     const double slip = contact.longitudinal_velocity - spun.radius * run.spin;
     run.longitudinal_deflection = (run.longitudinal_deflection - frame.h * slip) * tread.roll;
@@ -169,7 +169,7 @@ void deflect_tread(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact
 // The spin then takes what the drive line counted on and the tyre did not give.
 void grip(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
-    const Tread& tread = contact.tread;
+    const TreadState& tread = contact.tread;
     const double gained = spun.spin - run.spin;
     const double counted = spun.force + spun.slope * gained;
     const double slip = contact.longitudinal_velocity - spun.radius * spun.spin;

@@ -33,9 +33,9 @@ inline double tread_damping(double ratio, double stiffness, double inverse_mass,
 }
 
 // For a sub-step in which it rolls at `speed`, m/s.
-inline Tread tread_of(const Tyre& tyre, const Contact& contact, double friction, double speed,
+inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double friction, double speed,
                       double h) {
-    Tread tread;
+    TreadState tread;
     tread.limit = friction * contact.load;
     tread.rolls = physics::minimum(speed / rolls_at, 1);
     const double per_length = 1 / tyre.relaxation_length;
@@ -56,7 +56,7 @@ inline Tread tread_of(const Tyre& tyre, const Contact& contact, double friction,
 }
 
 // Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
-inline double hold(const Tread& tread, double& forward, double& lateral) {
+inline double hold(const TreadState& tread, double& forward, double& lateral) {
     const double x = tread.longitudinal_deflection * forward, y = tread.lateral_deflection * lateral;
     const double most = (1 + 2 * tread.rolls) / 3, s2 = x * x + y * y;
     if (s2 <= most * most) return s2;
@@ -67,7 +67,7 @@ inline double hold(const Tread& tread, double& forward, double& lateral) {
 }
 
 // Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
-inline void push_of(Tread& tread, double forward, double lateral, double s2) {
+inline void push_of(TreadState& tread, double forward, double lateral, double s2) {
     constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);
     double secant = tread.limit * (3 - 3 * s + s2);

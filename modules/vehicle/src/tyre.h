@@ -37,15 +37,15 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
                       double h) {
     TreadState tread;
     tread.limit = friction * contact.load;
-    tread.rolls = physics::minimum(speed / rolls_at, 1);
+    tread.rolling_share = physics::minimum(speed / rolls_at, 1);
     const double per_length = 1 / tyre.relaxation_length;
     tread.roll = 1 / (1 + h * speed * per_length);
     const double k_ahead = contact.load * tyre.longitudinal_stiffness * per_length,
                  k_aside = contact.load * tyre.cornering_stiffness * per_length;
     tread.longitudinal_damping =
-        tread_damping(tyre.damping, k_ahead, contact.inverse_mass, tread.rolls, h);
+        tread_damping(tyre.damping, k_ahead, contact.inverse_mass, tread.rolling_share, h);
     tread.lateral_damping =
-        tread_damping(tyre.damping, k_aside, contact.inverse_mass, tread.rolls, h);
+        tread_damping(tyre.damping, k_aside, contact.inverse_mass, tread.rolling_share, h);
     // Where a tread is too stiff for the sub-step it gives way; suspension.cpp says how.
     const double z2 = h * h * physics::maximum(k_ahead, k_aside) * contact.inverse_mass;
     const double gives = (4 + z2) / (4 + z2 + z2 * z2);
@@ -58,7 +58,7 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
 // Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
 inline double hold(const TreadState& tread, double& forward, double& lateral) {
     const double x = tread.longitudinal_deflection * forward, y = tread.lateral_deflection * lateral;
-    const double most = (1 + 2 * tread.rolls) / 3, s2 = x * x + y * y;
+    const double most = (1 + 2 * tread.rolling_share) / 3, s2 = x * x + y * y;
     if (s2 <= most * most) return s2;
     const double less = most / physics::square_root(s2);
     forward *= less;
@@ -71,13 +71,13 @@ inline void push_of(TreadState& tread, double forward, double lateral, double s2
     constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);
     double secant = tread.limit * (3 - 3 * s + s2);
-    if (tread.rolls < 1) {
+    if (tread.rolling_share < 1) {
         const double standing = tread.limit * (s > 1.0 / 3 ? 1 / s : 3);
-        secant = tread.rolls * secant + (1 - tread.rolls) * standing;
+        secant = tread.rolling_share * secant + (1 - tread.rolling_share) * standing;
     }
     tread.longitudinal_secant = secant * tread.longitudinal_deflection;
     tread.lateral_secant = secant * tread.lateral_deflection;
-    const double most = (1 + 2 * tread.rolls) / 3, share = s2 / (most * most);
+    const double most = (1 + 2 * tread.rolling_share) / 3, share = s2 / (most * most);
     if (share <= sticks) return;
     const double slides = (share - sticks) / (1 - sticks);
     const double bend2 = forward * forward + lateral * lateral;

@@ -112,7 +112,7 @@ void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel
 }
 
 // As the drive line sees it.
-SpunWheel spun(const Wheel& made, const WheelBody& wheel) {
+DriveLineWheel spun(const Wheel& made, const WheelBody& wheel) {
     return {.radius = made.radius,
             .inertia = inertia_of(made),
             .share = made.drive_share,

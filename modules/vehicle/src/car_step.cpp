@@ -137,7 +137,7 @@ void find_contacts(const SubstepContext& substep, const ChassisFrame& frame, Car
 void prepare_spin(const Car& car, SpunWheels& wheels) {
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& made = car.def.wheels[k];
-        SpunWheel& wheel = wheels[k];
+        DriveLineWheel& wheel = wheels[k];
         wheel.radius = made.radius;
         wheel.inertia = made.inertia;
         wheel.share = made.drive_share;
@@ -148,7 +148,7 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
 }
 
 // How the tyre answers if the wheel spins on, and how that changes with its spin.
-void deflect_tread(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+void deflect_tread(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
     contact.longitudinal_velocity = dot(contact.velocity, contact.forward);
@@ -167,7 +167,7 @@ void deflect_tread(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact
 
 // Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
 // The spin then takes what the drive line counted on and the tyre did not give.
-void grip(const ChassisFrame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const TreadState& tread = contact.tread;
     const double gained = spun.spin - run.spin;

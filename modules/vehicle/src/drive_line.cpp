@@ -58,7 +58,7 @@ FrictionState guess(const Link& link, double inertia, double h) {
 
 void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links) {
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
-        const SpunWheel& wheel = wheels[i];
+        const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
         Link& link = links.of[links.count++];
         link.at[0] = static_cast<std::uint8_t>(i);
@@ -144,7 +144,7 @@ void assemble(const Car& car, double h, const SpunWheels& wheels, double throttl
     const double lost =
         (1 - car.def.gearbox.efficiency) * maximum(car.clutch_torque, 0) * ratio_now(car);
     for (std::size_t i = 0; i < engine; i++) {
-        const SpunWheel& wheel = wheels[i];
+        const DriveLineWheel& wheel = wheels[i];
         system.a[i][i] = wheel.answers;
         system.b[i] =
             wheel.answers * wheel.spin - h * (wheel.radius * wheel.force + wheel.share * lost);

@@ -9,7 +9,7 @@
 namespace jostle::modules::vehicle_detail {
 
 // A wheel as the drive line sees it.
-struct SpunWheel {
+struct DriveLineWheel {
     double radius, inertia, share;
     double brake;    // N m that hold it, at most
     double force;    // N of its tyre ahead if it spins on as it does
@@ -17,7 +17,7 @@ struct SpunWheel {
     double spin;     // rad/s; becomes that at the end of the sub-step
     double answers;  // kg m^2 that a change of its tyre's force meets
 };
-using SpunWheels = std::array<SpunWheel, wheels_max>;
+using SpunWheels = std::array<DriveLineWheel, wheels_max>;
 
 // Also moves the engine on.
 void solve_drive_line(Car& car, double h, SpunWheels& wheels);

@@ -200,7 +200,7 @@ void steer_and_brake(World& world, Car& car) {
 void turn_body_wheels(SubstepContext& substep, Car& car) {
     const MovingBody chassis = substep.body(car.def.chassis);
     const double h = substep.h();
-    SpunWheels wheels;
+    DriveLineWheels wheels;
     std::array<Vec3, wheels_max> axles;
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
         WheelBody& wheel = car.bodies[k];

@@ -134,7 +134,7 @@ void find_contacts(const SubstepContext& substep, const ChassisFrame& frame, Car
 
 // ---- how they turn and hold ----
 
-void prepare_spin(const Car& car, SpunWheels& wheels) {
+void prepare_spin(const Car& car, DriveLineWheels& wheels) {
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& made = car.def.wheels[k];
         DriveLineWheel& wheel = wheels[k];
@@ -190,7 +190,7 @@ void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& co
     run.load = contact.load;
 }
 
-void drive(const ChassisFrame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
+void drive(const ChassisFrame& frame, Car& car, DriveLineWheels& wheels, Contacts& contacts) {
     prepare_spin(car, wheels);
     for (Contact& contact : contacts) deflect_tread(frame, car, wheels[contact.wheel], contact);
     solve_drive_line(car, frame.h, wheels);
@@ -224,7 +224,7 @@ void push_by_wheels(SubstepContext& substep, const ChassisFrame& frame, Contacts
 }
 
 // Wheels take their spin from the chassis and leave it there.
-void turn_wheels(const ChassisFrame& frame, const SpunWheels& wheels, Car& car, Push& push) {
+void turn_wheels(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car, Push& push) {
     constexpr double turn = 2 * pi;
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -258,7 +258,7 @@ void step_car(SubstepContext& substep, Car& car) {
     Contacts contacts;
     find_contacts(substep, frame, car, contacts);
     solve_loads(car, frame, contacts);
-    SpunWheels wheels;
+    DriveLineWheels wheels;
     drive(frame, car, wheels, contacts);
 
     Push push;

@@ -56,7 +56,7 @@ FrictionState guess(const Link& link, double inertia, double h) {
     return link.before > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
 }
 
-void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links) {
+void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Links& links) {
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
@@ -138,7 +138,7 @@ void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
 }
 
 // Without links.
-void assemble(const Car& car, double h, const SpunWheels& wheels, double throttle, System& system) {
+void assemble(const Car& car, double h, const DriveLineWheels& wheels, double throttle, System& system) {
     const std::size_t engine = car.wheels.size();
     system.clear(engine + 1);
     const double lost =
@@ -231,7 +231,7 @@ double mean_driven_spin(const Car& car) {
     return sum;
 }
 
-void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
+void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
     const std::size_t engine = car.wheels.size();
     Speeds y;
     for (std::size_t i = 0; i < engine; i++) {

@@ -17,10 +17,10 @@ struct DriveLineWheel {
     double spin;     // rad/s; becomes that at the end of the sub-step
     double answers;  // kg m^2 that a change of its tyre's force meets
 };
-using SpunWheels = std::array<DriveLineWheel, wheels_max>;
+using DriveLineWheels = std::array<DriveLineWheel, wheels_max>;
 
 // Also moves the engine on.
-void solve_drive_line(Car& car, double h, SpunWheels& wheels);
+void solve_drive_line(Car& car, double h, DriveLineWheels& wheels);
 
 // Engine speed per wheel speed; 0: neutral or between two gears.
 double ratio_now(const Car& car);

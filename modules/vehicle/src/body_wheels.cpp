@@ -112,7 +112,7 @@ void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel
 }
 
 // As the drive line sees it.
-DriveLineWheel spun(const Wheel& made, const WheelBody& wheel) {
+DriveLineWheel drive_line_wheel_of(const Wheel& made, const WheelBody& wheel) {
     return {.radius = made.radius,
             .inertia = inertia_of(made),
             .share = made.drive_share,
@@ -120,7 +120,7 @@ DriveLineWheel spun(const Wheel& made, const WheelBody& wheel) {
             .force = -wheel.resistance / made.radius,
             .slope = 0,
             .spin = wheel.spin,
-            .answers = 0};
+            .effective_inertia = 0};
 }
 
 // N that a bar presses a wheel down by; less where it is too stiff for the sub-step.
@@ -209,7 +209,7 @@ void turn_body_wheels(SubstepContext& substep, Car& car) {
             axles[k] = rotate(body.pose.rotation, car.def.wheels[k].axle);
             estimate_resistance(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h, wheel);
         }
-        wheels[k] = spun(car.def.wheels[k], wheel);
+        wheels[k] = drive_line_wheel_of(car.def.wheels[k], wheel);
     }
     solve_drive_line(car, h, wheels);
     for (std::size_t k = 0; k < car.bodies.size(); k++) {

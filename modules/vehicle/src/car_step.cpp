@@ -184,7 +184,7 @@ void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& co
         forward *= less;
         lateral *= less;
     }
-    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - forward) / spun.answers;
+    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - forward) / spun.effective_inertia;
     contact.longitudinal_force = run.forward = forward;
     contact.lateral_force = run.lateral = lateral;
     run.load = contact.load;

@@ -65,7 +65,7 @@ void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Links& 
         link.weight[0] = 1;
         link.size = 1;
         link.most = wheel.brake;
-        link.stiff = brake_stiffness * wheel.answers / h;
+        link.stiff = brake_stiffness * wheel.effective_inertia / h;
         link.before = wheel.spin;
         link.grip = guess(link, wheel.inertia, h);
     }
@@ -145,9 +145,9 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
         (1 - car.def.gearbox.efficiency) * maximum(car.clutch_torque, 0) * ratio_now(car);
     for (std::size_t i = 0; i < engine; i++) {
         const DriveLineWheel& wheel = wheels[i];
-        system.a[i][i] = wheel.answers;
+        system.a[i][i] = wheel.effective_inertia;
         system.b[i] =
-            wheel.answers * wheel.spin - h * (wheel.radius * wheel.force + wheel.share * lost);
+            wheel.effective_inertia * wheel.spin - h * (wheel.radius * wheel.force + wheel.share * lost);
     }
     const Engine& made = car.def.engine;
     const double torque = throttle * torque_at(made, car.engine_speed);
@@ -235,7 +235,7 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
     const std::size_t engine = car.wheels.size();
     Speeds y;
     for (std::size_t i = 0; i < engine; i++) {
-        wheels[i].answers = wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
+        wheels[i].effective_inertia = wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
         y[i] = wheels[i].spin;
     }
     y[engine] = car.engine_speed;

@@ -15,7 +15,7 @@ struct DriveLineWheel {
     double force;    // N of its tyre ahead if it spins on as it does
     double slope;    // N s/rad by which that grows with its spin
     double spin;     // rad/s; becomes that at the end of the sub-step
-    double answers;  // kg m^2 that a change of its tyre's force meets
+    double effective_inertia;  // kg m^2 that a change of its tyre's force meets
 };
 using DriveLineWheels = std::array<DriveLineWheel, wheels_max>;
 

@@ -27,7 +27,7 @@ struct Row {
     double push;      // N of the spring now
     double resistance;   // N s/m: c + theta h k
     double velocity;  // m/s at the end of the sub-step if it bears nothing
-    bool bears;
+    bool active;
 };
 struct Rows {
     std::array<Row, wheels_max> of;
@@ -85,7 +85,7 @@ Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, 
     const double z2 = frame.h * frame.h * stiffness * lever2 * w;
     const double theta = z2 / (4 + z2);
     Row row;
-    row.bears = true;
+    row.active = true;
     row.push = contact.lever * push;
     row.resistance = maximum(lever2 * (damping + theta * frame.h * stiffness), 1e-9);
     const Vec3 other = (frame.next_v - frame.v) + cross(frame.next_w - frame.w, contact.arm);
@@ -99,7 +99,7 @@ void solve(const ChassisFrame& frame, const Rows& rows, Contacts& contacts) {
     std::array<std::size_t, wheels_max> bearing;
     std::size_t count = 0;
     for (std::size_t i = 0; i < contacts.count; i++)
-        if (rows.of[i].bears) bearing[count++] = i;
+        if (rows.of[i].active) bearing[count++] = i;
     system.size = count;
     for (std::size_t i = 0; i < count; i++) {
         const Row& row = rows.of[bearing[i]];
@@ -127,7 +127,7 @@ void solve_loads(const Car& car, const ChassisFrame& frame, Contacts& contacts) 
         bool pulls = false;
         for (std::size_t i = 0; i < contacts.count; i++)
             if (contacts.all[i].load < 0) {
-                rows.of[i].bears = false;
+                rows.of[i].active = false;
                 pulls = true;
             }
         if (!pulls) return;

@@ -28,7 +28,7 @@ constexpr int rounds_max = 4;
 // slips in a sub-step is its torque over this. A brake at 300 N m lets a wheel creep by 1e-7 rad/s.
 constexpr double brake_stiffness = 1e7, clutch_stiffness = 300, differential_lock_stiffness = 3000;
 
-struct Link {
+struct FrictionConstraint {
     std::array<std::uint8_t, unknowns_max> at;
     std::array<double, unknowns_max> weight;
     std::size_t size;
@@ -38,20 +38,20 @@ struct Link {
     double before;  // rad/s: its speed at the start
 };
 struct Links {
-    std::array<Link, links_max> of;
+    std::array<FrictionConstraint, links_max> of;
     std::size_t count = 0;
 };
 using System = SmallSystem<unknowns_max>;
 using Speeds = std::array<double, unknowns_max>;
 
-double speed_of(const Link& link, const Speeds& y) {
+double speed_of(const FrictionConstraint& link, const Speeds& y) {
     double sum = 0;
     for (std::size_t k = 0; k < link.size; k++) sum += link.weight[k] * y[link.at[k]];
     return sum;
 }
 
 // Slips if a sub-step of all that it bears does not stop it.
-FrictionState guess(const Link& link, double inertia, double h) {
+FrictionState guess(const FrictionConstraint& link, double inertia, double h) {
     if (absolute(link.before) * inertia <= h * link.most) return FrictionState::holds;
     return link.before > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
 }
@@ -60,7 +60,7 @@ void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Links& 
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
-        Link& link = links.of[links.count++];
+        FrictionConstraint& link = links.of[links.count++];
         link.at[0] = static_cast<std::uint8_t>(i);
         link.weight[0] = 1;
         link.size = 1;
@@ -81,7 +81,7 @@ void add_clutch(const Car& car, double h, const Speeds& y, Links& links) {
     const double pressed = clamp((fastest - 1.05 * idle) / (0.6 * idle), 0, 1);
     const double most = car.def.gearbox.clutch_torque * pressed * (1 - car.controls.clutch);
     if (most <= 0) return;
-    Link& link = links.of[links.count++];
+    FrictionConstraint& link = links.of[links.count++];
     link.size = 0;
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         if (car.def.wheels[i].drive_share <= 0) continue;
@@ -96,7 +96,7 @@ void add_clutch(const Car& car, double h, const Speeds& y, Links& links) {
     link.grip = guess(link, car.def.engine.inertia, h);
 }
 
-double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign, Link& link) {
+double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign, FrictionConstraint& link) {
     double inertia = 0;
     for (const std::uint32_t wheel : group) {
         link.at[link.size] = static_cast<std::uint8_t>(wheel);
@@ -109,7 +109,7 @@ double add_group(const Car& car, const std::vector<std::uint32_t>& group, double
 void add_differential_locks(const Car& car, double h, const Speeds& y, Links& links) {
     const double drive = absolute(car.clutch_torque * ratio_now(car));
     for (const DifferentialLock& coupling : car.def.differential_locks) {
-        Link& link = links.of[links.count++];
+        FrictionConstraint& link = links.of[links.count++];
         link.size = 0;
         const double inertia =
             add_group(car, coupling.first, 1, link) + add_group(car, coupling.second, -1, link);
@@ -125,7 +125,7 @@ void add_differential_locks(const Car& car, double h, const Speeds& y, Links& li
 void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
     const SteeringDrive& drive = car.def.steering_drive;
     if (drive.left.empty()) return;
-    Link& link = links.of[links.count++];
+    FrictionConstraint& link = links.of[links.count++];
     link.size = 0;
     const double inertia =
         add_group(car, drive.left, 1, link) + add_group(car, drive.right, -1, link);
@@ -155,7 +155,7 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
     system.b[engine] = made.inertia * car.engine_speed + h * torque;
 }
 
-void add(const Link& link, double h, System& system) {
+void add(const FrictionConstraint& link, double h, System& system) {
     if (link.grip != FrictionState::holds) {
         const double push = h * (link.grip == FrictionState::slipping_forward ? link.most : -link.most);
         for (std::size_t k = 0; k < link.size; k++) system.b[link.at[k]] -= push * link.weight[k];
@@ -169,7 +169,7 @@ void add(const Link& link, double h, System& system) {
 }
 
 // Whether a link was not as guessed.
-bool corrected(Link& link, const Speeds& y) {
+bool corrected(FrictionConstraint& link, const Speeds& y) {
     const double speed = speed_of(link, y);
     if (link.grip == FrictionState::holds) {
         if (absolute(link.stiff * speed) <= link.most) return false;
@@ -181,7 +181,7 @@ bool corrected(Link& link, const Speeds& y) {
     return true;
 }
 
-double torque_of(const Link& link, const Speeds& y) {
+double torque_of(const FrictionConstraint& link, const Speeds& y) {
     if (link.grip == FrictionState::holds)
         return clamp(link.stiff * speed_of(link, y), -link.most, link.most);
     return link.grip == FrictionState::slipping_forward ? link.most : -link.most;

@@ -37,7 +37,7 @@ struct FrictionConstraint {
     FrictionState grip;
     double before;  // rad/s: its speed at the start
 };
-struct Links {
+struct FrictionConstraints {
     std::array<FrictionConstraint, links_max> of;
     std::size_t count = 0;
 };
@@ -56,7 +56,7 @@ FrictionState guess(const FrictionConstraint& link, double inertia, double h) {
     return link.before > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
 }
 
-void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Links& links) {
+void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, FrictionConstraints& links) {
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
@@ -72,7 +72,7 @@ void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Links& 
 }
 
 // Between the engine and the mean of what is driven.
-void add_clutch(const Car& car, double h, const Speeds& y, Links& links) {
+void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
     const double ratio = ratio_now(car), idle = car.def.engine.idle;
     if (ratio == 0) return;
     // By the faster side: who sets off lets the clutch in by the engine's speed, who rolls in gear
@@ -106,7 +106,7 @@ double add_group(const Car& car, const std::vector<std::uint32_t>& group, double
     return inertia;
 }
 
-void add_differential_locks(const Car& car, double h, const Speeds& y, Links& links) {
+void add_differential_locks(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
     const double drive = absolute(car.clutch_torque * ratio_now(car));
     for (const DifferentialLock& coupling : car.def.differential_locks) {
         FrictionConstraint& link = links.of[links.count++];
@@ -122,7 +122,7 @@ void add_differential_locks(const Car& car, double h, const Speeds& y, Links& li
 }
 
 // The engine drives left and right against each other.
-void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
+void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
     const SteeringDrive& drive = car.def.steering_drive;
     if (drive.left.empty()) return;
     FrictionConstraint& link = links.of[links.count++];
@@ -239,7 +239,7 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
         y[i] = wheels[i].spin;
     }
     y[engine] = car.engine_speed;
-    Links links;
+    FrictionConstraints links;
     add_brakes(car, h, wheels, links);
     const std::size_t clutch = links.count;
     add_clutch(car, h, y, links);

@@ -164,8 +164,8 @@ void check_engine(const Engine& engine, Check& check) {
     }
     check.number("inertia", engine.inertia, 0.001, 1e5);
     check.number("idle", engine.idle, 1, 5000);
-    check.number("most", engine.most, 1, 1e4);
-    check.that(engine.most > engine.idle, "most is not above idle");
+    check.number("most", engine.torque_max, 1, 1e4);
+    check.that(engine.torque_max > engine.idle, "most is not above idle");
     check.number("friction", engine.friction, 0, 1e4);
     check.leave();
 }

@@ -21,7 +21,7 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t unknowns_max = wheels_max + 1;
-constexpr std::size_t links_max = wheels_max + 1 + differential_locks_max + 1;
+constexpr std::size_t constraints_max = wheels_max + 1 + differential_locks_max + 1;
 constexpr int rounds_max = 4;
 
 // How stiff links are while they hold, against the inertia that they hold: what a link that holds
@@ -38,42 +38,42 @@ struct FrictionConstraint {
     double before;  // rad/s: its speed at the start
 };
 struct FrictionConstraints {
-    std::array<FrictionConstraint, links_max> of;
+    std::array<FrictionConstraint, constraints_max> of;
     std::size_t count = 0;
 };
 using System = SmallSystem<unknowns_max>;
 using Speeds = std::array<double, unknowns_max>;
 
-double speed_of(const FrictionConstraint& link, const Speeds& y) {
+double speed_of(const FrictionConstraint& constraint, const Speeds& y) {
     double sum = 0;
-    for (std::size_t k = 0; k < link.size; k++) sum += link.weight[k] * y[link.at[k]];
+    for (std::size_t k = 0; k < constraint.size; k++) sum += constraint.weight[k] * y[constraint.at[k]];
     return sum;
 }
 
 // Slips if a sub-step of all that it bears does not stop it.
-FrictionState guess(const FrictionConstraint& link, double inertia, double h) {
-    if (absolute(link.before) * inertia <= h * link.most) return FrictionState::holds;
-    return link.before > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
+FrictionState initial_friction_state(const FrictionConstraint& constraint, double inertia, double h) {
+    if (absolute(constraint.initial_speed) * inertia <= h * constraint.torque_max) return FrictionState::holds;
+    return constraint.initial_speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
 }
 
-void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, FrictionConstraints& links) {
+void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, FrictionConstraints& constraints) {
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
-        FrictionConstraint& link = links.of[links.count++];
-        link.at[0] = static_cast<std::uint8_t>(i);
-        link.weight[0] = 1;
-        link.size = 1;
-        link.most = wheel.brake;
-        link.stiff = brake_stiffness * wheel.effective_inertia / h;
-        link.before = wheel.spin;
-        link.grip = guess(link, wheel.inertia, h);
+        FrictionConstraint& constraint = constraints.of[constraints.count++];
+        constraint.at[0] = static_cast<std::uint8_t>(i);
+        constraint.weight[0] = 1;
+        constraint.size = 1;
+        constraint.torque_max = wheel.brake;
+        constraint.stiff = brake_stiffness * wheel.effective_inertia / h;
+        constraint.initial_speed = wheel.spin;
+        constraint.grip = initial_friction_state(constraint, wheel.inertia, h);
     }
 }
 
 // Between the engine and the mean of what is driven.
-void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
-    const double ratio = ratio_now(car), idle = car.def.engine.idle;
+void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
+    const double ratio = current_gear_ratio(car), idle = car.def.engine.idle;
     if (ratio == 0) return;
     // By the faster side: who sets off lets the clutch in by the engine's speed, who rolls in gear
     // is braked by the engine.
@@ -81,60 +81,60 @@ void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& 
     const double pressed = clamp((fastest - 1.05 * idle) / (0.6 * idle), 0, 1);
     const double most = car.def.gearbox.clutch_torque * pressed * (1 - car.controls.clutch);
     if (most <= 0) return;
-    FrictionConstraint& link = links.of[links.count++];
-    link.size = 0;
+    FrictionConstraint& constraint = constraints.of[constraints.count++];
+    constraint.size = 0;
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         if (car.def.wheels[i].drive_share <= 0) continue;
-        link.at[link.size] = static_cast<std::uint8_t>(i);
-        link.weight[link.size++] = -ratio * car.def.wheels[i].drive_share;
+        constraint.at[constraint.size] = static_cast<std::uint8_t>(i);
+        constraint.weight[constraint.size++] = -ratio * car.def.wheels[i].drive_share;
     }
-    link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
-    link.weight[link.size++] = 1;
-    link.most = most;
-    link.stiff = clutch_stiffness * car.def.engine.inertia / h;
-    link.before = speed_of(link, y);
-    link.grip = guess(link, car.def.engine.inertia, h);
+    constraint.at[constraint.size] = static_cast<std::uint8_t>(car.wheels.size());
+    constraint.weight[constraint.size++] = 1;
+    constraint.torque_max = most;
+    constraint.stiff = clutch_stiffness * car.def.engine.inertia / h;
+    constraint.initial_speed = speed_of(constraint, y);
+    constraint.grip = initial_friction_state(constraint, car.def.engine.inertia, h);
 }
 
-double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign, FrictionConstraint& link) {
+double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign, FrictionConstraint& constraint) {
     double inertia = 0;
     for (const std::uint32_t wheel : group) {
-        link.at[link.size] = static_cast<std::uint8_t>(wheel);
-        link.weight[link.size++] = sign / static_cast<double>(group.size());
+        constraint.at[constraint.size] = static_cast<std::uint8_t>(wheel);
+        constraint.weight[constraint.size++] = sign / static_cast<double>(group.size());
         inertia += car.def.wheels[wheel].inertia;
     }
     return inertia;
 }
 
-void add_differential_locks(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
-    const double drive = absolute(car.clutch_torque * ratio_now(car));
+void add_differential_locks(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
+    const double drive = absolute(car.clutch_torque * current_gear_ratio(car));
     for (const DifferentialLock& coupling : car.def.differential_locks) {
-        FrictionConstraint& link = links.of[links.count++];
-        link.size = 0;
+        FrictionConstraint& constraint = constraints.of[constraints.count++];
+        constraint.size = 0;
         const double inertia =
-            add_group(car, coupling.first, 1, link) + add_group(car, coupling.second, -1, link);
+            add_group(car, coupling.first, 1, constraint) + add_group(car, coupling.second, -1, constraint);
         const bool locked = coupling.kind == DifferentialLockKind::locked;
-        link.most = locked ? 1e12 : coupling.preload + coupling.ratio * drive;
-        link.stiff = differential_lock_stiffness * inertia / h;
-        link.before = speed_of(link, y);
-        link.grip = guess(link, inertia / 4, h);
+        constraint.torque_max = locked ? 1e12 : coupling.preload + coupling.ratio * drive;
+        constraint.stiff = differential_lock_stiffness * inertia / h;
+        constraint.initial_speed = speed_of(constraint, y);
+        constraint.grip = initial_friction_state(constraint, inertia / 4, h);
     }
 }
 
 // The engine drives left and right against each other.
-void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints& links) {
+void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
     const SteeringDrive& drive = car.def.steering_drive;
     if (drive.left.empty()) return;
-    FrictionConstraint& link = links.of[links.count++];
-    link.size = 0;
+    FrictionConstraint& constraint = constraints.of[constraints.count++];
+    constraint.size = 0;
     const double inertia =
-        add_group(car, drive.left, 1, link) + add_group(car, drive.right, -1, link);
-    link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
-    link.weight[link.size++] = -2 * drive.ratio * car.steering;
-    link.most = drive.torque;
-    link.stiff = differential_lock_stiffness * inertia / h;
-    link.before = speed_of(link, y);
-    link.grip = guess(link, inertia / 4, h);
+        add_group(car, drive.left, 1, constraint) + add_group(car, drive.right, -1, constraint);
+    constraint.at[constraint.size] = static_cast<std::uint8_t>(car.wheels.size());
+    constraint.weight[constraint.size++] = -2 * drive.ratio * car.steering;
+    constraint.torque_max = drive.torque;
+    constraint.stiff = differential_lock_stiffness * inertia / h;
+    constraint.initial_speed = speed_of(constraint, y);
+    constraint.grip = initial_friction_state(constraint, inertia / 4, h);
 }
 
 // Without links.
@@ -142,7 +142,7 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
     const std::size_t engine = car.wheels.size();
     system.clear(engine + 1);
     const double lost =
-        (1 - car.def.gearbox.efficiency) * maximum(car.clutch_torque, 0) * ratio_now(car);
+        (1 - car.def.gearbox.efficiency) * maximum(car.clutch_torque, 0) * current_gear_ratio(car);
     for (std::size_t i = 0; i < engine; i++) {
         const DriveLineWheel& wheel = wheels[i];
         system.a[i][i] = wheel.effective_inertia;
@@ -155,45 +155,45 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
     system.b[engine] = made.inertia * car.engine_speed + h * torque;
 }
 
-void add(const FrictionConstraint& link, double h, System& system) {
-    if (link.grip != FrictionState::holds) {
-        const double push = h * (link.grip == FrictionState::slipping_forward ? link.most : -link.most);
-        for (std::size_t k = 0; k < link.size; k++) system.b[link.at[k]] -= push * link.weight[k];
+void add(const FrictionConstraint& constraint, double h, System& system) {
+    if (constraint.grip != FrictionState::holds) {
+        const double push = h * (constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -link.torque_max);
+        for (std::size_t k = 0; k < constraint.size; k++) system.b[constraint.at[k]] -= push * constraint.weight[k];
         return;
     }
-    const double hold = h * link.stiff;
-    for (std::size_t k = 0; k < link.size; k++)
-        for (std::size_t l = 0; l < link.size; l++)
-            if (link.at[l] <= link.at[k])
-                system.a[link.at[k]][link.at[l]] += hold * link.weight[k] * link.weight[l];
+    const double hold = h * constraint.stiff;
+    for (std::size_t k = 0; k < constraint.size; k++)
+        for (std::size_t l = 0; l < constraint.size; l++)
+            if (constraint.at[l] <= constraint.at[k])
+                system.a[constraint.at[k]][constraint.at[l]] += hold * constraint.weight[k] * constraint.weight[l];
 }
 
 // Whether a link was not as guessed.
-bool corrected(FrictionConstraint& link, const Speeds& y) {
-    const double speed = speed_of(link, y);
-    if (link.grip == FrictionState::holds) {
-        if (absolute(link.stiff * speed) <= link.most) return false;
-        link.grip = speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
+bool update_friction_state(FrictionConstraint& constraint, const Speeds& y) {
+    const double speed = speed_of(constraint, y);
+    if (constraint.grip == FrictionState::holds) {
+        if (absolute(constraint.stiff * speed) <= constraint.torque_max) return false;
+        constraint.grip = speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
         return true;
     }
-    if (link.grip == FrictionState::slipping_forward ? speed >= 0 : speed <= 0) return false;
-    link.grip = FrictionState::holds;
+    if (constraint.grip == FrictionState::slipping_forward ? speed >= 0 : speed <= 0) return false;
+    constraint.grip = FrictionState::holds;
     return true;
 }
 
-double torque_of(const FrictionConstraint& link, const Speeds& y) {
-    if (link.grip == FrictionState::holds)
-        return clamp(link.stiff * speed_of(link, y), -link.most, link.most);
-    return link.grip == FrictionState::slipping_forward ? link.most : -link.most;
+double torque_of(const FrictionConstraint& constraint, const Speeds& y) {
+    if (constraint.grip == FrictionState::holds)
+        return clamp(constraint.stiff * speed_of(constraint, y), -link.torque_max, constraint.torque_max);
+    return constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -link.torque_max;
 }
 
 // The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.
-double throttle_now(const Car& car) {
+double effective_throttle(const Car& car) {
     const Engine& engine = car.def.engine;
     const double speed = car.engine_speed;
     const double foot = car.shift_left > 0 ? 0 : car.controls.throttle * rider_throttle(car);
     const double governor = clamp((engine.idle - speed) / (0.1 * engine.idle), 0, 1);
-    const double cut = clamp((engine.most - speed) / (0.02 * engine.most), 0, 1);
+    const double cut = clamp((engine.torque_max - speed) / (0.02 * engine.torque_max), 0, 1);
     return maximum(foot * cut, governor);
 }
 
@@ -217,7 +217,7 @@ double torque_at(const Engine& engine, double speed) {
     return curve.back().torque;
 }
 
-double ratio_now(const Car& car) {
+double current_gear_ratio(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     if (car.gear == 0 || car.shift_left > 0) return 0;
     if (car.gear < 0) return -gearbox.reverse * gearbox.final_ratio;
@@ -239,33 +239,33 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
         y[i] = wheels[i].spin;
     }
     y[engine] = car.engine_speed;
-    FrictionConstraints links;
-    add_brakes(car, h, wheels, links);
-    const std::size_t clutch = links.count;
-    add_clutch(car, h, y, links);
-    const bool clutched = links.count > clutch;
-    add_differential_locks(car, h, y, links);
-    add_steering(car, h, y, links);
+    FrictionConstraints constraints;
+    add_brakes(car, h, wheels, constraints);
+    const std::size_t clutch = constraints.count;
+    add_clutch(car, h, y, constraints);
+    const bool clutched = constraints.count > clutch;
+    add_differential_locks(car, h, y, constraints);
+    add_steering(car, h, y, constraints);
 
-    const double throttle = throttle_now(car);
+    const double throttle = effective_throttle(car);
     System system;
     for (int round = 0; round < rounds_max; round++) {
         assemble(car, h, wheels, throttle, system);
-        for (std::size_t k = 0; k < links.count; k++) add(links.of[k], h, system);
+        for (std::size_t k = 0; k < constraints.count; k++) add(constraints.of[k], h, system);
         system.solve();
         y = system.b;
         bool again = false;
-        for (std::size_t k = 0; k < links.count; k++) again = corrected(links.of[k], y) || again;
+        for (std::size_t k = 0; k < constraints.count; k++) again = update_friction_state(constraints.of[k], y) || again;
         if (!again) break;
     }
-    car.clutch_torque = clutched ? torque_of(links.of[clutch], y) : 0;
+    car.clutch_torque = clutched ? torque_of(constraints.of[clutch], y) : 0;
     car.engine_torque = throttle * torque_at(car.def.engine, car.engine_speed) -
                         (1 - throttle) * car.def.engine.friction * y[engine];
     car.engine_speed = clamp(y[engine], 0, 1e5);
     for (std::size_t i = 0; i < engine; i++) wheels[i].spin = clamp(y[i], -1e5, 1e5);
     // What a brake holds stands still.
     for (std::size_t k = 0; k < clutch; k++)
-        if (links.of[k].grip == FrictionState::holds) wheels[links.of[k].at[0]].spin = 0;
+        if (constraints.of[k].grip == FrictionState::holds) wheels[constraints.of[k].at[0]].spin = 0;
 }
 
 }  // namespace jostle::modules::vehicle_detail

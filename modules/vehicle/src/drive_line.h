@@ -23,7 +23,7 @@ using DriveLineWheels = std::array<DriveLineWheel, wheels_max>;
 void solve_drive_line(Car& car, double h, DriveLineWheels& wheels);
 
 // Engine speed per wheel speed; 0: neutral or between two gears.
-double ratio_now(const Car& car);
+double current_gear_ratio(const Car& car);
 double mean_driven_spin(const Car& car);
 double brake_torque(const Car& car, std::size_t wheel);  // N m of its brakes, as they are pressed
 double torque_at(const Engine& engine, double speed);

@@ -20,7 +20,7 @@ void shift(Car& car, std::int32_t gear) {
 
 // Whether the clutch holds: else the engine's speed says nothing about the gear.
 bool is_in_gear(const Car& car) {
-    const double driven = ratio_now(car) * mean_driven_spin(car);
+    const double driven = current_gear_ratio(car) * mean_driven_spin(car);
     return absolute(car.engine_speed - driven) < 0.05 * car.engine_speed;
 }
 
@@ -46,7 +46,7 @@ std::int32_t lowest_forward(const Car& car) {
     std::int32_t gear = 1;
     while (gear < top && radius > 0 &&
            gearbox.forward[static_cast<std::size_t>(gear) - 1] * gearbox.final_ratio * car.speed >
-               car.def.engine.most * radius)
+               car.def.engine.torque_max * radius)
         gear++;
     return gear;
 }

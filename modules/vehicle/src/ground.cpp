@@ -132,7 +132,7 @@ void stand(const World& world, const Way& way, const std::optional<Found>& found
 
 }  // namespace
 
-void look_for_ground(const World& world, const Queries& queries, const BodyState& body, double dt,
+void find_wheel_ground(const World& world, const Queries& queries, const BodyState& body, double dt,
                      Car& car) {
     const Vec3 forward = body.linear_velocity * (0.5 * dt);
     Chassis chassis{body.pose, body.center + forward, body.linear_velocity, body.angular_velocity,

@@ -8,7 +8,7 @@
 
 namespace jostle::modules::vehicle_detail {
 
-void look_for_ground(const physics::World& world, const physics::Queries& queries,
+void find_wheel_ground(const physics::World& world, const physics::Queries& queries,
                      const physics::BodyState& chassis, double dt, Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

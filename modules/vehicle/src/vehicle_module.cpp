@@ -231,7 +231,7 @@ void Vehicles::publish(const World&, ChannelWriter& channels) const {
     for (const Car& car : cars_) {
         if (!channels.begin(0, car.def.chassis)) continue;
         channels.value(car.gear);
-        channels.quantized(car.engine_speed / car.def.engine.most, 0, 1, 8);
+        channels.quantized(car.engine_speed / car.def.engine.torque_max, 0, 1, 8);
         for (std::size_t k = 0; k < car.wheels.size(); k++)
             publish_wheel(car.def.wheels[k], car.wheels[k],
                           car.steering * car.def.wheels[k].steering_most, channels);

@@ -70,7 +70,7 @@ void begin_step(const World& world, const Queries& queries, const BodyState& cha
     choose_gear(car, dt);
     if (car.def.balance.on) measure_lean(chassis, car);
     steer(car, dt);
-    if (car.bodies.empty()) look_for_ground(world, queries, chassis, dt, car);
+    if (car.bodies.empty()) find_wheel_ground(world, queries, chassis, dt, car);
 }
 
 WheelState state_of(const Car& car, std::size_t k) {

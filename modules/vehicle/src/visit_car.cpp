@@ -85,7 +85,7 @@ void visit_drive(StateVisitor& v, VehicleDef& def) {
     });
     v.field("inertia", def.engine.inertia);
     v.field("idle", def.engine.idle);
-    v.field("most", def.engine.most);
+    v.field("most", def.engine.torque_max);
     v.field("friction", def.engine.friction);
     Gearbox& gearbox = def.gearbox;
     v.field("automatic", gearbox.automatic);

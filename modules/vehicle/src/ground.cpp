@@ -25,12 +25,12 @@ struct Found {
 };
 
 // A wheel's way, for a step.
-struct Way {
+struct WheelSweep {
     Vec3 from, motion;  // of its centre
     Vec3 down, axle;
 };
 
-std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const Way& way,
+std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& way,
                                  double radius) {
     const Vec3 motion = way.motion + way.down * radius;
     const auto hit = queries.cast_ray({way.from, motion}, filter);
@@ -42,14 +42,14 @@ std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filt
                  (**hit).normal};
 }
 
-ShapeCast whole_wheel(const Way& way, const Wheel& wheel, WheelCast cast) {
+ShapeCast whole_wheel(const WheelSweep& way, const Wheel& wheel, WheelCast cast) {
     if (cast == WheelCast::sphere) return {Sphere{wheel.radius}, {way.from, {}}, way.motion};
     return {Cylinder{wheel.radius, 0.5 * wheel.width},
             {way.from, turn_to({0, 1, 0}, way.axle, {1, 0, 0})},
             way.motion};
 }
 
-bool bears(const Way& way, const std::optional<Found>& found) {
+bool bears(const WheelSweep& way, const std::optional<Found>& found) {
     return found && dot(found->normal, way.down) <= -steepest;
 }
 
@@ -58,7 +58,7 @@ QueryFilter filter_of(const Car& car) {
 }
 
 // All of its wheels at once.
-void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const Way> ways,
+void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const WheelSweep> ways,
                        std::span<std::optional<Found>> found) {
     std::vector<ShapeCast> casts;
     casts.reserve(ways.size());
@@ -80,7 +80,7 @@ struct Chassis {
     double dt;
 };
 
-Way way_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
+WheelSweep way_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
     const Quat turn = chassis.pose.rotation;
     const Vec3 hub = apply(chassis.pose, wheel.attachment), down = rotate(turn, wheel.down);
     const double first = wheel.suspension.shortest - begins_above * wheel.radius;
@@ -108,7 +108,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void stand(const World& world, const Way& way, const std::optional<Found>& found, std::size_t index,
+void stand(const World& world, const WheelSweep& way, const std::optional<Found>& found, std::size_t index,
            Car& car) {
     WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
@@ -139,7 +139,7 @@ void find_wheel_ground(const World& world, const Queries& queries, const BodySta
                     dt};
     chassis.pose.position += forward;
     car.grounds.resize(car.wheels.size());
-    std::array<Way, wheels_max> ways;
+    std::array<WheelSweep, wheels_max> ways;
     std::array<std::optional<Found>, wheels_max> found;
     const std::size_t count = car.wheels.size();
     for (std::size_t k = 0; k < count; k++)

@@ -30,27 +30,27 @@ struct WheelSweep {
     Vec3 down, axle;
 };
 
-std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& way,
+std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& sweep,
                                  double radius) {
-    const Vec3 motion = way.motion + way.down * radius;
-    const auto hit = queries.cast_ray({way.from, motion}, filter);
+    const Vec3 motion = sweep.motion + sweep.down * radius;
+    const auto hit = queries.cast_ray({sweep.from, motion}, filter);
     if (!hit.ok() || !*hit) return {};
     // As if the wheel's centre had come to a radius above: the share of its own way may pass both
     // ends.
     const double came = (**hit).fraction * length(motion) - radius;
-    return Found{(**hit).body, (**hit).shape, came / length(way.motion), (**hit).point,
+    return Found{(**hit).body, (**hit).shape, came / length(sweep.motion), (**hit).point,
                  (**hit).normal};
 }
 
-ShapeCast whole_wheel(const WheelSweep& way, const Wheel& wheel, WheelCast cast) {
-    if (cast == WheelCast::sphere) return {Sphere{wheel.radius}, {way.from, {}}, way.motion};
+ShapeCast whole_wheel(const WheelSweep& sweep, const Wheel& wheel, WheelCast cast) {
+    if (cast == WheelCast::sphere) return {Sphere{wheel.radius}, {sweep.from, {}}, sweep.motion};
     return {Cylinder{wheel.radius, 0.5 * wheel.width},
-            {way.from, turn_to({0, 1, 0}, way.axle, {1, 0, 0})},
-            way.motion};
+            {sweep.from, turn_to({0, 1, 0}, sweep.axle, {1, 0, 0})},
+            sweep.motion};
 }
 
-bool bears(const WheelSweep& way, const std::optional<Found>& found) {
-    return found && dot(found->normal, way.down) <= -steepest;
+bool bears(const WheelSweep& sweep, const std::optional<Found>& found) {
+    return found && dot(found->normal, sweep.down) <= -steepest;
 }
 
 QueryFilter filter_of(const Car& car) {
@@ -58,15 +58,15 @@ QueryFilter filter_of(const Car& car) {
 }
 
 // All of its wheels at once.
-void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const WheelSweep> ways,
+void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const WheelSweep> sweeps,
                        std::span<std::optional<Found>> found) {
     std::vector<ShapeCast> casts;
-    casts.reserve(ways.size());
-    for (std::size_t k = 0; k < ways.size(); k++)
-        casts.push_back(whole_wheel(ways[k], car.def.wheels[k], car.def.cast));
+    casts.reserve(sweeps.size());
+    for (std::size_t k = 0; k < sweeps.size(); k++)
+        casts.push_back(whole_wheel(sweeps[k], car.def.wheels[k], car.def.cast));
     const auto hits = queries.cast_shapes(casts, filter_of(car));
     if (!hits.ok()) return;
-    for (std::size_t k = 0; k < ways.size(); k++) {
+    for (std::size_t k = 0; k < sweeps.size(); k++) {
         const std::optional<ShapeCastHit>& hit = (*hits)[k];
         if (hit && hit->fraction > 0)
             found[k] = Found{hit->body, hit->shape, hit->fraction, hit->point, hit->normal};
@@ -80,7 +80,7 @@ struct Chassis {
     double dt;
 };
 
-WheelSweep way_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
+WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
     const Quat turn = chassis.pose.rotation;
     const Vec3 hub = apply(chassis.pose, wheel.attachment), down = rotate(turn, wheel.down);
     const double first = wheel.suspension.shortest - begins_above * wheel.radius;
@@ -108,19 +108,19 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void stand(const World& world, const WheelSweep& way, const std::optional<Found>& found, std::size_t index,
+void stand(const World& world, const WheelSweep& sweep, const std::optional<Found>& found, std::size_t index,
            Car& car) {
     WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
-    if (!bears(way, found)) return;
+    if (!bears(sweep, found)) return;
     ground.found = true;
     ground.point = found->point;
     ground.normal = found->normal;
-    const Vec3 center = way.from + way.motion * found->fraction;
+    const Vec3 center = sweep.from + sweep.motion * found->fraction;
     ground.reach = dot(center - found->point, found->normal);
     const double crown = car.def.wheels[index].crown;
     if (crown > 0) {
-        const double lean = dot(way.axle, found->normal);
+        const double lean = dot(sweep.axle, found->normal);
         ground.reach = crown + (car.def.wheels[index].radius - crown) *
                                    square_root(maximum(1 - lean * lean, 0));
     }
@@ -139,18 +139,18 @@ void find_wheel_ground(const World& world, const Queries& queries, const BodySta
                     dt};
     chassis.pose.position += forward;
     car.grounds.resize(car.wheels.size());
-    std::array<WheelSweep, wheels_max> ways;
+    std::array<WheelSweep, wheels_max> sweeps;
     std::array<std::optional<Found>, wheels_max> found;
     const std::size_t count = car.wheels.size();
     for (std::size_t k = 0; k < count; k++)
-        ways[k] = way_of(chassis, car.def.wheels[k], car.wheel_axes[k].axle);
+        sweeps[k] = sweep_of(chassis, car.def.wheels[k], car.wheel_axes[k].axle);
     if (car.def.cast != WheelCast::ray)
-        cast_whole_wheels(queries, car, std::span(ways).first(count), found);
+        cast_whole_wheels(queries, car, std::span(sweeps).first(count), found);
     for (std::size_t k = 0; k < count; k++) {
         // It starts inside of something, leans on a wall, or is in the air.
-        if (!bears(ways[k], found[k]))
-            found[k] = cast_ray_of(queries, filter_of(car), ways[k], car.def.wheels[k].radius);
-        stand(world, ways[k], found[k], k, car);
+        if (!bears(sweeps[k], found[k]))
+            found[k] = cast_ray_of(queries, filter_of(car), sweeps[k], car.def.wheels[k].radius);
+        stand(world, sweeps[k], found[k], k, car);
     }
 }
 

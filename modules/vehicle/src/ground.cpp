@@ -17,7 +17,7 @@ constexpr double begins_above = 0.5;
 // What a wheel stands on for long is asked for its friction every so many steps.
 constexpr std::uint64_t friction_steps = 32;
 
-struct Found {
+struct GroundHit {
     BodyId body;
     ShapeId shape;
     double fraction;
@@ -30,7 +30,7 @@ struct WheelSweep {
     Vec3 down, axle;
 };
 
-std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& sweep,
+std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& sweep,
                                  double radius) {
     const Vec3 motion = sweep.motion + sweep.down * radius;
     const auto hit = queries.cast_ray({sweep.from, motion}, filter);
@@ -38,7 +38,7 @@ std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filt
     // As if the wheel's centre had come to a radius above: the share of its own way may pass both
     // ends.
     const double came = (**hit).fraction * length(motion) - radius;
-    return Found{(**hit).body, (**hit).shape, came / length(sweep.motion), (**hit).point,
+    return GroundHit{(**hit).body, (**hit).shape, came / length(sweep.motion), (**hit).point,
                  (**hit).normal};
 }
 
@@ -49,7 +49,7 @@ ShapeCast whole_wheel(const WheelSweep& sweep, const Wheel& wheel, WheelCast cas
             sweep.motion};
 }
 
-bool bears(const WheelSweep& sweep, const std::optional<Found>& found) {
+bool bears(const WheelSweep& sweep, const std::optional<GroundHit>& found) {
     return found && dot(found->normal, sweep.down) <= -steepest;
 }
 
@@ -59,7 +59,7 @@ QueryFilter filter_of(const Car& car) {
 
 // All of its wheels at once.
 void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const WheelSweep> sweeps,
-                       std::span<std::optional<Found>> found) {
+                       std::span<std::optional<GroundHit>> found) {
     std::vector<ShapeCast> casts;
     casts.reserve(sweeps.size());
     for (std::size_t k = 0; k < sweeps.size(); k++)
@@ -69,7 +69,7 @@ void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const W
     for (std::size_t k = 0; k < sweeps.size(); k++) {
         const std::optional<ShapeCastHit>& hit = (*hits)[k];
         if (hit && hit->fraction > 0)
-            found[k] = Found{hit->body, hit->shape, hit->fraction, hit->point, hit->normal};
+            found[k] = GroundHit{hit->body, hit->shape, hit->fraction, hit->point, hit->normal};
     }
 }
 
@@ -91,7 +91,7 @@ WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
             rotate(turn, axle)};
 }
 
-void take_friction(const World& world, const Tyre& tyre, const Found& found, WheelRuntime& run) {
+void take_friction(const World& world, const Tyre& tyre, const GroundHit& found, WheelRuntime& run) {
     if (run.shape == found.shape && run.friction > 0 && world.step_count() % friction_steps != 0)
         return;
     const Result<ShapeState> shape = world.shape(found.shape);
@@ -100,7 +100,7 @@ void take_friction(const World& world, const Tyre& tyre, const Found& found, Whe
                            shape->material.friction_rule);
 }
 
-void take_motion(const World& world, const Found& found, Ground& ground) {
+void take_motion(const World& world, const GroundHit& found, Ground& ground) {
     const Result<BodyState> body = world.body(found.body);
     if (!body.ok() || body->type == BodyType::static_body) return;
     ground.velocity =
@@ -108,7 +108,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void stand(const World& world, const WheelSweep& sweep, const std::optional<Found>& found, std::size_t index,
+void stand(const World& world, const WheelSweep& sweep, const std::optional<GroundHit>& found, std::size_t index,
            Car& car) {
     WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
@@ -140,7 +140,7 @@ void find_wheel_ground(const World& world, const Queries& queries, const BodySta
     chassis.pose.position += forward;
     car.grounds.resize(car.wheels.size());
     std::array<WheelSweep, wheels_max> sweeps;
-    std::array<std::optional<Found>, wheels_max> found;
+    std::array<std::optional<GroundHit>, wheels_max> found;
     const std::size_t count = car.wheels.size();
     for (std::size_t k = 0; k < count; k++)
         sweeps[k] = sweep_of(chassis, car.def.wheels[k], car.wheel_axes[k].axle);

@@ -8,7 +8,7 @@
 
 #include "modules/vehicle/src/air.h"
 #include "modules/vehicle/src/drive_line.h"
-#include "modules/vehicle/src/turn_to.h"
+#include "modules/vehicle/src/rotation_between.h"
 
 namespace jostle::modules::vehicle_detail {
 
@@ -20,8 +20,8 @@ constexpr double resistance_time_constant = 0.02;  // s
 
 // x ahead, y up along the suspension, z along the axle, to the right.
 Quat frame_of(const Wheel& wheel) {
-    const Quat level = turn_to({0, 0, 1}, wheel.axle, {0, 1, 0});
-    return turn_to(rotate(level, {0, 1, 0}), -wheel.down, wheel.axle) * level;
+    const Quat level = rotation_between({0, 0, 1}, wheel.axle, {0, 1, 0});
+    return rotation_between(rotate(level, {0, 1, 0}), -wheel.down, wheel.axle) * level;
 }
 
 double inertia_of(const Wheel& wheel) {
@@ -68,7 +68,7 @@ Status make_one(World& world, const BodyState& chassis, const Filter& filter, st
     run.spin = clamp(dot(body.linear_velocity, forward) / wheel.radius, -1e5, 1e5);
     body.angular_velocity = chassis.angular_velocity - axle * run.spin;
     ShapeDef shape{.geometry = Cylinder{wheel.radius, 0.5 * wheel.width},
-                   .pose = {{}, turn_to({0, 1, 0}, wheel.axle, {1, 0, 0})},
+                   .pose = {{}, rotation_between({0, 1, 0}, wheel.axle, {1, 0, 0})},
                    .mass = wheel.mass,
                    .filter = filter};
     shape.material.friction = wheel.tyre.friction;

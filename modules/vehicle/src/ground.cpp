@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/vehicle/src/ground.h"
 
-#include "modules/vehicle/src/turn_to.h"
+#include "modules/vehicle/src/rotation_between.h"
 
 namespace jostle::modules::vehicle_detail {
 
@@ -10,10 +10,10 @@ using namespace physics;
 namespace {
 
 // Steeper against the suspension than this it is a wall, which is the chassis' business.
-constexpr double steepest = 0.2;  // cosine
+constexpr double support_cosine_min = 0.2;  // cosine
 // A cast begins so far above where the wheel is when pressed in, in radii: that it does not start
 // inside of what it stands on.
-constexpr double begins_above = 0.5;
+constexpr double cast_start_offset = 0.5;
 // What a wheel stands on for long is asked for its friction every so many steps.
 constexpr std::uint64_t friction_steps = 32;
 
@@ -42,14 +42,14 @@ std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& 
                  (**hit).normal};
 }
 
-ShapeCast whole_wheel(const WheelSweep& sweep, const Wheel& wheel, WheelCast cast) {
+ShapeCast wheel_shape_cast(const WheelSweep& sweep, const Wheel& wheel, WheelCast cast) {
     if (cast == WheelCast::sphere) return {Sphere{wheel.radius}, {sweep.from, {}}, sweep.motion};
     return {Cylinder{wheel.radius, 0.5 * wheel.width},
-            {sweep.from, turn_to({0, 1, 0}, sweep.axle, {1, 0, 0})},
+            {sweep.from, rotation_between({0, 1, 0}, sweep.axle, {1, 0, 0})},
             sweep.motion};
 }
 
-bool bears(const WheelSweep& sweep, const std::optional<GroundHit>& found) {
+bool is_supporting(const WheelSweep& sweep, const std::optional<GroundHit>& found) {
     return found && dot(found->normal, sweep.down) <= -steepest;
 }
 
@@ -58,12 +58,12 @@ QueryFilter filter_of(const Car& car) {
 }
 
 // All of its wheels at once.
-void cast_whole_wheels(const Queries& queries, const Car& car, std::span<const WheelSweep> sweeps,
+void cast_wheel_shapes(const Queries& queries, const Car& car, std::span<const WheelSweep> sweeps,
                        std::span<std::optional<GroundHit>> found) {
     std::vector<ShapeCast> casts;
     casts.reserve(sweeps.size());
     for (std::size_t k = 0; k < sweeps.size(); k++)
-        casts.push_back(whole_wheel(sweeps[k], car.def.wheels[k], car.def.cast));
+        casts.push_back(wheel_shape_cast(sweeps[k], car.def.wheels[k], car.def.cast));
     const auto hits = queries.cast_shapes(casts, filter_of(car));
     if (!hits.ok()) return;
     for (std::size_t k = 0; k < sweeps.size(); k++) {
@@ -83,7 +83,7 @@ struct Chassis {
 WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
     const Quat turn = chassis.pose.rotation;
     const Vec3 hub = apply(chassis.pose, wheel.attachment), down = rotate(turn, wheel.down);
-    const double first = wheel.suspension.shortest - begins_above * wheel.radius;
+    const double first = wheel.suspension.shortest - cast_start_offset * wheel.radius;
     // Further down by what the chassis may fall in the step.
     const Vec3 v = chassis.v + cross(chassis.w, hub - chassis.center);
     const double fall = maximum(0, dot(v, down)) * chassis.dt + 0.01 * wheel.radius;
@@ -91,7 +91,7 @@ WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
             rotate(turn, axle)};
 }
 
-void take_friction(const World& world, const Tyre& tyre, const GroundHit& found, WheelRuntime& run) {
+void update_friction(const World& world, const Tyre& tyre, const GroundHit& found, WheelRuntime& run) {
     if (run.shape == found.shape && run.friction > 0 && world.step_count() % friction_steps != 0)
         return;
     const Result<ShapeState> shape = world.shape(found.shape);
@@ -100,7 +100,7 @@ void take_friction(const World& world, const Tyre& tyre, const GroundHit& found,
                            shape->material.friction_rule);
 }
 
-void take_motion(const World& world, const GroundHit& found, Ground& ground) {
+void update_ground_motion(const World& world, const GroundHit& found, Ground& ground) {
     const Result<BodyState> body = world.body(found.body);
     if (!body.ok() || body->type == BodyType::static_body) return;
     ground.velocity =
@@ -112,7 +112,7 @@ void stand(const World& world, const WheelSweep& sweep, const std::optional<Grou
            Car& car) {
     WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
-    if (!bears(sweep, found)) return;
+    if (!is_supporting(sweep, found)) return;
     ground.found = true;
     ground.point = found->point;
     ground.normal = found->normal;
@@ -124,8 +124,8 @@ void stand(const World& world, const WheelSweep& sweep, const std::optional<Grou
         ground.reach = crown + (car.def.wheels[index].radius - crown) *
                                    square_root(maximum(1 - lean * lean, 0));
     }
-    take_friction(world, car.def.wheels[index].tyre, *found, run);
-    take_motion(world, *found, ground);
+    update_friction(world, car.def.wheels[index].tyre, *found, run);
+    update_ground_motion(world, *found, ground);
     run.ground = found->body;
     run.shape = found->shape;
 }
@@ -145,10 +145,10 @@ void find_wheel_ground(const World& world, const Queries& queries, const BodySta
     for (std::size_t k = 0; k < count; k++)
         sweeps[k] = sweep_of(chassis, car.def.wheels[k], car.wheel_axes[k].axle);
     if (car.def.cast != WheelCast::ray)
-        cast_whole_wheels(queries, car, std::span(sweeps).first(count), found);
+        cast_wheel_shapes(queries, car, std::span(sweeps).first(count), found);
     for (std::size_t k = 0; k < count; k++) {
         // It starts inside of something, leans on a wall, or is in the air.
-        if (!bears(sweeps[k], found[k]))
+        if (!is_supporting(sweeps[k], found[k]))
             found[k] = cast_ray_of(queries, filter_of(car), sweeps[k], car.def.wheels[k].radius);
         stand(world, sweeps[k], found[k], k, car);
     }

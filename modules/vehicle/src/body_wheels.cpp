@@ -222,7 +222,7 @@ void turn_body_wheels(SubstepContext& substep, Car& car) {
     press_by_bars(substep, chassis, car);
     const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});
     substep.add_impulse(car.def.chassis,
-                        air_push(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
+                        aerodynamic_impulse(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
                         chassis.center);
 }
 

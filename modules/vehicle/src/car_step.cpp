@@ -238,7 +238,7 @@ void turn_wheels(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& 
 }
 
 void push_by_air(const ChassisFrame& frame, const Car& car, Push& push) {
-    push.impulse += air_push(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
+    push.impulse += aerodynamic_impulse(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 // air or on ice, and what it does in a sub-step is never more than the wheel bears.
 #include "modules/vehicle/src/body_wheels.h"
 
-#include "modules/vehicle/src/air.h"
+#include "modules/vehicle/src/aerodynamic_impulse.h"
 #include "modules/vehicle/src/drive_line.h"
 #include "modules/vehicle/src/rotation_between.h"
 

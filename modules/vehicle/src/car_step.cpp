@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/vehicle/src/car_step.h"
 
-#include "modules/vehicle/src/air.h"
+#include "modules/vehicle/src/aerodynamic_impulse.h"
 #include "modules/vehicle/src/balance.h"
 #include "modules/vehicle/src/drive_line.h"
 #include "modules/vehicle/src/suspension.h"

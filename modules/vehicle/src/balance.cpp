@@ -172,14 +172,14 @@ Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
 
 // N m that a rider brakes by: what the tyre bears besides what it bears aside, and less when the
 // rear wheel is about to lift.
-double rider_brake(const Car& car, std::size_t wheel, double asked) {
-    if (!car.def.balance.on || absolute(car.speed) < speed_min) return asked;
+double rider_brake(const Car& car, std::size_t wheel, double requested) {
+    if (!car.def.balance.on || absolute(car.speed) < speed_min) return requested;
     const WheelRuntime& run = car.wheels[wheel];
     const double grip = rider_friction_share * run.friction * run.load;
     const double forward = square_root(maximum(grip * grip - run.lateral * run.lateral, 0));
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.back().load / weight / 0.15, 0, 1);
-    return minimum(asked, forward * stays * car.def.wheels[wheel].radius);
+    return minimum(requested, forward * stays * car.def.wheels[wheel].radius);
 }
 
 // Share of the throttle: less when the front wheel is about to lift, or the rear one to spin.

@@ -53,7 +53,7 @@ double sag_of(const Wheel& wheel, double gravity) {
     return clamp(gravity / (w * w), 0, wheel.suspension.longest - wheel.suspension.shortest);
 }
 
-Status make_one(World& world, const BodyState& chassis, const Filter& filter, std::size_t index,
+Status make_wheel_body(World& world, const BodyState& chassis, const Filter& filter, std::size_t index,
                 Car& car) {
     const Wheel& wheel = car.def.wheels[index];
     const double pressed = sag_of(wheel, length(world.gravity()));
@@ -124,7 +124,7 @@ DriveLineWheel drive_line_wheel_of(const Wheel& made, const WheelBody& wheel) {
 }
 
 // N that a bar presses a wheel down by; less where it is too stiff for the sub-step.
-double bar_push(const Car& car, std::uint32_t wheel, const std::array<double, wheels_max>& pressed,
+double anti_roll_force(const Car& car, std::uint32_t wheel, const std::array<double, wheels_max>& pressed,
                 double h) {
     double push = 0;
     for (const AntiRollBar& bar : car.def.anti_roll_bars) {
@@ -137,7 +137,7 @@ double bar_push(const Car& car, std::uint32_t wheel, const std::array<double, wh
     return push;
 }
 
-void press_by_bars(SubstepContext& substep, const MovingBody& chassis, const Car& car) {
+void apply_anti_roll_bars(SubstepContext& substep, const MovingBody& chassis, const Car& car) {
     if (car.def.anti_roll_bars.empty()) return;
     std::array<double, wheels_max> pressed{};
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
@@ -152,7 +152,7 @@ void press_by_bars(SubstepContext& substep, const MovingBody& chassis, const Car
         const BodyId body = car.bodies[k].body;
         if (!substep.contains(body)) continue;
         const Vec3 down = rotate(chassis.pose.rotation, car.def.wheels[k].down);
-        const Vec3 push = down * (bar_push(car, k, pressed, substep.h()) * substep.h());
+        const Vec3 push = down * (anti_roll_force(car, k, pressed, substep.h()) * substep.h());
         const Vec3 at = substep.body(body).center;
         substep.add_impulse(body, push, at);
         substep.add_impulse(car.def.chassis, -push, at);
@@ -167,7 +167,7 @@ Status make_body_wheels(World& world, Car& car) {
     const Filter filter = filter_of(world, car);
     car.bodies.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
-        Status made = make_one(world, *chassis, filter, k, car);
+        Status made = make_wheel_body(world, *chassis, filter, k, car);
         if (made.ok()) continue;
         destroy_body_wheels(world, car);
         return made;
@@ -197,7 +197,7 @@ void steer_and_brake(World& world, Car& car) {
     }
 }
 
-void turn_body_wheels(SubstepContext& substep, Car& car) {
+void drive_body_wheels(SubstepContext& substep, Car& car) {
     const MovingBody chassis = substep.body(car.def.chassis);
     const double h = substep.h();
     DriveLineWheels wheels;
@@ -219,14 +219,14 @@ void turn_body_wheels(SubstepContext& substep, Car& car) {
         substep.add_angular_impulse(wheel.body, axles[k] * -wheel.reaction_impulse);
         substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.reaction_impulse);
     }
-    press_by_bars(substep, chassis, car);
+    apply_anti_roll_bars(substep, chassis, car);
     const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});
     substep.add_impulse(car.def.chassis,
                         aerodynamic_impulse(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
                         chassis.center);
 }
 
-void read_body_wheels(const World& world, double dt, Car& car) {
+void update_wheel_state(const World& world, double dt, Car& car) {
     const Result<BodyState> chassis = world.body(car.def.chassis);
     if (!chassis.ok()) return;
     const Quat turn = chassis->pose.rotation;

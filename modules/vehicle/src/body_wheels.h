@@ -15,8 +15,8 @@ physics::Status make_body_wheels(physics::World& world, Car& car);
 void destroy_body_wheels(physics::World& world, Car& car);
 // Once a step, when rigs and controls are known.
 void steer_and_brake(physics::World& world, Car& car);
-void turn_body_wheels(physics::SubstepContext& substep, Car& car);
+void drive_body_wheels(physics::SubstepContext& substep, Car& car);
 // What clients and state() are told.
-void read_body_wheels(const physics::World& world, double dt, Car& car);
+void update_wheel_state(const physics::World& world, double dt, Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

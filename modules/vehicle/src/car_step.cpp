@@ -158,8 +158,8 @@ void deflect_tread(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Co
     const double slip = contact.longitudinal_velocity - spun.radius * run.spin;
     run.longitudinal_deflection = (run.longitudinal_deflection - frame.h * slip) * tread.roll;
     run.lateral_deflection = (run.lateral_deflection - frame.h * contact.lateral_velocity) * tread.roll;
-    const double s2 = hold(tread, run.longitudinal_deflection, run.lateral_deflection);
-    push_of(tread, run.longitudinal_deflection, run.lateral_deflection, s2);
+    const double s2 = clamp_to_friction(tread, run.longitudinal_deflection, run.lateral_deflection);
+    compute_secant_stiffness(tread, run.longitudinal_deflection, run.lateral_deflection, s2);
     spun.force = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
     spun.slope = spun.radius * (tread.longitudinal_secant * frame.h * tread.roll + tread.longitudinal_damping);
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
@@ -174,7 +174,7 @@ void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& co
     const double counted = spun.force + spun.slope * gained;
     const double slip = contact.longitudinal_velocity - spun.radius * spun.spin;
     run.longitudinal_deflection += frame.h * spun.radius * gained * tread.roll;
-    hold(tread, run.longitudinal_deflection, run.lateral_deflection);
+    clamp_to_friction(tread, run.longitudinal_deflection, run.lateral_deflection);
     double forward = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
     double lateral =
         tread.lateral_secant * run.lateral_deflection - tread.lateral_damping * contact.lateral_velocity;
@@ -203,7 +203,7 @@ struct Push {
     Vec3 impulse = {}, turn = {};  // N s, N m s about the centre of mass
 };
 
-void push_ground(SubstepContext& substep, const ChassisFrame& frame, const Contact& contact, Vec3 impulse,
+void apply_ground_reaction(SubstepContext& substep, const ChassisFrame& frame, const Contact& contact, Vec3 impulse,
                  Car& car) {
     Ground& ground = car.grounds[contact.wheel];
     if (!ground.dynamic) return;
@@ -211,7 +211,7 @@ void push_ground(SubstepContext& substep, const ChassisFrame& frame, const Conta
     if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.reaction_impulse += -impulse;
 }
 
-void push_by_wheels(SubstepContext& substep, const ChassisFrame& frame, Contacts& contacts, Car& car,
+void apply_wheel_forces(SubstepContext& substep, const ChassisFrame& frame, Contacts& contacts, Car& car,
                     Push& push) {
     for (const Contact& contact : contacts) {
         const Vec3 impulse = (contact.normal * contact.load + contact.forward * contact.longitudinal_force +
@@ -219,12 +219,12 @@ void push_by_wheels(SubstepContext& substep, const ChassisFrame& frame, Contacts
                              frame.h;
         push.impulse += impulse;
         push.yaw_rate += cross(contact.arm, impulse);
-        push_ground(substep, frame, contact, impulse, car);
+        apply_ground_reaction(substep, frame, contact, impulse, car);
     }
 }
 
 // Wheels take their spin from the chassis and leave it there.
-void turn_wheels(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car, Push& push) {
+void update_wheel_spin(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car, Push& push) {
     constexpr double turn = 2 * pi;
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -237,7 +237,7 @@ void turn_wheels(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& 
     push.yaw_rate += frame.axes * left;
 }
 
-void push_by_air(const ChassisFrame& frame, const Car& car, Push& push) {
+void apply_aerodynamics(const ChassisFrame& frame, const Car& car, Push& push) {
     push.impulse += aerodynamic_impulse(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
 }
 
@@ -262,9 +262,9 @@ void step_car(SubstepContext& substep, Car& car) {
     drive(frame, car, wheels, contacts);
 
     Push push;
-    push_by_wheels(substep, frame, contacts, car, push);
-    turn_wheels(frame, wheels, car, push);
-    push_by_air(frame, car, push);
+    apply_wheel_forces(substep, frame, contacts, car, push);
+    update_wheel_spin(frame, wheels, car, push);
+    apply_aerodynamics(frame, car, push);
     push.yaw_rate += feet_angular_impulse(frame, car);
     car.supported = contacts.count > 0;
     car.support_impulse = car.supported ? car.external_acceleration * (-car.mass * substep.h()) : Vec3{};

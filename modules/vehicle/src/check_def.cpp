@@ -98,7 +98,7 @@ void check_wheels(const VehicleDef& def, Check& check) {
                "drive shares of all wheels are neither 0 nor 1 in sum");
 }
 
-void check_bars(const VehicleDef& def, Check& check) {
+void check_anti_roll_bars(const VehicleDef& def, Check& check) {
     check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0, bars_max);
     const double last = static_cast<double>(def.wheels.size()) - 1;
     for (std::size_t k = 0; k < def.anti_roll_bars.size(); k++) {
@@ -186,7 +186,7 @@ void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.leave();
 }
 
-void check_air(const VehicleDef& def, Check& check) {
+void check_aerodynamics(const VehicleDef& def, Check& check) {
     check.enter("aerodynamics");
     check.number("drag_area", def.aerodynamics.drag_area, 0, 1000);
     check.number("downforce_area", def.aerodynamics.downforce_area, 0, 1000);
@@ -226,19 +226,19 @@ void check_wheel_runtime(const WheelRuntime& run, Check& check) {
 
 }  // namespace
 
-std::string fault_of(const VehicleDef& def) {
+std::string validate(const VehicleDef& def) {
     Check check;
     check_wheels(def, check);
-    check_bars(def, check);
+    check_anti_roll_bars(def, check);
     check_differential_locks(def, check);
     check_steering_drive(def, check);
     check_engine(def.engine, check);
     check_gearbox(def.gearbox, check);
-    check_air(def, check);
+    check_aerodynamics(def, check);
     return check.fault();
 }
 
-std::string fault_of(const CarControls& controls) {
+std::string validate(const CarControls& controls) {
     Check check;
     check.number("throttle", controls.throttle, 0, 1);
     check.number("brake", controls.brake, 0, 1);
@@ -249,7 +249,7 @@ std::string fault_of(const CarControls& controls) {
     return check.fault();
 }
 
-std::string fault_of(const Pilot& pilot) {
+std::string validate(const Pilot& pilot) {
     Check check;
     check.enter("pilot");
     check.vector("center", pilot.center, 1e7);
@@ -258,9 +258,9 @@ std::string fault_of(const Pilot& pilot) {
     return check.fault();
 }
 
-std::string fault_of(const Car& car) {
+std::string validate(const Car& car) {
     for (const std::string& fault :
-         {fault_of(car.def), fault_of(car.controls), fault_of(car.pilot)})
+         {validate(car.def), validate(car.controls), validate(car.pilot)})
         if (!fault.empty()) return fault;
     Check check;
     check.that(car.wheels.size() == car.def.wheels.size(), "wheels have another number of states");

@@ -11,9 +11,9 @@
 namespace jostle::modules::vehicle_detail {
 
 // Empty: it can; else "wheels[2].radius is 0; it must be from 0.02 to 10".
-std::string fault_of(const VehicleDef& def);
-std::string fault_of(const CarControls& controls);
-std::string fault_of(const Pilot& pilot);
-std::string fault_of(const Car& car);
+std::string validate(const VehicleDef& def);
+std::string validate(const CarControls& controls);
+std::string validate(const Pilot& pilot);
+std::string validate(const Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

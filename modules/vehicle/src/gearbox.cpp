@@ -9,7 +9,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double reverses_below = 1.5;  // m/s below which an automatic changes its direction
+constexpr double reverse_speed_max = 1.5;  // m/s below which an automatic changes its direction
 
 void shift(Car& car, std::int32_t gear) {
     if (gear == car.gear) return;
@@ -54,7 +54,7 @@ std::int32_t lowest_forward(const Car& car) {
 std::int32_t next_forward(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     const std::int32_t lowest = lowest_forward(car);
-    if (car.gear < 1) return absolute(car.speed) < reverses_below || car.speed > 0 ? lowest : 0;
+    if (car.gear < 1) return absolute(car.speed) < reverse_speed_max || car.speed > 0 ? lowest : 0;
     if (car.gear < lowest) return lowest;
     if (car.pause_left > 0) return car.gear;
     const auto top = static_cast<std::int32_t>(gearbox.forward.size());
@@ -67,12 +67,12 @@ std::int32_t next_forward(const Car& car) {
     return car.gear;
 }
 
-std::int32_t wanted(const Car& car) {
+std::int32_t target_gear(const Car& car) {
     const std::int32_t asked = car.controls.gear;
     const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
     if (!car.def.gearbox.automatic) return asked > top ? top : asked;
     if (asked == 0) return 0;
-    if (asked < 0) return car.speed < reverses_below ? -1 : 0;
+    if (asked < 0) return car.speed < reverse_speed_max ? -1 : 0;
     return next_forward(car);
 }
 
@@ -82,7 +82,7 @@ void choose_gear(Car& car, double dt) {
     car.shift_left = maximum(car.shift_left - dt, 0);
     car.pause_left = maximum(car.pause_left - dt, 0);
     if (car.shift_left > 0) return;
-    shift(car, wanted(car));
+    shift(car, target_gear(car));
 }
 
 }  // namespace jostle::modules::vehicle_detail

@@ -12,7 +12,7 @@ namespace {
 // kg that rest on each wheel: of all loads that carry the chassis in balance the ones of the least
 // squares, load = p . (1, x, z), with wheels and centre of mass seen from above. Lagrange's
 // multipliers p solve A p = (m, m x, m z), A the sum of (1, x, z)(1, x, z)^T.
-std::vector<double> masses_on(const VehicleDef& def, Vec3 center, double mass) {
+std::vector<double> sprung_masses(const VehicleDef& def, Vec3 center, double mass) {
     SmallSystem<3> system;
     system.clear(3);
     const auto row = [](Vec3 p) { return std::array<double, 3>{1, p.x, p.z}; };
@@ -40,7 +40,7 @@ Car make_car(const VehicleDef& def, const BodyState& chassis, Vec3 gravity) {
     Car car;
     car.def = def;
     const Vec3 center = apply_inverse(chassis.pose, chassis.center);
-    const std::vector<double> masses = masses_on(def, center, chassis.mass);
+    const std::vector<double> masses = sprung_masses(def, center, chassis.mass);
     for (std::size_t k = 0; k < def.wheels.size(); k++) {
         Wheel& wheel = car.def.wheels[k];
         wheel.down = normalized(wheel.down);

@@ -21,7 +21,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double stop_stiffness = 30;  // of the spring's: what a wheel that is pressed in meets
+constexpr double stop_stiffness_ratio = 30;  // of the spring's: what a wheel that is pressed in meets
 
 struct Row {
     double push;      // N of the spring now
@@ -34,7 +34,7 @@ struct Rows {
     std::array<std::array<double, wheels_max>, wheels_max> w;  // the lower half
 };
 
-double bar_stiffness(const Car& car, std::uint32_t wheel) {
+double anti_roll_stiffness(const Car& car, std::uint32_t wheel) {
     double stiffness = 0;
     for (const AntiRollBar& bar : car.def.anti_roll_bars)
         if (bar.left == wheel || bar.right == wheel) stiffness += bar.stiffness;
@@ -42,7 +42,7 @@ double bar_stiffness(const Car& car, std::uint32_t wheel) {
 }
 
 // N along the suspension.
-double bar_push(const Car& car, std::uint32_t wheel) {
+double anti_roll_force(const Car& car, std::uint32_t wheel) {
     double push = 0;
     for (const AntiRollBar& bar : car.def.anti_roll_bars) {
         if (bar.left != wheel && bar.right != wheel) continue;
@@ -72,14 +72,14 @@ Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, 
     double push = suspension.preload + stiffness * contact.pressed;
     const double too_far = contact.pressed - (suspension.longest - suspension.shortest);
     if (too_far > 0) {
-        const double stop = stop_stiffness * wheel.stiffness;
+        const double stop = stop_stiffness_ratio * wheel.stiffness;
         push += stop * too_far;
         stiffness += stop;
         damping = maximum(damping, 2 * square_root(stop / w));  // critical
     }
     if (!car.def.anti_roll_bars.empty()) {
-        push += bar_push(car, contact.wheel);
-        stiffness += 2 * bar_stiffness(car, contact.wheel);
+        push += anti_roll_force(car, contact.wheel);
+        stiffness += 2 * anti_roll_stiffness(car, contact.wheel);
     }
     const double lever2 = contact.lever * contact.lever;
     const double z2 = frame.h * frame.h * stiffness * lever2 * w;

@@ -22,7 +22,7 @@
 
 namespace jostle::modules::vehicle_detail {
 
-inline constexpr double rolls_at = 1;  // m/s from which a tread rolls: its contact patch renews
+inline constexpr double rolling_speed_min = 1;  // m/s from which a tread rolls: its contact patch renews
 
 // N s/m of a tread that stands, as much as a sub-step bears.
 inline double tread_damping(double ratio, double stiffness, double inverse_mass, double rolls,
@@ -37,7 +37,7 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
                       double h) {
     TreadState tread;
     tread.limit = friction * contact.load;
-    tread.rolling_share = physics::minimum(speed / rolls_at, 1);
+    tread.rolling_share = physics::minimum(speed / rolling_speed_min, 1);
     const double per_length = 1 / tyre.relaxation_length;
     tread.roll = 1 / (1 + h * speed * per_length);
     const double k_ahead = contact.load * tyre.longitudinal_stiffness * per_length,
@@ -56,7 +56,7 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
 }
 
 // Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
-inline double hold(const TreadState& tread, double& forward, double& lateral) {
+inline double clamp_to_friction(const TreadState& tread, double& forward, double& lateral) {
     const double x = tread.longitudinal_deflection * forward, y = tread.lateral_deflection * lateral;
     const double most = (1 + 2 * tread.rolling_share) / 3, s2 = x * x + y * y;
     if (s2 <= most * most) return s2;
@@ -67,7 +67,7 @@ inline double hold(const TreadState& tread, double& forward, double& lateral) {
 }
 
 // Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
-inline void push_of(TreadState& tread, double forward, double lateral, double s2) {
+inline void compute_secant_stiffness(TreadState& tread, double forward, double lateral, double s2) {
     constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);
     double secant = tread.limit * (3 - 3 * s + s2);

@@ -50,7 +50,7 @@ void steer(Car& car, double dt) {
 }
 
 // A sleeping car stands on something that sleeps, or it must look again.
-bool lost_its_ground(const World& world, const Car& car) {
+bool has_lost_ground(const World& world, const Car& car) {
     return std::any_of(car.wheels.begin(), car.wheels.end(), [&](const WheelRuntime& run) {
         if (!run.touches) return false;
         if (!world.contains(run.shape)) return true;
@@ -104,7 +104,7 @@ const Car* Vehicles::find(CarId car) const {
 }
 
 Result<CarId> Vehicles::add(World& world, const VehicleDef& def) {
-    const std::string fault = fault_of(def);
+    const std::string fault = validate(def);
     if (!fault.empty()) return invalid_argument(fault);
     const Result<BodyState> chassis = world.body(def.chassis);
     if (!chassis.ok()) return chassis.error();
@@ -140,7 +140,7 @@ std::vector<CarId> Vehicles::cars() const {
 Status Vehicles::set_controls(World& world, CarId car, const CarControls& controls) {
     Car* found = find(car);
     if (found == nullptr) return unknown_car(car);
-    const std::string fault = fault_of(controls);
+    const std::string fault = validate(controls);
     if (!fault.empty()) return invalid_argument(fault);
     found->driver = Driver::nobody;
     if (found->controls == controls) return {};
@@ -152,7 +152,7 @@ Status Vehicles::set_controls(World& world, CarId car, const CarControls& contro
 Status Vehicles::set_pilot(World& world, CarId car, const Pilot& pilot) {
     Car* found = find(car);
     if (found == nullptr) return unknown_car(car);
-    const std::string fault = fault_of(pilot);
+    const std::string fault = validate(pilot);
     if (!fault.empty()) return invalid_argument(fault);
     if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
     found->driver = Driver::pilot;
@@ -198,7 +198,7 @@ void Vehicles::before_step(World& world, double dt) {
         Car& car = cars_[kept++];
         bodies.push_back(*chassis);
         car.active = chassis->awake;
-        if (!chassis->awake && car.bodies.empty() && lost_its_ground(world, car))
+        if (!chassis->awake && car.bodies.empty() && has_lost_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
         if (!car.active) car.has_expected_motion = false;
     }
@@ -218,7 +218,7 @@ void Vehicles::before_substep(SubstepContext& substep) {
         if (car.bodies.empty())
             step_car(substep, car);
         else
-            turn_body_wheels(substep, car);
+            drive_body_wheels(substep, car);
     }
 }
 
@@ -228,7 +228,7 @@ void Vehicles::after_step(World& world, double dt) {
     for (Car& car : cars_) {
         if (!car.active) continue;
         if (!car.bodies.empty()) {
-            read_body_wheels(world, dt, car);
+            update_wheel_state(world, dt, car);
             continue;
         }
         for (std::size_t k = 0; k < car.grounds.size(); k++) {

@@ -169,7 +169,7 @@ void visit_car(StateVisitor& v, Car& car) {
     v.field("external_angular_acceleration", car.external_angular_acceleration);
     if (!v.loading()) return;
     car.active = false;
-    const std::string fault = fault_of(car);
+    const std::string fault = validate(car);
     if (!fault.empty()) v.fail("car", fault);
 }
 

@@ -41,7 +41,7 @@ struct FrictionConstraints {
     std::array<FrictionConstraint, constraints_max> of;
     std::size_t count = 0;
 };
-using System = SmallSystem<unknowns_max>;
+using System = SmallLinearSystem<unknowns_max>;
 using Speeds = std::array<double, unknowns_max>;
 
 double speed_of(const FrictionConstraint& constraint, const Speeds& y) {

@@ -13,7 +13,7 @@ namespace {
 // squares, load = p . (1, x, z), with wheels and centre of mass seen from above. Lagrange's
 // multipliers p solve A p = (m, m x, m z), A the sum of (1, x, z)(1, x, z)^T.
 std::vector<double> sprung_masses(const VehicleDef& def, Vec3 center, double mass) {
-    SmallSystem<3> system;
+    SmallLinearSystem<3> system;
     system.clear(3);
     const auto row = [](Vec3 p) { return std::array<double, 3>{1, p.x, p.z}; };
     // Wheels in one line carry nothing across it: a little stiffness there keeps the system whole.

@@ -10,7 +10,7 @@
 namespace jostle::modules::vehicle_detail {
 
 template <std::size_t most>
-struct SmallSystem {
+struct SmallLinearSystem {
     std::array<std::array<double, most>, most> a;  // the lower half is read, and overwritten
     std::array<double, most> b;                    // becomes the solution
     std::size_t size = 0;

@@ -95,7 +95,7 @@ Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, 
 
 // (1 / B + h W) N = push / B - v, of those that bear.
 void solve(const ChassisFrame& frame, const Rows& rows, Contacts& contacts) {
-    SmallSystem<wheels_max> system;
+    SmallLinearSystem<wheels_max> system;
     std::array<std::size_t, wheels_max> bearing;
     std::size_t count = 0;
     for (std::size_t i = 0; i < contacts.count; i++)

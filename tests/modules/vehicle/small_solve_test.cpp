@@ -7,7 +7,7 @@ namespace jostle::modules::vehicle_detail {
 namespace {
 
 TEST(SmallSolve, solves_a_hilbert_matrix) {
-    SmallSystem<8> system;
+    SmallLinearSystem<8> system;
     system.clear(5);
     // b = A (1, 2, 3, 4, 5)
     for (std::size_t i = 0; i < 5; i++)
@@ -21,7 +21,7 @@ TEST(SmallSolve, solves_a_hilbert_matrix) {
 }
 
 TEST(SmallSolve, of_nothing_solves_nothing) {
-    SmallSystem<8> system;
+    SmallLinearSystem<8> system;
     system.clear(0);
     system.solve();
     EXPECT_EQ(system.size, 0u);

@@ -37,7 +37,7 @@ double axle_distance(const VehicleDef& def) {
 
 // How much the feet do; all when it stands or rolls back.
 double feet_support_share(const Car& car) {
-    const double below = car.def.balance.feet_below;
+    const double below = car.def.balance.feet_speed_max;
     return below > 0 ? clamp(2 - 2 * car.speed / below, 0, 1) : 0;
 }
 
@@ -53,7 +53,7 @@ double target_lean_angle(const Car& car) {
     const double v = maximum(car.speed, speed_min);
     const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
     const double most = arc_tangent(rider_friction_share * minimum(least_friction(car), locked), 1);
-    return clamp(car.controls.steering * car.def.balance.lean_most, -most, most);
+    return clamp(car.controls.steering * car.def.balance.max_lean_angle, -most, most);
 }
 
 // The a that is wanted, and how it changes.
@@ -159,7 +159,7 @@ Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
     const Balance& balance = car.def.balance;
     const Lean& lean = car.lean;
     const double share = feet_support_share(car);
-    if (!balance.on || share <= 0 || !lean.touching) return {};
+    if (!balance.enabled || share <= 0 || !lean.touching) return {};
     const double lies = clamp((1.1 - absolute(lean.angle)) / 0.4, 0, 1);
     const double w = 2 * pi * balance.frequency;
     const double rate = -dot(frame.w, frame.axes.z), damps = 2 * w * lean.inertia;
@@ -173,7 +173,7 @@ Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
 // N m that a rider brakes by: what the tyre bears besides what it bears aside, and less when the
 // rear wheel is about to lift.
 double rider_brake(const Car& car, std::size_t wheel, double requested) {
-    if (!car.def.balance.on || absolute(car.speed) < speed_min) return requested;
+    if (!car.def.balance.enabled || absolute(car.speed) < speed_min) return requested;
     const WheelRuntime& run = car.wheels[wheel];
     const double grip = rider_friction_share * run.friction * run.load;
     const double forward = square_root(maximum(grip * grip - run.lateral * run.lateral, 0));
@@ -184,7 +184,7 @@ double rider_brake(const Car& car, std::size_t wheel, double requested) {
 
 // Share of the throttle: less when the front wheel is about to lift, or the rear one to spin.
 double rider_throttle(const Car& car) {
-    if (!car.def.balance.on) return 1;
+    if (!car.def.balance.enabled) return 1;
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.front().load / weight / 0.15, 0, 1);
     const WheelRuntime& rear = car.wheels.back();

@@ -99,7 +99,7 @@ void check_wheels(const VehicleDef& def, Check& check) {
 }
 
 void check_anti_roll_bars(const VehicleDef& def, Check& check) {
-    check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0, bars_max);
+    check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0, anti_roll_bars_max);
     const double last = static_cast<double>(def.wheels.size()) - 1;
     for (std::size_t k = 0; k < def.anti_roll_bars.size(); k++) {
         const AntiRollBar& bar = def.anti_roll_bars[k];
@@ -163,9 +163,9 @@ void check_engine(const Engine& engine, Check& check) {
         before = point.speed;
     }
     check.number("inertia", engine.inertia, 0.001, 1e5);
-    check.number("idle", engine.idle, 1, 5000);
+    check.number("idle", engine.idle_speed, 1, 5000);
     check.number("most", engine.torque_max, 1, 1e4);
-    check.that(engine.torque_max > engine.idle, "most is not above idle");
+    check.that(engine.torque_max > engine.idle_speed, "most is not above idle");
     check.number("friction", engine.friction, 0, 1e4);
     check.leave();
 }
@@ -179,9 +179,9 @@ void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.number("efficiency", gearbox.efficiency, 0.1, 1);
     check.number("shift_time", gearbox.shift_time, 0, 10);
     check.number("shift_pause", gearbox.shift_pause, 0, 100);
-    check.number("up_at", gearbox.up_at, 0, 1e4);
-    check.number("down_at", gearbox.down_at, 0, 1e4);
-    check.that(gearbox.down_at < gearbox.up_at, "down_at is not below up_at");
+    check.number("shift_up_speed", gearbox.shift_up_speed, 0, 1e4);
+    check.number("shift_down_speed", gearbox.shift_down_speed, 0, 1e4);
+    check.that(gearbox.shift_down_speed < gearbox.shift_up_speed, "shift_down_speed is not below shift_up_speed");
     check.number("clutch_torque", gearbox.clutch_torque, 1, 1e7);
     check.leave();
 }
@@ -193,12 +193,12 @@ void check_aerodynamics(const VehicleDef& def, Check& check) {
     check.number("density", def.aerodynamics.density, 0, 2000);
     check.leave();
     check.enter("balance");
-    check.number("lean_most", def.balance.lean_most, 0, 1.2);
+    check.number("max_lean_angle", def.balance.max_lean_angle, 0, 1.2);
     check.number("frequency", def.balance.frequency, 0.1, 5);
-    check.number("feet_below", def.balance.feet_below, 0, 20);
+    check.number("feet_speed_max", def.balance.feet_speed_max, 0, 20);
     check.leave();
     check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::body));
-    check.that(def.cast != WheelCast::body || !def.balance.on,
+    check.that(def.cast != WheelCast::body || !def.balance.enabled,
                "balance.on: the wheels of a two-wheeler are not bodies");
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
     check.number("rate", def.rate, 10, 1e5);

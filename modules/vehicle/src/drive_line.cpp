@@ -73,7 +73,7 @@ void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, Frictio
 
 // Between the engine and the mean of what is driven.
 void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
-    const double ratio = current_gear_ratio(car), idle = car.def.engine.idle;
+    const double ratio = current_gear_ratio(car), idle = car.def.engine.idle_speed;
     if (ratio == 0) return;
     // By the faster side: who sets off lets the clutch in by the engine's speed, who rolls in gear
     // is braked by the engine.
@@ -192,7 +192,7 @@ double effective_throttle(const Car& car) {
     const Engine& engine = car.def.engine;
     const double speed = car.engine_speed;
     const double foot = car.shift_left > 0 ? 0 : car.controls.throttle * rider_throttle(car);
-    const double governor = clamp((engine.idle - speed) / (0.1 * engine.idle), 0, 1);
+    const double governor = clamp((engine.idle_speed - speed) / (0.1 * engine.idle_speed), 0, 1);
     const double cut = clamp((engine.torque_max - speed) / (0.02 * engine.torque_max), 0, 1);
     return maximum(foot * cut, governor);
 }

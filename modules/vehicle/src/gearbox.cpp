@@ -26,12 +26,12 @@ bool is_in_gear(const Car& car) {
 
 // rad/s of the engine at which it shifts up: later the harder the driver asks, and never where the
 // next gear would have to shift down again.
-double up_at(const Car& car) {
+double shift_up_speed(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     const auto gear = static_cast<std::size_t>(car.gear);
     const double step = gearbox.forward[gear - 1] / gearbox.forward[gear];
-    const double asked = gearbox.up_at * (0.5 + 0.5 * car.controls.throttle);
-    return minimum(maximum(asked, 1.25 * step * gearbox.down_at), gearbox.up_at);
+    const double asked = gearbox.shift_up_speed * (0.5 + 0.5 * car.controls.throttle);
+    return minimum(maximum(asked, 1.25 * step * gearbox.shift_down_speed), gearbox.shift_up_speed);
 }
 
 // The lowest gear in which the road does not turn the engine faster than it may. Any lower one
@@ -58,12 +58,12 @@ std::int32_t next_forward(const Car& car) {
     if (car.gear < lowest) return lowest;
     if (car.pause_left > 0) return car.gear;
     const auto top = static_cast<std::int32_t>(gearbox.forward.size());
-    if (car.engine_speed < gearbox.down_at && car.gear > lowest) {
+    if (car.engine_speed < gearbox.shift_down_speed && car.gear > lowest) {
         // Slow wheels have let the clutch go: straight to where it takes again.
         return car.gear - 1;
     }
     if (!is_in_gear(car)) return car.gear;
-    if (car.gear < top && car.engine_speed > up_at(car)) return car.gear + 1;
+    if (car.gear < top && car.engine_speed > shift_up_speed(car)) return car.gear + 1;
     return car.gear;
 }
 

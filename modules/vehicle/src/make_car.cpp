@@ -50,7 +50,7 @@ Car make_car(const VehicleDef& def, const BodyState& chassis, Vec3 gravity) {
         run.stiffness = masses[k] * w * w;
         run.damping = 2 * wheel.suspension.damping * masses[k] * w;
     }
-    car.engine_speed = def.engine.idle;
+    car.engine_speed = def.engine.idle_speed;
     car.external_acceleration = gravity;
     car.speed = -dot(chassis.linear_velocity, rotate(chassis.pose.rotation, {0, 0, 1}));
     return car;

@@ -85,7 +85,7 @@ VehicleDef make_of(const SceneCars& cars, BodyId chassis) {
 VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
     VehicleDef def = make_of(cars, chassis);
     for (TorquePoint& point : def.engine.curve) point.torque *= cars.power;
-    if (def.balance.on) return def;
+    if (def.balance.enabled) return def;
     def.cast = cars.cast < 0.5   ? WheelCast::ray
                : cars.cast < 1.5 ? WheelCast::sphere
                : cars.cast < 2.5 ? WheelCast::cylinder
@@ -159,7 +159,7 @@ VehicleDef motorcycle(const MotorcycleDef& def) {
         wheel.crown = minimum(0.5 * wheel.width, wheel.radius);
         made.wheels.push_back(wheel);
     }
-    made.balance.on = true;
+    made.balance.enabled = true;
     made.cast = WheelCast::ray;
     made.steering_rate = 20;
     made.aerodynamics.drag_area = 0.4;

@@ -37,7 +37,7 @@ double angle_of(const Car& car, std::size_t wheel) {
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    const double wanted = car.def.balance.on ? balance_steering(car, dt) : car.controls.steering;
+    const double wanted = car.def.balance.enabled ? balance_steering(car, dt) : car.controls.steering;
     car.steering += clamp(wanted - car.steering, -most, most);
     car.wheel_axes.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -68,7 +68,7 @@ void begin_step(const World& world, const Queries& queries, const BodyState& cha
     car.external_acceleration_max = 100 + 10 * length(world.gravity());
     car.inverse_inertia = inverse(chassis.inertia);
     choose_gear(car, dt);
-    if (car.def.balance.on) measure_lean(chassis, car);
+    if (car.def.balance.enabled) measure_lean(chassis, car);
     steer(car, dt);
     if (car.bodies.empty()) find_wheel_ground(world, queries, chassis, dt, car);
 }

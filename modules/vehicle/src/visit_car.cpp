@@ -68,10 +68,10 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
     visit_group(v, "steering_right", def.steering_drive.right);
     v.field("steering_ratio", def.steering_drive.ratio);
     v.field("steering_torque", def.steering_drive.torque);
-    v.field("balanced", def.balance.on);
-    v.field("lean_most", def.balance.lean_most);
+    v.field("balanced", def.balance.enabled);
+    v.field("max_lean_angle", def.balance.max_lean_angle);
     v.field("lean_frequency", def.balance.frequency);
-    v.field("feet_below", def.balance.feet_below);
+    v.field("feet_speed_max", def.balance.feet_speed_max);
     v.field("cast", def.cast, WheelCast::body);
     v.field("ground", def.ground);
     v.field("steering_rate", def.steering_rate);
@@ -84,7 +84,7 @@ void visit_drive(StateVisitor& v, VehicleDef& def) {
         v.field("torque", point.torque);
     });
     v.field("inertia", def.engine.inertia);
-    v.field("idle", def.engine.idle);
+    v.field("idle", def.engine.idle_speed);
     v.field("most", def.engine.torque_max);
     v.field("friction", def.engine.friction);
     Gearbox& gearbox = def.gearbox;
@@ -95,8 +95,8 @@ void visit_drive(StateVisitor& v, VehicleDef& def) {
     v.field("efficiency", gearbox.efficiency);
     v.field("shift_time", gearbox.shift_time);
     v.field("shift_pause", gearbox.shift_pause);
-    v.field("up_at", gearbox.up_at);
-    v.field("down_at", gearbox.down_at);
+    v.field("shift_up_speed", gearbox.shift_up_speed);
+    v.field("shift_down_speed", gearbox.shift_down_speed);
     v.field("clutch_torque", gearbox.clutch_torque);
     v.field("drag_area", def.aerodynamics.drag_area);
     v.field("downforce_area", def.aerodynamics.downforce_area);

@@ -96,7 +96,7 @@ TEST(BodyWheels, top_speed_is_where_power_meets_drag) {
     TestCar of({}, {0, 0, -30});
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
-    def.engine.most = 1000;
+    def.engine.max_speed = 1000;
     def.gearbox = {.automatic = false, .ahead = {1}};
     def.aerodynamics = {.drag_area = 2.5};
     of.add(def);
@@ -114,7 +114,7 @@ TEST(BodyWheels, the_engine_moves_the_whole_car) {
     TestCar of({}, {0, 0, -15});
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
-    def.engine.most = 5000;
+    def.engine.max_speed = 5000;
     def.gearbox = {.automatic = false, .ahead = {2}, .efficiency = 1};
     of.add(def);
     of.set({.throttle = 1, .gear = 1});

@@ -32,7 +32,7 @@ TEST(DriveLine, top_speed_is_where_power_meets_drag) {
         TestCar of({}, {0, 0, -45});
         VehicleDef def = plain_saloon(of.chassis);
         def.engine.curve = {{0, 320}, {1000, 40}};
-        def.engine.most = 1000;
+        def.engine.max_speed = 1000;
         def.gearbox = {.automatic = false, .ahead = {gear}};
         def.aerodynamics = {.drag_area = 0.7};
         for (auto& wheel : def.wheels) wheel.tyre.rolling_resistance = 0.012;
@@ -52,7 +52,7 @@ TEST(DriveLine, a_gear_multiplies_the_engines_torque) {
         TestCar of({}, {0, 0, -15});
         VehicleDef def = plain_saloon(of.chassis);
         def.engine.curve = {{0, 200}};
-        def.engine.most = 5000;
+        def.engine.max_speed = 5000;
         def.gearbox = {.automatic = false, .ahead = {gear}, .efficiency = 1};
         of.add(def);
         of.set({.throttle = 1, .gear = 1});
@@ -112,7 +112,7 @@ TEST(DriveLine, an_automatic_shifts_up_early_where_little_is_asked_and_does_not_
         shifts += now.gear != gear ? 1 : 0;
         gear = now.gear;
     }
-    EXPECT_LT(fastest, 0.9 * def.gearbox.up_at);
+    EXPECT_LT(fastest, 0.9 * def.gearbox.shift_up_speed);
     EXPECT_GT(gear, 2);
     EXPECT_LE(shifts, 5);
 }

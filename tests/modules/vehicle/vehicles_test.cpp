@@ -40,8 +40,8 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
               "wheels[0].axle is not square to down");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
               "engine.curve.speed does not rise");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.gearbox.down_at = 900; }),
-              "gearbox.down_at is not below up_at");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.gearbox.shift_down_speed = 900; }),
+              "gearbox.shift_down_speed is not below shift_up_speed");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
     EXPECT_TRUE(of.vehicles->cars().empty());
 }
@@ -162,7 +162,7 @@ TEST(Vehicles, a_scene_makes_tanks_and_motorcycles_too) {
     EXPECT_EQ(tank.steering_drive.left.size(), 5u);
     EXPECT_EQ(tank.wheels[0].attachment, (Vec3{-0.8, 0, -1.35}));
     EXPECT_EQ(made(2, 3).cast, modules::WheelCast::ray) << "wheels of two-wheelers are no bodies";
-    EXPECT_TRUE(made(2, 3).balance.on);
+    EXPECT_TRUE(made(2, 3).balance.enabled);
     EXPECT_EQ(made(0, 3).cast, modules::WheelCast::body);
 }
 

@@ -19,7 +19,7 @@ using physics::Vec3;
 
 inline constexpr std::size_t wheels_max = 16;     // of a car
 inline constexpr std::size_t differential_locks_max = 16;  // of a car: differentials that lock
-inline constexpr std::size_t bars_max = 6;        // anti-roll
+inline constexpr std::size_t anti_roll_bars_max = 6;        // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
 inline constexpr std::size_t gears_max = 12;  // ahead
 
@@ -120,8 +120,8 @@ struct Engine {
     std::vector<TorquePoint> curve = {{0, 120},   {100, 190}, {250, 240},
                                       {450, 250}, {600, 220}, {700, 160}};
     double inertia = 0.2;   // kg m^2, with flywheel, 0.001 to 1e5
-    double idle = 90;       // rad/s, 1 to 5000: held by the governor
-    double most = 680;      // rad/s, above idle, to 1e4: beyond it the fuel is cut
+    double idle_speed = 90;       // rad/s, 1 to 5000: held by the governor
+    double max_speed = 680;      // rad/s, above idle, to 1e4: beyond it the fuel is cut
     double friction = 0.1;  // N m s/rad with the throttle closed, 0 to 1e4
 };
 
@@ -133,9 +133,9 @@ struct Gearbox {
     double efficiency = 0.95;                               // 0.1 to 1
     double shift_time = 0.25;                               // s with the clutch open, 0 to 10
     double shift_pause = 0.6;  // s between two shifts of an automatic, 0 to 100
-    // rad/s of the engine, 0 to 1e4, down < up; with little throttle it shifts up at half of up_at,
+    // rad/s of the engine, 0 to 1e4, down < up; with little throttle it shifts up at half of shift_up_speed,
     // where the next gear would not shift down again.
-    double up_at = 560, down_at = 230;
+    double shift_up_speed = 560, shift_down_speed = 230;
     double clutch_torque = 500;  // N m that it holds, 1 to 1e7
 };
 
@@ -149,10 +149,10 @@ struct Aerodynamics {
 // a fall, and at first away from a bend. Below a speed feet on the ground help: a turn of the
 // chassis that nothing bears.
 struct Balance {
-    bool on = false;
-    double lean_most = 0.7;  // rad at full lock, 0 to 1.2
+    bool enabled = false;
+    double max_lean_angle = 0.7;  // rad at full lock, 0 to 1.2
     double frequency = 0.8;  // Hz with which the lean follows, 0.1 to 5
-    double feet_below = 3;   // m/s, 0 to 20; 0: never
+    double feet_speed_max = 3;   // m/s, 0 to 20; 0: never
 };
 
 struct VehicleDef {

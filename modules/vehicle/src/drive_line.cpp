@@ -12,7 +12,7 @@
 #include "modules/vehicle/src/drive_line.h"
 
 #include "modules/vehicle/src/balance.h"
-#include "modules/vehicle/src/small_solve.h"
+#include "modules/vehicle/src/small_linear_system.h"
 
 namespace jostle::modules::vehicle_detail {
 

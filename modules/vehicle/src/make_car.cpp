@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/vehicle/src/make_car.h"
 
-#include "modules/vehicle/src/small_solve.h"
+#include "modules/vehicle/src/small_linear_system.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -13,7 +13,7 @@
 // z^2 / D with D = 1 + theta z^2.
 #include "modules/vehicle/src/suspension.h"
 
-#include "modules/vehicle/src/small_solve.h"
+#include "modules/vehicle/src/small_linear_system.h"
 
 namespace jostle::modules::vehicle_detail {
 

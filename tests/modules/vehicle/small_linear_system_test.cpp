@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/small_solve.h"
+#include "modules/vehicle/src/small_linear_system.h"
 
 #include <gtest/gtest.h>
 

@@ -60,7 +60,7 @@ Status add_module(BuiltScene& built, const SceneModule& described) {
     if (described.things.empty() || !described.settings.empty() || !described.bodies.empty())
         if (Status s = configure(described); !s.ok()) return s;
     std::map<std::string, int> met;  // of each list
-    for (const SceneModule::Thing& thing : described.things) {
+    for (const SceneModule::ModuleObject& thing : described.things) {
         const int number = met[thing.list]++;
         if (Status s = configure(thing); !s.ok())
             return Error{s.error().code,

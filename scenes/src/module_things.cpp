@@ -18,7 +18,7 @@ namespace {
 
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-using Thing = SceneModule::Thing;
+using ModuleObject = SceneModule::ModuleObject;
 
 std::string setting_of(const FieldDescriptor& field) {
     const std::string& named = field.options().GetExtension(v1::setting);
@@ -77,7 +77,7 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
 // Reads one thing, field by field; parts of it have their own prefix.
 class ThingReader {
 public:
-    ThingReader(FieldReader& in, const SceneDescription& scene, Thing& thing)
+    ThingReader(FieldReader& in, const SceneDescription& scene, ModuleObject& thing)
         : in_(in), scene_(scene), thing_(thing) {}
 
     void read(const Message& m, const std::string& path, const std::string& prefix) {
@@ -143,13 +143,13 @@ private:
 
     FieldReader& in_;
     const SceneDescription& scene_;
-    Thing& thing_;
+    ModuleObject& thing_;
 };
 
 // Writes one thing; counts the settings that found their field.
 class ThingWriter {
 public:
-    ThingWriter(const SceneDescription& scene, const Thing& thing) : scene_(scene), thing_(thing) {}
+    ThingWriter(const SceneDescription& scene, const ModuleObject& thing) : scene_(scene), thing_(thing) {}
 
     // Whether there was anything to write.
     bool write(Message& m, const std::string& prefix) {
@@ -197,7 +197,7 @@ private:
     }
 
     const SceneDescription& scene_;
-    const Thing& thing_;
+    const ModuleObject& thing_;
     std::set<std::string> written_;
 };
 
@@ -212,7 +212,7 @@ void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& mo
         const int size = get.FieldSize(message, &list);
         check_size(in, path + "." + list.name(), size, list);
         for (int k = 0; k < size && !in.failed(); k++) {
-            Thing& thing = module.things.emplace_back(Thing{.list = list.name()});
+            ModuleObject& thing = module.things.emplace_back(ModuleObject{.list = list.name()});
             ThingReader(in, scene, thing)
                 .read(get.GetRepeatedMessage(message, &list, k),
                       path + "." + list.name() + "[" + std::to_string(k) + "]", "");
@@ -222,7 +222,7 @@ void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& mo
 
 bool write_things(Message& message, const SceneDescription& scene, const SceneModule& module) {
     bool all = true;
-    for (const Thing& thing : module.things) {
+    for (const ModuleObject& thing : module.things) {
         const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(thing.list);
         if (!list || !list->is_repeated()) {
             all = false;

@@ -75,7 +75,7 @@ TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
     const auto scene_with = [](const std::vector<std::byte>& bytes) {
         SceneDescription scene;
         scene.name = "test";
-        SceneModule::Thing thing{.list = "fractured", .settings = {}, .bodies = {}};
+        SceneModule::ModuleObject thing{.list = "fractured", .settings = {}, .bodies = {}};
         thing.settings = {{"x", 5}, {"y", 1}, {"heading", 1.5}, {"tensile", 2e6}};
         thing.bytes["shape"] = bytes;
         scene.modules.push_back(

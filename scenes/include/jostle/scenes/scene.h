@@ -42,13 +42,13 @@ struct SceneModule {
     std::map<std::string, std::size_t> bodies;  // of SceneDescription::bodies
     // Things that it makes, each from settings of its own: configured one after the other, after
     // the settings above.
-    struct Thing {
+    struct ModuleObject {
         std::string list;  // of the module's message in scene files: "cars"
         std::map<std::string, double> settings;
         std::map<std::string, std::size_t> bodies;
         std::map<std::string, std::vector<std::byte>> bytes = {};
     };
-    std::vector<Thing> things = {};
+    std::vector<ModuleObject> things = {};
     // Of save_module(), read after the settings; empty: as it begins. Ids in it are those of the
     // world in which it was kept.
     std::vector<std::byte> state;

@@ -57,10 +57,10 @@ Status add_module(BuiltScene& built, const SceneModule& described) {
         return (*module)->configure(built.world, settings_of(given, built.bodies));
     };
     // A module that makes nothing but its things has no settings of its own to read.
-    if (described.things.empty() || !described.settings.empty() || !described.bodies.empty())
+    if (described.objects.empty() || !described.settings.empty() || !described.bodies.empty())
         if (Status s = configure(described); !s.ok()) return s;
     std::map<std::string, int> met;  // of each list
-    for (const SceneModule::ModuleObject& thing : described.things) {
+    for (const SceneModule::ModuleObject& thing : described.objects) {
         const int number = met[thing.list]++;
         if (Status s = configure(thing); !s.ok())
             return Error{s.error().code,

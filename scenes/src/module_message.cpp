@@ -90,7 +90,7 @@ void write_module(v1::Module& out, const SceneDescription& scene, const SceneMod
     for (const auto& [name, body] : module.bodies)
         (*out.mutable_bodies())[name] = name_of(scene, body);
     const auto* kind = out.GetDescriptor()->FindFieldByName(module.tag);
-    if (kind && kind->containing_oneof() && !module.things.empty())
+    if (kind && kind->containing_oneof() && !module.objects.empty())
         write_things(*out.GetReflection()->MutableMessage(&out, kind), scene, module);
     out.set_state(module.state.data(), module.state.size());
 }

@@ -212,7 +212,7 @@ void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& mo
         const int size = get.FieldSize(message, &list);
         check_size(in, path + "." + list.name(), size, list);
         for (int k = 0; k < size && !in.failed(); k++) {
-            ModuleObject& thing = module.things.emplace_back(ModuleObject{.list = list.name()});
+            ModuleObject& thing = module.objects.emplace_back(ModuleObject{.list = list.name()});
             ThingReader(in, scene, thing)
                 .read(get.GetRepeatedMessage(message, &list, k),
                       path + "." + list.name() + "[" + std::to_string(k) + "]", "");
@@ -222,7 +222,7 @@ void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& mo
 
 bool write_things(Message& message, const SceneDescription& scene, const SceneModule& module) {
     bool all = true;
-    for (const ModuleObject& thing : module.things) {
+    for (const ModuleObject& thing : module.objects) {
         const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(thing.list);
         if (!list || !list->is_repeated()) {
             all = false;

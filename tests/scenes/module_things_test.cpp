@@ -79,12 +79,12 @@ TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
         thing.settings = {{"x", 5}, {"y", 1}, {"heading", 1.5}, {"tensile", 2e6}};
         thing.bytes["shape"] = bytes;
         scene.modules.push_back(
-            {.tag = "destruction", .settings = {}, .bodies = {}, .things = {thing}, .state = {}});
+            {.tag = "destruction", .settings = {}, .bodies = {}, .objects = {thing}, .state = {}});
         return write_scene_json(scene);
     };
     const auto scene = read_scene_json(scene_with(file));
     ASSERT_TRUE(scene.ok()) << scene.error().message;
-    EXPECT_EQ(scene->modules[0].things[0].bytes.at("shape"), file);
+    EXPECT_EQ(scene->modules[0].objects[0].bytes.at("shape"), file);
     const auto built = build_scene(*scene);
     ASSERT_TRUE(built.ok()) << built.error().message;
     const auto* there =
@@ -114,9 +114,9 @@ TEST(ModuleThings, several_winds_and_waters_in_volumes_of_their_own) {
     ASSERT_TRUE(built.ok()) << built.error().message;
     const auto* fields = dynamic_cast<const modules::Fields*>(built->world.module("fields"));
     EXPECT_EQ(fields->charges().size(), 1u);
-    EXPECT_EQ(scene->modules[0].things.size(), 4u);
-    EXPECT_EQ(scene->modules[0].things[2].settings.at("wave2_amplitude"), 0.1);
-    EXPECT_EQ(scene->modules[0].things[1].settings.at("turbulence_half_y"), 4);
+    EXPECT_EQ(scene->modules[0].objects.size(), 4u);
+    EXPECT_EQ(scene->modules[0].objects[2].settings.at("wave2_amplitude"), 0.1);
+    EXPECT_EQ(scene->modules[0].objects[1].settings.at("turbulence_half_y"), 4);
 }
 
 TEST(ModuleThings, errors_name_line_and_field) {
@@ -151,7 +151,7 @@ TEST(ModuleThings, what_was_read_is_written_as_it_was) {
     const auto again = read_scene_json(write_scene_json(*scene));
     ASSERT_TRUE(again.ok()) << again.error().message;
     for (std::size_t m = 0; m < 2; m++) {
-        const auto &a = scene->modules[m].things, &b = again->modules[m].things;
+        const auto &a = scene->modules[m].objects, &b = again->modules[m].objects;
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t k = 0; k < a.size(); k++) {
             EXPECT_EQ(a[k].list, b[k].list);

@@ -48,7 +48,7 @@ struct SceneModule {
         std::map<std::string, std::size_t> bodies;
         std::map<std::string, std::vector<std::byte>> bytes = {};
     };
-    std::vector<ModuleObject> things = {};
+    std::vector<ModuleObject> objects = {};
     // Of save_module(), read after the settings; empty: as it begins. Ids in it are those of the
     // world in which it was kept.
     std::vector<std::byte> state;

@@ -7,7 +7,7 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
 #include "scenes/src/body_name.h"
-#include "scenes/src/module_things.h"
+#include "scenes/src/module_objects.h"
 
 namespace jostle::scenes {
 

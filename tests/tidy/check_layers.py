@@ -102,7 +102,7 @@ MAY_INCLUDE_WORLD = ("server/world", "server/recovery")
 # Only these files of scenes/ know the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp", "scenes/src/locks_message.cpp",
-                       "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
+                       "scenes/src/module_message.cpp", "scenes/src/module_objects.cpp")
 # Private headers that one other layer may include.
 SHARED = {"clients/cpp/core/src/credentials.h": "tools/ctl"}  # a gRPC channel with the client's TLS settings and token
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)

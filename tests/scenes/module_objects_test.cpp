@@ -2,7 +2,7 @@
 //
 // The modules that come with Jostle, as scene files say them: lists of things with ranges, found by
 // line and field when something is wrong with them.
-#include "scenes/src/module_things.h"
+#include "scenes/src/module_objects.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>

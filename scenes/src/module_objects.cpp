@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/module_things.h"
+#include "scenes/src/module_objects.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>

@@ -52,7 +52,7 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
 }
 
 // The field of what the module's things are in; null: there are none.
-const google::protobuf::FieldDescriptor* things_of(const v1::Module& m) {
+const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
     const auto* choice = m.GetDescriptor()->FindOneofByName("things");
     return m.GetReflection()->GetOneofFieldDescriptor(m, choice);
 }
@@ -64,7 +64,7 @@ void read_module(FieldReader& in, SceneDescription& scene, const std::string& pa
     if (scene.modules.size() == modules_max)
         return in.note(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
                                  " modules");
-    const google::protobuf::FieldDescriptor* kind = things_of(m);
+    const google::protobuf::FieldDescriptor* kind = objects_field_of(m);
     const std::string tag = kind && m.tag().empty() ? kind->name() : m.tag();
     if (kind && tag != kind->name())
         in.note(path + ".tag", "is \"" + tag + "\", but its things are of \"" + kind->name() +
@@ -72,7 +72,7 @@ void read_module(FieldReader& in, SceneDescription& scene, const std::string& pa
     check_tag(in, scene, path + ".tag", tag);
     SceneModule module{.tag = tag, .settings = {}, .bodies = {}, .state = {}};
     if (kind)
-        read_things(in, scene, module, path + "." + kind->name(),
+        read_module_objects(in, scene, module, path + "." + kind->name(),
                     m.GetReflection()->GetMessage(m, kind));
     for (const auto& [name, number] : read_names(in, path + ".settings", m.settings()))
         module.settings[name] =
@@ -91,7 +91,7 @@ void write_module(v1::Module& out, const SceneDescription& scene, const SceneMod
         (*out.mutable_bodies())[name] = name_of(scene, body);
     const auto* kind = out.GetDescriptor()->FindFieldByName(module.tag);
     if (kind && kind->containing_oneof() && !module.objects.empty())
-        write_things(*out.GetReflection()->MutableMessage(&out, kind), scene, module);
+        write_module_objects(*out.GetReflection()->MutableMessage(&out, kind), scene, module);
     out.set_state(module.state.data(), module.state.size());
 }
 

@@ -203,7 +203,7 @@ private:
 
 }  // namespace
 
-void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& module,
+void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneModule& module,
                  const std::string& path, const Message& message) {
     const auto& type = *message.GetDescriptor();
     const auto& get = *message.GetReflection();
@@ -220,7 +220,7 @@ void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& mo
     }
 }
 
-bool write_things(Message& message, const SceneDescription& scene, const SceneModule& module) {
+bool write_module_objects(Message& message, const SceneDescription& scene, const SceneModule& module) {
     bool all = true;
     for (const ModuleObject& thing : module.objects) {
         const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(thing.list);

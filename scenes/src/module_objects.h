@@ -16,11 +16,11 @@ class Message;
 namespace jostle::scenes {
 
 // Each item of each list becomes a thing of `module`. `path` is the message's.
-void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& module,
+void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneModule& module,
                  const std::string& path, const google::protobuf::Message& message);
 
 // The other way. False: a thing is of a list, or has a setting, that the message does not have.
-bool write_things(google::protobuf::Message& message, const SceneDescription& scene,
+bool write_module_objects(google::protobuf::Message& message, const SceneDescription& scene,
                   const SceneModule& module);
 
 }  // namespace jostle::scenes

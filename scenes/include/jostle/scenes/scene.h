@@ -54,7 +54,7 @@ struct SceneModule {
     std::vector<std::byte> state;
 };
 inline constexpr std::size_t modules_max = 64;          // of a scene file and of a hosted world
-inline constexpr std::size_t module_things_max = 4096;  // of a module in a scene file
+inline constexpr std::size_t module_objects_max = 4096;  // of a module in a scene file
 
 struct SceneDescription {
     std::string name;

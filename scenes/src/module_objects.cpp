@@ -75,9 +75,9 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
 }
 
 // Reads one thing, field by field; parts of it have their own prefix.
-class ThingReader {
+class ModuleObjectReader {
 public:
-    ThingReader(FieldReader& in, const SceneDescription& scene, ModuleObject& thing)
+    ModuleObjectReader(FieldReader& in, const SceneDescription& scene, ModuleObject& thing)
         : in_(in), scene_(scene), thing_(thing) {}
 
     void read(const Message& m, const std::string& path, const std::string& prefix) {
@@ -213,7 +213,7 @@ void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneMo
         check_size(in, path + "." + list.name(), size, list);
         for (int k = 0; k < size && !in.failed(); k++) {
             ModuleObject& thing = module.objects.emplace_back(ModuleObject{.list = list.name()});
-            ThingReader(in, scene, thing)
+            ModuleObjectReader(in, scene, thing)
                 .read(get.GetRepeatedMessage(message, &list, k),
                       path + "." + list.name() + "[" + std::to_string(k) + "]", "");
         }

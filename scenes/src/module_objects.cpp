@@ -147,9 +147,9 @@ private:
 };
 
 // Writes one thing; counts the settings that found their field.
-class ThingWriter {
+class ModuleObjectWriter {
 public:
-    ThingWriter(const SceneDescription& scene, const ModuleObject& thing) : scene_(scene), thing_(thing) {}
+    ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& thing) : scene_(scene), thing_(thing) {}
 
     // Whether there was anything to write.
     bool write(Message& m, const std::string& prefix) {
@@ -228,7 +228,7 @@ bool write_module_objects(Message& message, const SceneDescription& scene, const
             all = false;
             continue;
         }
-        ThingWriter writer(scene, thing);
+        ModuleObjectWriter writer(scene, thing);
         writer.write(*message.GetReflection()->AddMessage(&message, list), "");
         all = all && writer.all_written();
     }

@@ -60,11 +60,11 @@ Status add_module(BuiltScene& built, const SceneModule& described) {
     if (described.objects.empty() || !described.settings.empty() || !described.bodies.empty())
         if (Status s = configure(described); !s.ok()) return s;
     std::map<std::string, int> met;  // of each list
-    for (const SceneModule::ModuleObject& thing : described.objects) {
-        const int number = met[thing.list]++;
-        if (Status s = configure(thing); !s.ok())
+    for (const SceneModule::ModuleObject& object : described.objects) {
+        const int number = met[object.list]++;
+        if (Status s = configure(object); !s.ok())
             return Error{s.error().code,
-                         thing.list + "[" + std::to_string(number) + "]: " + s.error().message};
+                         object.list + "[" + std::to_string(number) + "]: " + s.error().message};
     }
     if (!described.state.empty())
         if (Status s = physics::load_module(**module, described.state); !s.ok()) return s;

@@ -77,8 +77,8 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
 // Reads one thing, field by field; parts of it have their own prefix.
 class ModuleObjectReader {
 public:
-    ModuleObjectReader(FieldReader& in, const SceneDescription& scene, ModuleObject& thing)
-        : in_(in), scene_(scene), thing_(thing) {}
+    ModuleObjectReader(FieldReader& in, const SceneDescription& scene, ModuleObject& object)
+        : in_(in), scene_(scene), object_(object) {}
 
     void read(const Message& m, const std::string& path, const std::string& prefix) {
         std::vector<const FieldDescriptor*> given;
@@ -107,7 +107,7 @@ private:
         if (field.type() == FieldDescriptor::TYPE_BYTES)
             return read_fracture(get.GetString(m, &field), path, name);
         if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
-            thing_.bodies[name] = find_body(in_, scene_, path, get.GetString(m, &field));
+            object_.bodies[name] = find_body(in_, scene_, path, get.GetString(m, &field));
             return;
         }
         const v1::SettingRange range = range_of(field);
@@ -115,21 +115,21 @@ private:
         if (const auto* known = field.enum_type();
             known && (value < 0 || !known->FindValueByNumber(static_cast<int>(value) + 1)))
             in_.note(path, "is none of the values of " + known->name());
-        thing_.settings[name] = in_.number(path, value, range.low(), range.high());
+        object_.settings[name] = in_.number(path, value, range.low(), range.high());
     }
     void read_vector(const v1::Vec3& v, const FieldDescriptor& field, const std::string& path,
                      const std::string& name) {
         const v1::SettingRange range = range_of(field);
-        thing_.settings[name + "_x"] = in_.number(path + ".x", v.x(), range.low(), range.high());
-        thing_.settings[name + "_y"] = in_.number(path + ".y", v.y(), range.low(), range.high());
-        thing_.settings[name + "_z"] = in_.number(path + ".z", v.z(), range.low(), range.high());
+        object_.settings[name + "_x"] = in_.number(path + ".x", v.x(), range.low(), range.high());
+        object_.settings[name + "_y"] = in_.number(path + ".y", v.y(), range.low(), range.high());
+        object_.settings[name + "_z"] = in_.number(path + ".z", v.z(), range.low(), range.high());
     }
     // The only bytes that things have: modules/destruction/fracture_file.h.
     void read_fracture(const std::string& given, const std::string& path, const std::string& name) {
         const std::span bytes = std::as_bytes(std::span(given));
         if (const auto shape = modules::read_fracture(bytes); !shape.ok())
             in_.note(path, "is no fracture file: " + shape.error().message);
-        thing_.bytes[name].assign(bytes.begin(), bytes.end());
+        object_.bytes[name].assign(bytes.begin(), bytes.end());
     }
     void read_list(const Message& m, const FieldDescriptor& field, const std::string& path,
                    const std::string& name) {
@@ -143,13 +143,13 @@ private:
 
     FieldReader& in_;
     const SceneDescription& scene_;
-    ModuleObject& thing_;
+    ModuleObject& object_;
 };
 
 // Writes one thing; counts the settings that found their field.
 class ModuleObjectWriter {
 public:
-    ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& thing) : scene_(scene), thing_(thing) {}
+    ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& object) : scene_(scene), object_(object) {}
 
     // Whether there was anything to write.
     bool write(Message& m, const std::string& prefix) {
@@ -161,7 +161,7 @@ public:
     }
     bool all_written() const {
         return written_.size() ==
-               thing_.settings.size() + thing_.bodies.size() + thing_.bytes.size();
+               object_.settings.size() + object_.bodies.size() + object_.bytes.size();
     }
 
 private:
@@ -178,26 +178,26 @@ private:
         if (is_vector(field) || field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
             if (!write(*set.MutableMessage(&m, &field), name + "_")) set.ClearField(&m, &field);
         } else if (field.type() == FieldDescriptor::TYPE_BYTES) {
-            const auto bytes = thing_.bytes.find(name);
-            if (bytes == thing_.bytes.end()) return;
+            const auto bytes = object_.bytes.find(name);
+            if (bytes == object_.bytes.end()) return;
             set.SetString(&m, &field,
                           std::string(reinterpret_cast<const char*>(bytes->second.data()),
                                       bytes->second.size()));
             written_.insert("bytes " + name);
         } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
-            const auto body = thing_.bodies.find(name);
-            if (body == thing_.bodies.end()) return;
+            const auto body = object_.bodies.find(name);
+            if (body == object_.bodies.end()) return;
             set.SetString(&m, &field, name_of(scene_, body->second));
             written_.insert("body " + name);
-        } else if (const auto number = thing_.settings.find(name);
-                   number != thing_.settings.end()) {
+        } else if (const auto number = object_.settings.find(name);
+                   number != object_.settings.end()) {
             set_number(m, field, number->second);
             written_.insert(name);
         }
     }
 
     const SceneDescription& scene_;
-    const ModuleObject& thing_;
+    const ModuleObject& object_;
     std::set<std::string> written_;
 };
 
@@ -212,8 +212,8 @@ void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneMo
         const int size = get.FieldSize(message, &list);
         check_size(in, path + "." + list.name(), size, list);
         for (int k = 0; k < size && !in.failed(); k++) {
-            ModuleObject& thing = module.objects.emplace_back(ModuleObject{.list = list.name()});
-            ModuleObjectReader(in, scene, thing)
+            ModuleObject& object = module.objects.emplace_back(ModuleObject{.list = list.name()});
+            ModuleObjectReader(in, scene, object)
                 .read(get.GetRepeatedMessage(message, &list, k),
                       path + "." + list.name() + "[" + std::to_string(k) + "]", "");
         }
@@ -222,13 +222,13 @@ void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneMo
 
 bool write_module_objects(Message& message, const SceneDescription& scene, const SceneModule& module) {
     bool all = true;
-    for (const ModuleObject& thing : module.objects) {
-        const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(thing.list);
+    for (const ModuleObject& object : module.objects) {
+        const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(object.list);
         if (!list || !list->is_repeated()) {
             all = false;
             continue;
         }
-        ModuleObjectWriter writer(scene, thing);
+        ModuleObjectWriter writer(scene, object);
         writer.write(*message.GetReflection()->AddMessage(&message, list), "");
         all = all && writer.all_written();
     }

@@ -32,7 +32,7 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
         const char* name = JointFields<Kind>::name;
         names += (names.empty() ? "" : ", ") + std::string(name);
         if (given == nullptr || given->name() != name) return;
-        ReadFields fields = ReadFields(in, path, m).inside(name);
+        MessageFieldReader fields = MessageFieldReader(in, path, m).inside(name);
         JointFields<Kind>::visit(fields, joint);
         found = joint;
     });

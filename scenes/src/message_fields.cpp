@@ -34,43 +34,43 @@ constexpr auto message_type = FieldDescriptor::CPPTYPE_MESSAGE;
 
 }  // namespace
 
-bool ReadFields::lacks(const char* name) const {
+bool MessageFieldReader::lacks(const char* name) const {
     const FieldDescriptor* field = find_field(from_, prefix_ + name);
     return field->has_presence() && !from_.GetReflection()->HasField(from_, field);
 }
 
-ReadFields ReadFields::inside(const char* name) const {
+MessageFieldReader MessageFieldReader::inside(const char* name) const {
     const auto* field = find_field(from_, prefix_ + name, message_type);
     return {in_, path_of(name), from_.GetReflection()->GetMessage(from_, field)};
 }
 
-void ReadFields::number(const char* name, double& value, double low, double high) {
+void MessageFieldReader::number(const char* name, double& value, double low, double high) {
     const auto* field = find_field(from_, prefix_ + name, number_type);
     if (lacks(name)) return;
     value = in_.number(path_of(name), from_.GetReflection()->GetDouble(from_, field), low, high);
 }
 
-void ReadFields::ordered(const char* lower_name, double& lower, const char* upper_name,
+void MessageFieldReader::ordered(const char* lower_name, double& lower, const char* upper_name,
                          double& upper, double low, double high) {
     number(lower_name, lower, low, high);
     number(upper_name, upper, low, high);
     if (upper < lower) in_.note(path_of(upper_name), "is less than " + prefix_ + lower_name);
 }
 
-void ReadFields::vector(const char* name, Vec3& value, double limit) {
-    ReadFields fields = inside(name);
+void MessageFieldReader::vector(const char* name, Vec3& value, double limit) {
+    MessageFieldReader fields = inside(name);
     if (lacks(name)) return;
     fields.number("x", value.x, -limit, limit);
     fields.number("y", value.y, -limit, limit);
     fields.number("z", value.z, -limit, limit);
 }
 
-void ReadFields::flag(const char* name, bool& value) {
+void MessageFieldReader::flag(const char* name, bool& value) {
     const auto* field = find_field(from_, prefix_ + name, flag_type);
     if (!lacks(name)) value = from_.GetReflection()->GetBool(from_, field);
 }
 
-void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t least,
+void MessageFieldReader::points(const char* name, std::vector<Vec3>& points, std::size_t least,
                         std::size_t most, double limit) {
     const FieldDescriptor* field = find_field(from_, prefix_ + name);
     const auto* reflection = from_.GetReflection();
@@ -80,7 +80,7 @@ void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t
                                            std::to_string(least) + " to " + std::to_string(most));
     points.assign(count, {});
     for (std::size_t k = 0; k < count; k++) {
-        ReadFields point(in_, path_of(name) + "[" + std::to_string(k) + "]",
+        MessageFieldReader point(in_, path_of(name) + "[" + std::to_string(k) + "]",
                          reflection->GetRepeatedMessage(from_, field, static_cast<int>(k)));
         point.number("x", points[k].x, -limit, limit);
         point.number("y", points[k].y, -limit, limit);
@@ -88,12 +88,12 @@ void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t
     }
 }
 
-void ReadFields::drive(const char* name, RotationDrive& drive) {
-    ReadFields fields = inside(name);
+void MessageFieldReader::drive(const char* name, RotationDrive& drive) {
+    MessageFieldReader fields = inside(name);
     if (lacks(name)) return;
     fields.spring("spring", drive.spring);
     fields.number("max_torque", drive.max_torque, 0, 1e12);
-    ReadFields target = fields.inside("target");
+    MessageFieldReader target = fields.inside("target");
     if (fields.lacks("target")) return;
     target.number("x", drive.target.x, -1, 1);
     target.number("y", drive.target.y, -1, 1);
@@ -102,23 +102,23 @@ void ReadFields::drive(const char* name, RotationDrive& drive) {
     if (norm_squared(drive.target) < 1e-6) in_.note(fields.path_of("target"), "is no rotation");
 }
 
-void ReadFields::limit(const char* name, JointLimit& limit, double low, double high) {
+void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, double high) {
     limit = {};
-    ReadFields fields = inside(name);
+    MessageFieldReader fields = inside(name);
     if (lacks(name)) return;
     limit.enabled = true;
     visit_limit(fields, limit, low, high);
     if (limit.lower > limit.upper) in_.note(fields.path_of("lower"), "is above the upper limit");
 }
 
-void ReadFields::spring(const char* name, JointSpring& spring) {
-    ReadFields fields = inside(name);
+void MessageFieldReader::spring(const char* name, JointSpring& spring) {
+    MessageFieldReader fields = inside(name);
     if (!lacks(name)) visit_spring(fields, spring);
 }
 
-void ReadFields::axis(const char* name, JointAxis& axis, double low, double high) {
+void MessageFieldReader::axis(const char* name, JointAxis& axis, double low, double high) {
     axis = {};
-    ReadFields fields = inside(name);
+    MessageFieldReader fields = inside(name);
     if (!lacks(name)) visit_axis(fields, axis, low, high);
 }
 

@@ -22,12 +22,12 @@ class Message;
 
 namespace jostle::scenes {
 
-class ReadFields {
+class MessageFieldReader {
 public:
-    ReadFields(FieldReader& in, std::string path, const google::protobuf::Message& from)
+    MessageFieldReader(FieldReader& in, std::string path, const google::protobuf::Message& from)
         : in_(in), path_(std::move(path)), from_(from) {}
     // Of the message in a field; the field's name joins the path.
-    ReadFields inside(const char* name) const;
+    MessageFieldReader inside(const char* name) const;
 
     void number(const char* name, double& value, double low, double high);
     void ordered(const char* lower_name, double& lower, const char* upper_name, double& upper,
@@ -43,7 +43,7 @@ public:
     void limit(const char* name, physics::JointLimit& limit, double low, double high);
     void motor(const char* name, auto& motor) {
         motor = {};
-        ReadFields fields(in_, path_, from_);
+        MessageFieldReader fields(in_, path_, from_);
         fields.prefix_ = prefix_ + name + "_";
         motor.enabled = !fields.lacks("speed");
         if (motor.enabled) physics::visit_motor(fields, motor);

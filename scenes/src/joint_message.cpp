@@ -43,7 +43,7 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
 void write_kind(v1::Joint& out, const JointKind& kind) {
     std::visit(
         [&]<class Kind>(const Kind& joint) {
-            WriteFields fields = WriteFields(out).inside(JointFields<Kind>::name);
+            MessageFieldWriter fields = MessageFieldWriter(out).inside(JointFields<Kind>::name);
             JointFields<Kind>::visit(fields, joint);
         },
         kind);

@@ -122,70 +122,70 @@ void MessageFieldReader::axis(const char* name, JointAxis& axis, double low, dou
     if (!lacks(name)) visit_axis(fields, axis, low, high);
 }
 
-WriteFields WriteFields::inside(const char* name) const {
+MessageFieldWriter MessageFieldWriter::inside(const char* name) const {
     const auto* field = find_field(to_, prefix_ + name, message_type);
-    return WriteFields(*to_.GetReflection()->MutableMessage(&to_, field));
+    return MessageFieldWriter(*to_.GetReflection()->MutableMessage(&to_, field));
 }
 
-void WriteFields::number(const char* name, double value, double, double) {
+void MessageFieldWriter::number(const char* name, double value, double, double) {
     to_.GetReflection()->SetDouble(&to_, find_field(to_, prefix_ + name, number_type), value);
 }
 
-void WriteFields::ordered(const char* lower_name, double lower, const char* upper_name,
+void MessageFieldWriter::ordered(const char* lower_name, double lower, const char* upper_name,
                           double upper, double low, double high) {
     number(lower_name, lower, low, high);
     number(upper_name, upper, low, high);
 }
 
-void WriteFields::vector(const char* name, Vec3 value, double limit) {
-    WriteFields fields = inside(name);
+void MessageFieldWriter::vector(const char* name, Vec3 value, double limit) {
+    MessageFieldWriter fields = inside(name);
     fields.number("x", value.x, -limit, limit);
     fields.number("y", value.y, -limit, limit);
     fields.number("z", value.z, -limit, limit);
 }
 
-void WriteFields::flag(const char* name, bool value) {
+void MessageFieldWriter::flag(const char* name, bool value) {
     to_.GetReflection()->SetBool(&to_, find_field(to_, prefix_ + name, flag_type), value);
 }
 
-void WriteFields::points(const char* name, const std::vector<Vec3>& points, std::size_t,
+void MessageFieldWriter::points(const char* name, const std::vector<Vec3>& points, std::size_t,
                          std::size_t, double limit) {
     const FieldDescriptor* field = find_field(to_, prefix_ + name);
     for (const Vec3 point : points) {
-        WriteFields to(*to_.GetReflection()->AddMessage(&to_, field));
+        MessageFieldWriter to(*to_.GetReflection()->AddMessage(&to_, field));
         to.number("x", point.x, -limit, limit);
         to.number("y", point.y, -limit, limit);
         to.number("z", point.z, -limit, limit);
     }
 }
 
-void WriteFields::drive(const char* name, const RotationDrive& drive) {
+void MessageFieldWriter::drive(const char* name, const RotationDrive& drive) {
     if (!(drive.spring.hertz > 0)) return;
-    WriteFields fields = inside(name);
+    MessageFieldWriter fields = inside(name);
     fields.spring("spring", drive.spring);
     fields.number("max_torque", drive.max_torque, 0, 1e12);
-    WriteFields target = fields.inside("target");
+    MessageFieldWriter target = fields.inside("target");
     target.number("x", drive.target.x, -1, 1);
     target.number("y", drive.target.y, -1, 1);
     target.number("z", drive.target.z, -1, 1);
     target.number("w", drive.target.w, -1, 1);
 }
 
-void WriteFields::limit(const char* name, const JointLimit& limit, double low, double high) {
+void MessageFieldWriter::limit(const char* name, const JointLimit& limit, double low, double high) {
     if (!limit.enabled) return;
-    WriteFields fields = inside(name);
+    MessageFieldWriter fields = inside(name);
     visit_limit(fields, limit, low, high);
 }
 
-void WriteFields::spring(const char* name, const JointSpring& spring) {
+void MessageFieldWriter::spring(const char* name, const JointSpring& spring) {
     if (!(spring.hertz > 0)) return;
-    WriteFields fields = inside(name);
+    MessageFieldWriter fields = inside(name);
     visit_spring(fields, spring);
 }
 
-void WriteFields::axis(const char* name, const JointAxis& axis, double low, double high) {
+void MessageFieldWriter::axis(const char* name, const JointAxis& axis, double low, double high) {
     if (!axis.free) return;
-    WriteFields fields = inside(name);
+    MessageFieldWriter fields = inside(name);
     visit_axis(fields, axis, low, high);
 }
 

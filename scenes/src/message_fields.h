@@ -60,11 +60,11 @@ private:
     const google::protobuf::Message& from_;
 };
 
-class WriteFields {
+class MessageFieldWriter {
 public:
-    explicit WriteFields(google::protobuf::Message& to) : to_(to) {}
+    explicit MessageFieldWriter(google::protobuf::Message& to) : to_(to) {}
     // Into the message in a field, which is there from now on.
-    WriteFields inside(const char* name) const;
+    MessageFieldWriter inside(const char* name) const;
 
     void number(const char* name, double value, double low, double high);
     void ordered(const char* lower_name, double lower, const char* upper_name, double upper,
@@ -80,7 +80,7 @@ public:
     void limit(const char* name, const physics::JointLimit& limit, double low, double high);
     void motor(const char* name, const auto& motor) {
         if (!motor.enabled) return;
-        WriteFields fields(to_);
+        MessageFieldWriter fields(to_);
         fields.prefix_ = prefix_ + name + "_";
         physics::visit_motor(fields, motor);
     }

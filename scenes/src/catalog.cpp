@@ -8,12 +8,12 @@
 namespace jostle::scenes {
 namespace {
 
-struct Listed {
+struct CatalogItem {
     CatalogEntry entry;
     SceneDescription (*make)();  // all but its name and description
 };
 
-constexpr Listed listed[] = {
+constexpr CatalogItem listed[] = {
     {{"sandbox", "A walled yard with stacks, balls, ramps and dominoes to play with."}, sandbox},
     {{"pyramid", "A wall pyramid of 465 boxes, thirty rows high."}, pyramid},
     {{"stack", "Ten boxes of one metre on top of each other."}, stack},

@@ -89,7 +89,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
 }
 
 Times measure(int bodies, int repetitions) {
-    scenes::SceneDescription scene = scenes::lab_pile(bodies);
+    scenes::SceneDescription scene = scenes::bench_pile(bodies);
     scene.world.sleeping = false;
     server::HostLimits limits;
     limits.scene = {.bodies_max = 1 << 30,

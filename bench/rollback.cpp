@@ -68,7 +68,7 @@ void step(World& world) {
 }
 
 World make_pile(int bodies) {
-    scenes::SceneDescription scene = scenes::lab_pile(bodies);
+    scenes::SceneDescription scene = scenes::bench_pile(bodies);
     scene.world.sleeping = false;
     World world = must(scenes::build_scene(scene)).world;
     for (int k = 0; k < 200; k++) step(world);

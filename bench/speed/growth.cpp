@@ -34,7 +34,7 @@ double step_many(Engine& engine, const StepClock& clock, int steps, const std::s
 }
 
 GrowthRow measure_growth(GrowthRow row, const EngineKind& kind) {
-    scenes::SceneDescription scene = scenes::lab_pile(row.bodies);
+    scenes::SceneDescription scene = scenes::bench_pile(row.bodies);
     scene.world.threads = row.threads;
     scene.world.sleeping = false;
     const double before = memory_bytes();

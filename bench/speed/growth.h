@@ -27,7 +27,7 @@ struct GrowthRow {
 nlohmann::ordered_json to_json(const GrowthRow& row);
 GrowthRow growth_row_from(const nlohmann::ordered_json& json);
 
-// lab_pile(bodies) on one engine, in a child process.
+// bench_pile(bodies) on one engine, in a child process.
 GrowthRow measure_growth_in_child(const EngineKind& engine, int threads, int bodies);
 
 }  // namespace jostle::bench

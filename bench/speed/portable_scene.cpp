@@ -69,7 +69,7 @@ Fault fault_of_kind(const physics::JointKind& kind) {
 
 Fault fault_of(const SceneDescription& scene, const SceneJoint& joint) {
     const physics::JointDef& def = joint.joint;
-    if (joint.body_a == scenes::the_world) return "joins a body to the world";
+    if (joint.body_a == scenes::world_body) return "joins a body to the world";
     if (def.collide_connected) return "lets its bodies collide";
     if (def.break_force != 0 || def.break_torque != 0) return "breaks";
     const Transform a = compose(scene.bodies[joint.body_a].body.pose, def.frame_a);

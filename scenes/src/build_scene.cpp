@@ -114,7 +114,7 @@ Result<BuiltScene> build_scene(const SceneDescription& scene) {
         physics::JointDef def = joint.joint;
         def.frame_a = plain(def.frame_a);
         def.frame_b = plain(def.frame_b);
-        if (joint.body_a != the_world) def.body_a = built.bodies.at(joint.body_a);
+        if (joint.body_a != world_body) def.body_a = built.bodies.at(joint.body_a);
         def.body_b = built.bodies.at(joint.body_b);
         const auto id = built.world.create_joint(def);
         if (!id.ok())

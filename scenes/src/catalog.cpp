@@ -13,7 +13,7 @@ struct CatalogItem {
     SceneDescription (*make)();  // all but its name and description
 };
 
-constexpr CatalogItem listed[] = {
+constexpr CatalogItem catalog_items[] = {
     {{"sandbox", "A walled yard with stacks, balls, ramps and dominoes to play with."}, sandbox},
     {{"pyramid", "A wall pyramid of 465 boxes, thirty rows high."}, pyramid},
     {{"stack", "Ten boxes of one metre on top of each other."}, stack},
@@ -125,8 +125,8 @@ constexpr CatalogItem listed[] = {
 };
 
 constexpr auto entries = [] {
-    std::array<CatalogEntry, std::size(listed)> all;
-    for (std::size_t i = 0; i < all.size(); i++) all[i] = listed[i].entry;
+    std::array<CatalogEntry, std::size(catalog_items)> all;
+    for (std::size_t i = 0; i < all.size(); i++) all[i] = catalog_items[i].entry;
     return all;
 }();
 
@@ -137,7 +137,7 @@ std::span<const CatalogEntry> catalog() {
 }
 
 std::optional<SceneDescription> find_scene(std::string_view name) {
-    for (const auto& [entry, make] : listed) {
+    for (const auto& [entry, make] : catalog_items) {
         if (entry.name != name) continue;
         SceneDescription scene = make();
         scene.name = entry.name;

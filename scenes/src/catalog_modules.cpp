@@ -19,7 +19,7 @@ namespace {
 
 // A program that made its own of that tag known before keeps it.
 template <class M>
-void make_known(const char* tag) {
+void register_once(const char* tag) {
     static_cast<void>(physics::register_module(tag, [] { return std::make_unique<M>(); }));
 }
 
@@ -28,14 +28,14 @@ void make_known(const char* tag) {
 void register_catalog_modules() {
     static std::once_flag once;
     std::call_once(once, [] {
-        make_known<examples::Hovercraft>("hovercraft");
-        make_known<modules::Boats>("boat");
-        make_known<modules::Characters>("character");
-        make_known<modules::Destruction>("destruction");
-        make_known<modules::Fields>("fields");
-        make_known<Katamari>("katamari");
-        make_known<modules::Ragdolls>("ragdoll");
-        make_known<modules::Vehicles>("vehicle");
+        register_once<examples::Hovercraft>("hovercraft");
+        register_once<modules::Boats>("boat");
+        register_once<modules::Characters>("character");
+        register_once<modules::Destruction>("destruction");
+        register_once<modules::Fields>("fields");
+        register_once<Katamari>("katamari");
+        register_once<modules::Ragdolls>("ragdoll");
+        register_once<modules::Vehicles>("vehicle");
     });
 }
 

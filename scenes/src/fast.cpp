@@ -14,7 +14,7 @@ SceneDescription bullets() {
     for (int i = 0; i < 120; i++) {
         const double x = random.in(-60, -8);
         SceneBody bullet =
-            colored(loose("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}),
+            colored(dynamic_body("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}),
                     0xffb703);
         bullet.body.linear_velocity = {200, 0, 0};
         bullet.body.gravity_scale = 0.2;
@@ -25,11 +25,11 @@ SceneDescription bullets() {
     // Crates in the way of some of them.
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
-            loose("crate", {2, 0.5 + (k % 2), (k / 2 - 1) * 2.4}, Box{{0.5, 0.5, 0.5}}), 0xa47148));
+            dynamic_body("crate", {2, 0.5 + (k % 2), (k / 2 - 1) * 2.4}, Box{{0.5, 0.5, 0.5}}), 0xa47148));
     for (int k = 0; k < 4; k++) {
         const Vec3 at{-3.0 - 3 * k, 1.2, 9};
         scene.bodies.push_back(fixed_box("post", at + Vec3{0, 0, 0.8}, {0.02, 1.2, 0.02}));
-        SceneBody rod = colored(loose("rod", at, Box{{1, 0.03, 0.03}}), 0xe63946);
+        SceneBody rod = colored(dynamic_body("rod", at, Box{{1, 0.03, 0.03}}), 0xe63946);
         rod.body.angular_velocity = {0, -40.0 * (k + 1), 0};
         rod.body.gravity_scale = 0;
         scene.bodies.push_back(rod);

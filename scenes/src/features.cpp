@@ -26,7 +26,7 @@ SceneDescription shapes() {
     for (int i = 0; i < 160; i++) {
         const double x = random.in(-3.2, 3.2), z = random.in(-3.2, 3.2), turn = random.in(0, 3);
         scene.bodies.push_back(colored(
-            loose("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8], from_axis_angle({x, 1, z}, turn)),
+            dynamic_body("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8], from_axis_angle({x, 1, z}, turn)),
             colors[i % 8]));
         scene.bodies.back().shapes[0].material.rolling_friction = 0.003;
     }
@@ -57,7 +57,7 @@ SceneDescription conveyor() {
         const Geometry kinds[] = {Box{{0.22, 0.18, 0.25}}, Cylinder{0.2, 0.2},
                                   Box{{0.3, 0.12, 0.2}}, Sphere{0.2}};
         scene.bodies.push_back(
-            colored(loose("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
+            colored(dynamic_body("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
                     i % 4 == 3 ? 0xe63946 : (i % 2 == 0 ? 0xe9c46a : 0x457b9d)));
         scene.bodies.back().shapes[0].material = {.friction = 0.8, .rolling_friction = 0.05};
     }
@@ -94,7 +94,7 @@ SceneDescription gates() {
     for (int i = 0; i < 60; i++) {
         const double x = random.in(-2.6, 2.6), z = random.in(-2.6, 2.6);
         SceneBody ball =
-            colored(loose(i % 2 == 0 ? "red" : "blue", {x, 7 + 0.25 * i, z}, Sphere{0.2}),
+            colored(dynamic_body(i % 2 == 0 ? "red" : "blue", {x, 7 + 0.25 * i, z}, Sphere{0.2}),
                     i % 2 == 0 ? 0xef4444 : 0x3b82f6);
         ball.shapes[0].filter.category = i % 2 == 0 ? red : blue;
         ball.shapes[0].material = {.friction = 0.4, .restitution = 0.2, .rolling_friction = 0.004};
@@ -108,18 +108,18 @@ SceneDescription locked() {
     SceneDescription scene{.bodies = {ground()}};
     for (int k = 0; k < 5; k++) {
         SceneBody piston = colored(
-            loose("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}), 0x4f86c6);
+            dynamic_body("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}), 0x4f86c6);
         piston.body.locks = static_cast<AxisLocks>(lock_x | lock_z | lock_rotation_x |
                                                    lock_rotation_y | lock_rotation_z);
         scene.bodies.push_back(piston);
         SceneBody slider =
-            colored(loose("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
+            colored(dynamic_body("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
         slider.body.locks =
             static_cast<AxisLocks>(lock_z | lock_rotation_x | lock_rotation_y | lock_rotation_z);
         slider.body.linear_velocity = {k % 2 == 0 ? 2.0 : -2.0, 0, 0};
         slider.shapes[0].material = {.friction = 0.02, .restitution = 0.9};
         scene.bodies.push_back(slider);
-        SceneBody wheel = colored(loose("wheel", {-4 + 2.0 * k, 2.2, 4}, Cylinder{0.8, 0.1},
+        SceneBody wheel = colored(dynamic_body("wheel", {-4 + 2.0 * k, 2.2, 4}, Cylinder{0.8, 0.1},
                                         from_axis_angle({1, 0, 0}, pi / 2)),
                                   0xe07a5f);
         wheel.body.locks =
@@ -130,7 +130,7 @@ SceneDescription locked() {
     }
     for (int i = 0; i < 20; i++)
         scene.bodies.push_back(
-            colored(loose("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0},
+            colored(dynamic_body("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0},
                           Sphere{0.2}),
                     0xf2cc8f));
     return scene;
@@ -145,7 +145,7 @@ SceneDescription flatland() {
     for (int i = 0; i < 12; i++)
         for (int j = 0; j < 12 - i; j++)
             scene.bodies.push_back(
-                colored(loose("box", {-4 + (j - (11 - i) / 2.0) * 0.63, 0.3 + 0.6 * i, 0},
+                colored(dynamic_body("box", {-4 + (j - (11 - i) / 2.0) * 0.63, 0.3 + 0.6 * i, 0},
                               Box{{0.3, 0.3, 0.3}}),
                         i % 2 == 0 ? 0xe9c46a : 0xf4a261));
     Random random(14);
@@ -153,11 +153,11 @@ SceneDescription flatland() {
         const double r = random.in(0.15, 0.35), x = random.in(4, 11);
         const Geometry kinds[] = {Sphere{r}, Capsule{0.6 * r, r}, Box{{r, 0.6 * r, 0.3}}};
         scene.bodies.push_back(colored(
-            loose("piece", {x, 1 + 0.35 * i, 0}, kinds[i % 3], from_axis_angle({0, 0, 1}, x)),
+            dynamic_body("piece", {x, 1 + 0.35 * i, 0}, kinds[i % 3], from_axis_angle({0, 0, 1}, x)),
             i % 3 == 0 ? 0x457b9d : (i % 3 == 1 ? 0x9b5de5 : 0x2a9d8f)));
         scene.bodies.back().shapes[0].material.rolling_friction = 0.004;
     }
-    SceneBody ball = colored(loose("ball", {3, 9, 0}, Sphere{0.8}), 0xe63946);
+    SceneBody ball = colored(dynamic_body("ball", {3, 9, 0}, Sphere{0.8}), 0xe63946);
     ball.body.linear_velocity = {-9, 2, 0};
     scene.bodies.push_back(ball);
     return scene;

@@ -31,7 +31,7 @@ Geometry boat_hull() {
 }
 
 SceneBody boat(const std::string& name, Vec3 at, std::uint32_t color) {
-    SceneBody body = colored(loose(name, at, boat_hull(), from_axis_angle({0, 1, 0}, pi)), color);
+    SceneBody body = colored(dynamic_body(name, at, boat_hull(), from_axis_angle({0, 1, 0}, pi)), color);
     body.shapes[0].density = 180;
     body.shapes.push_back(
         {.geometry = Box{{0.7, 0.5, 0.8}}, .pose = {{0, 1.0, 0.9}, {}}, .density = 40});
@@ -65,8 +65,8 @@ void add_flotsam(SceneDescription& scene) {
     for (int k = 0; k < 18; k++) {
         const Vec3 at{random.in(-20, 15), random.in(1, 4), random.in(-3, 14)};
         const bool crate = k % 2 == 0;
-        SceneBody body = crate ? loose("crate", at, Box{{0.5, 0.4, 0.6}})
-                               : loose("barrel", at, Cylinder{0.35, 0.5});
+        SceneBody body = crate ? dynamic_body("crate", at, Box{{0.5, 0.4, 0.6}})
+                               : dynamic_body("barrel", at, Cylinder{0.35, 0.5});
         body.shapes[0].density = crate ? random.in(150, 700) : random.in(80, 500);
         scene.bodies.push_back(colored(body, crate ? 0xe9c46a : 0x2a9d8f));
     }
@@ -77,7 +77,7 @@ void add_buoys(SceneDescription& scene) {
     constexpr double reach = 5.6;  // m of chain
     for (int k = 0; k < 6; k++) {
         const double x = -15 + 6.0 * k, z = 17 + (k % 2 ? 3.5 : -3.5);
-        SceneBody buoy = loose("buoy", {x, 0.3, z}, Cone{0.6, 0.7});
+        SceneBody buoy = dynamic_body("buoy", {x, 0.3, z}, Cone{0.6, 0.7});
         buoy.shapes[0].density = 200;
         scene.bodies.push_back(colored(buoy, k % 2 ? 0x2b9348 : 0xd62828));
         join(scene, "chain", 0, scene.bodies.size() - 1, {{x, sea_bed, z}, {}},

@@ -34,7 +34,7 @@ SceneDescription hovercraft() {
         .name = "waves", .body = {.type = BodyType::static_body}, .shapes = {}, .color = 0x3d5a80};
     sea.shapes.push_back({.geometry = waves(), .material = {.friction = 0.4}});
     scene.bodies.push_back(sea);
-    SceneBody craft = colored(loose("craft", {11, 2, 0}, Box{{1, 0.3, 1.6}}), 0xee6c4d);
+    SceneBody craft = colored(dynamic_body("craft", {11, 2, 0}, Box{{1, 0.3, 1.6}}), 0xee6c4d);
     craft.shapes[0].density = 150;
     SceneBody& added = scene.bodies.emplace_back(std::move(craft));
     added.shapes.push_back(
@@ -45,7 +45,7 @@ SceneDescription hovercraft() {
         const SinCos at = sin_cos(turn);
         const double x = r * at.cos, z = r * at.sin;
         const Geometry kinds[] = {Sphere{0.35}, Cylinder{0.3, 0.3}, Box{{0.3, 0.25, 0.35}}};
-        SceneBody buoy = colored(loose("buoy", {x, wave_height(x, z) + 0.6, z}, kinds[i % 3]),
+        SceneBody buoy = colored(dynamic_body("buoy", {x, wave_height(x, z) + 0.6, z}, kinds[i % 3]),
                                  i % 2 == 0 ? 0xe9c46a : 0xf4f1de);
         buoy.shapes[0].density = 60;
         buoy.shapes[0].material = {.friction = 0.5, .restitution = 0.3, .rolling_friction = 0.01};

@@ -99,7 +99,7 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
                 const v1::Joint& m) {
     SceneJoint joint{.name = m.name(),
                      .body_a = m.body_a().empty()
-                                   ? the_world
+                                   ? world_body
                                    : find_body(in, scene, path + ".body_a", m.body_a()),
                      .body_b = find_body(in, scene, path + ".body_b", m.body_b()),
                      .joint = {}};
@@ -125,9 +125,9 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
         return in.note(path, "makes more than " + std::to_string(joints_max) + " joints in all");
     for (std::size_t k = 0; k < count; k++) {
         SceneJoint copy = joint;
-        if (copy.body_a != the_world) copy.body_a += k;
+        if (copy.body_a != world_body) copy.body_a += k;
         copy.body_b += k;
-        if ((copy.body_a != the_world && copy.body_a >= scene.bodies.size()) ||
+        if ((copy.body_a != world_body && copy.body_a >= scene.bodies.size()) ||
             copy.body_b >= scene.bodies.size())
             return in.note(path + ".repeat.count",
                            "goes beyond the last body; copy number i joins the bodies i places "
@@ -136,7 +136,7 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
             Transform there = frame;
             there.position += step * static_cast<double>(k);
             copy.joint.frame_a =
-                copy.body_a == the_world ? there : local(scene.bodies[copy.body_a], there);
+                copy.body_a == world_body ? there : local(scene.bodies[copy.body_a], there);
             copy.joint.frame_b = local(scene.bodies[copy.body_b], there);
         }
         scene.joints.push_back(copy);
@@ -145,7 +145,7 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
 
 void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint& joint) {
     out.set_name(joint.name);
-    if (joint.body_a != the_world) out.set_body_a(name_of(scene, joint.body_a));
+    if (joint.body_a != world_body) out.set_body_a(name_of(scene, joint.body_a));
     out.set_body_b(name_of(scene, joint.body_b));
     write(*out.mutable_frame_a(), joint.joint.frame_a);
     write(*out.mutable_frame_b(), joint.joint.frame_b);

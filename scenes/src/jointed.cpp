@@ -21,7 +21,7 @@ Quat facing(Vec3 x) {
 void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
     const std::size_t first = scene.bodies.size();
     const auto bone = [&](Vec3 place, Geometry geometry, Quat rotation = {}) {
-        SceneBody body = colored(loose("bone", at + place, geometry, rotation), color);
+        SceneBody body = colored(dynamic_body("bone", at + place, geometry, rotation), color);
         body.shapes[0].material = {.friction = 0.6, .restitution = 0};
         body.body.angular_damping = 0.5;
         scene.bodies.push_back(body);
@@ -90,7 +90,7 @@ SceneDescription bridge() {
     for (int k = 0; k < 20; k++) {
         const double x = -5.7 + 0.6 * k;
         scene.bodies.push_back(
-            colored(loose("plank", {x, 2.95, 0}, Box{{0.28, 0.05, 1}}), 0xa47148));
+            colored(dynamic_body("plank", {x, 2.95, 0}, Box{{0.28, 0.05, 1}}), 0xa47148));
         scene.bodies.back().body.angular_damping = 0.3;
         join(scene, "hinge", before, scene.bodies.size() - 1, {{x - 0.3, 2.95, 0}, along_z},
              HingeJoint{});
@@ -99,7 +99,7 @@ SceneDescription bridge() {
     join(scene, "hinge", before, right, {{6, 2.95, 0}, along_z}, HingeJoint{});
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
-            loose("cargo", {-2.5 + k, 3.6, (k % 3 - 1) * 0.4}, Box{{0.25, 0.25, 0.25}}), 0xe9c46a));
+            dynamic_body("cargo", {-2.5 + k, 3.6, (k % 3 - 1) * 0.4}, Box{{0.25, 0.25, 0.25}}), 0xe9c46a));
 
     // A chain of capsules with a ball of iron, held back to the side.
     before = scene.bodies.size();
@@ -107,13 +107,13 @@ SceneDescription bridge() {
     const Quat lying = from_axis_angle({1, 0, 0}, pi / 2);
     for (int k = 0; k < 10; k++) {
         scene.bodies.push_back(
-            colored(loose("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
+            colored(dynamic_body("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
         scene.bodies.back().shapes[0].density = 4000;
         join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 8.05 + 0.5 * k}, {}},
              BallJoint{});
         before = scene.bodies.size() - 1;
     }
-    scene.bodies.push_back(colored(loose("wrecker", {0, 8.9, 13.5}, Sphere{0.6}), 0x343a40));
+    scene.bodies.push_back(colored(dynamic_body("wrecker", {0, 8.9, 13.5}, Sphere{0.6}), 0x343a40));
     scene.bodies.back().shapes[0].density = 5000;
     join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 13.05}, {}}, BallJoint{});
 
@@ -125,7 +125,7 @@ SceneDescription bridge() {
         for (int k = 0; k < 3; k++) {
             const double x = -1.2 + 1.2 * k, y = 0.35 + 0.7 * row;
             scene.bodies.push_back(
-                colored(loose("board", {x, y, 4}, Box{{0.59, 0.34, 0.06}}), 0xb5533c));
+                colored(dynamic_body("board", {x, y, 4}, Box{{0.59, 0.34, 0.06}}), 0xb5533c));
             const std::size_t self = scene.bodies.size() - 1;
             join(scene, "board", k == 0 ? post : self - 1, self, {{x - 0.6, y, 4}, {}},
                  FixedJoint{});
@@ -141,7 +141,7 @@ SceneDescription workshop() {
     SceneDescription scene{.bodies = {ground()}};
     const std::size_t floor = 0;
     // A drum of eight boards that a motor turns, with balls in it.
-    SceneBody drum = colored(loose("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);
+    SceneBody drum = colored(dynamic_body("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);
     drum.shapes.clear();
     for (int k = 0; k < 8; k++) {
         const double turn = k * pi / 4;
@@ -158,14 +158,14 @@ SceneDescription workshop() {
     join(scene, "axle", floor, 1, {{0, 2.2, 0}, {}}, HingeJoint{.motor = {true, 1.2, 60000}});
     for (int i = 0; i < 24; i++)
         scene.bodies.push_back(colored(
-            loose("ball", {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
+            dynamic_body("ball", {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
                   i % 2 == 0 ? Geometry(Sphere{0.18}) : Geometry(Box{{0.15, 0.15, 0.15}})),
             i % 2 == 0 ? 0xf94144 : 0xf9c74f));
     // Swing doors that a spring closes.
     for (int k = 0; k < 3; k++) {
         const double x = 5 + 1.6 * k;
         scene.bodies.push_back(
-            colored(loose("door", {x + 0.7, 1.05, -3}, Box{{0.65, 1, 0.04}}), 0x90be6d));
+            colored(dynamic_body("door", {x + 0.7, 1.05, -3}, Box{{0.65, 1, 0.04}}), 0x90be6d));
         scene.bodies.back().body.angular_velocity = {0, 2.0 + k, 0};
         join(scene, "door", floor, scene.bodies.size() - 1,
              {{x, 1.05, -3}, from_axis_angle({1, 0, 0}, -pi / 2)},
@@ -176,7 +176,7 @@ SceneDescription workshop() {
     const std::size_t beam = scene.bodies.size() - 1;
     const auto hang = [&](const char* name, double z, Vec3 offset, const DistanceJoint& kind) {
         scene.bodies.push_back(
-            colored(loose(name, Vec3{-7, 4.9, z} + offset, Sphere{0.3}), 0x277da1));
+            colored(dynamic_body(name, Vec3{-7, 4.9, z} + offset, Sphere{0.3}), 0x277da1));
         SceneJoint joint{
             .name = name, .body_a = beam, .body_b = scene.bodies.size() - 1, .joint = {}};
         joint.joint.frame_a = {{0, -0.1, z}, {}};

@@ -48,7 +48,7 @@ Status Katamari::configure(World& world, const ModuleSettings& given) {
     return world.set_sleep_allowed(player_, false);
 }
 
-double Katamari::chance(double low, double high) {
+double Katamari::random_in(double low, double high) {
     random_ = random_ * 1664525u + 1013904223u;
     return low + (high - low) * (random_ >> 8) / 16777216.0;
 }
@@ -57,9 +57,9 @@ void Katamari::decide(Vec3 position, double now) {
     // Back to the middle from the edge, else anywhere.
     const bool outside = std::abs(position.x) > half_yard || std::abs(position.z) > half_yard;
     heading_ =
-        outside ? arc_tangent(-position.z, -position.x) + chance(-0.5, 0.5) : chance(-pi, pi);
-    until_ = now + chance(0.6, 2.5);
-    jumps_ = chance(0, 1) < 0.35;
+        outside ? arc_tangent(-position.z, -position.x) + random_in(-0.5, 0.5) : random_in(-pi, pi);
+    until_ = now + random_in(0.6, 2.5);
+    jumps_ = random_in(0, 1) < 0.35;
 }
 
 void Katamari::before_step(World& world, double) {
@@ -95,10 +95,10 @@ SceneDescription katamari() {
     for (int z = 0; z < 30; z++)
         for (int x = 0; x < 30; x++)
             scene.bodies.push_back(colored(
-                loose("cube", {0.8 * (x - 14.5), 0.2, 0.8 * (z - 14.5)}, Box{{0.2, 0.2, 0.2}}),
+                dynamic_body("cube", {0.8 * (x - 14.5), 0.2, 0.8 * (z - 14.5)}, Box{{0.2, 0.2, 0.2}}),
                 (x + z) % 2 == 0 ? 0xf2cc8f : 0x81b29a));
     scene.bodies.push_back(colored(
-        loose("player", {0, player_half + 2, 0}, Box{{player_half, player_half, player_half}}),
+        dynamic_body("player", {0, player_half + 2, 0}, Box{{player_half, player_half, player_half}}),
         0xe07a5f));
     scene.modules.push_back({.tag = "katamari",
                              .settings = {{"seed", 2026}, {"reach", 4}, {"speed", 3}},

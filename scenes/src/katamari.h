@@ -22,7 +22,7 @@ public:
     void before_step(physics::World& world, double dt) override;
 
 private:
-    double chance(double low, double high);
+    double random_in(double low, double high);
     // Where the player wants to go, until when, and whether it jumps on the way.
     void decide(physics::Vec3 position, double now);
 
@@ -31,7 +31,7 @@ private:
     double reach_ = 2.4;  // m from its middle, 0.1 to 20
     double pull_ = 16;    // m/s^2 towards its middle, 0 to 100
     std::uint32_t random_ = 1;
-    double until_ = 0;    // s of the world's time
+    double decision_end_ = 0;    // s of the world's time
     double heading_ = 0;  // rad about y, from +x
     bool jumps_ = false;
     std::vector<physics::BodyState> bodies_;  // of this step; no part of the state

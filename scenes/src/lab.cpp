@@ -14,7 +14,7 @@ using namespace physics;
 namespace {
 
 void add_cube(SceneDescription& scene, const char* name, double half_width, Vec3 center) {
-    scene.bodies.push_back(loose(name, center, Box{{half_width, half_width, half_width}}));
+    scene.bodies.push_back(dynamic_body(name, center, Box{{half_width, half_width, half_width}}));
 }
 
 SceneDescription flat_pyramid(int base, double pitch) {
@@ -33,7 +33,7 @@ Geometry sphere_box_or_capsule(int index) {
 }
 
 // `count` bodies in layers of side * side, poured between walls.
-SceneDescription poured(int count, int side, double half_width) {
+SceneDescription poured_pile(int count, int side, double half_width) {
     SceneDescription scene;
     add_lab_floor(scene, 200);
     add_lab_walls(scene, half_width);
@@ -47,7 +47,7 @@ SceneDescription poured(int count, int side, double half_width) {
         Vec3 axis;
         for (int k = 0; k < 3; k++) axis[k] = random.in(-1, 1);
         if (length(axis) < 1e-3) axis = {0, 1, 0};
-        scene.bodies.push_back(loose("piece", at, sphere_box_or_capsule(i),
+        scene.bodies.push_back(dynamic_body("piece", at, sphere_box_or_capsule(i),
                                      from_axis_angle(axis, random.in(0, 2 * pi))));
     }
     return finished_lab(std::move(scene));
@@ -85,14 +85,14 @@ SceneDescription lab_boxes_1000() {
 }
 
 SceneDescription lab_pile_5000() {
-    return poured(5000, 12, 5);
+    return poured_pile(5000, 12, 5);
 }
 
-SceneDescription lab_pile(int count) {
+SceneDescription bench_pile(int count) {
     const double width = 10 * std::sqrt(count / 5000.0);
     // As many columns, 0.75 m apart, as leave room for the longest body to turn at the wall.
     const int side = static_cast<int>(maximum(1, std::floor((width - 1.1) / 0.75) + 1));
-    return poured(count, side, 0.5 * width);
+    return poured_pile(count, side, 0.5 * width);
 }
 
 SceneDescription lab_player_901() {
@@ -124,7 +124,7 @@ SceneDescription lab_joint_grid_10000() {
         for (std::size_t y = 0; y < side; y++) {
             const std::size_t index = scene.bodies.size();
             const Vec3 at{1.0 * static_cast<double>(x), -1.0 * static_cast<double>(y), 0};
-            SceneBody ball = loose("ball", at, Sphere{0.4});
+            SceneBody ball = dynamic_body("ball", at, Sphere{0.4});
             if (y == 0 && x >= 47 && x <= 53) ball.body.type = BodyType::static_body;
             ball.shapes[0].filter.mask = 0;  // it collides with nothing
             scene.bodies.push_back(ball);
@@ -149,7 +149,7 @@ SceneDescription lab_bullets_1000() {
     Random random;
     for (int i = 0; i < 1000; i++) {
         const Vec3 at{random.in(-15, -5), (i % 32 - 15.5) * 0.5, (i / 32 - 15.5) * 0.5};
-        scene.bodies.push_back(loose("bullet", at, Sphere{0.1}));
+        scene.bodies.push_back(dynamic_body("bullet", at, Sphere{0.1}));
         scene.bodies.back().body.linear_velocity = {200, 0, 0};
     }
     return finished_lab(std::move(scene));

@@ -106,7 +106,7 @@ void add_stones(SceneDescription& scene, Random& random, const std::vector<Geome
             for (int x = 0; x < side; x++) {
                 const Vec3 at{(x - middle) * pitch, lowest + y * pitch, (z - middle) * pitch};
                 const std::size_t which = scene.bodies.size() % stones.size();
-                scene.bodies.push_back(loose("stone", at, stones[which], random_turn(random)));
+                scene.bodies.push_back(dynamic_body("stone", at, stones[which], random_turn(random)));
             }
 }
 
@@ -185,7 +185,7 @@ SceneDescription lab_washer() {
     for (int y = 0; y < 20; y++)
         for (int z = 0; z < 20; z++)
             for (int x = 0; x < 20; x++)
-                scene.bodies.push_back(loose("cube",
+                scene.bodies.push_back(dynamic_body("cube",
                                              {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
                                              Box{{0.1, 0.1, 0.1}}));
     return finished_lab(std::move(scene));
@@ -207,7 +207,7 @@ SceneDescription lab_chain() {
     SceneDescription scene;
     const Quat along_x = from_axis_angle({0, 0, 1}, -pi / 2);
     for (int k = 0; k < 1000; k++) {
-        scene.bodies.push_back(loose("link", {0.5 * k, 0, 0}, Capsule{0.1, 0.14}, along_x));
+        scene.bodies.push_back(dynamic_body("link", {0.5 * k, 0, 0}, Capsule{0.1, 0.14}, along_x));
         if (k > 0)
             join(scene, "joint", scene.bodies.size() - 2, scene.bodies.size() - 1,
                  {{0.5 * k - 0.25, 0, 0}, {}}, BallJoint{});
@@ -253,11 +253,11 @@ SceneDescription lab_vehicles() {
         const double x = (k % 10 - 4.5) * 8, z = (k / 10 - 9.5) * 8;
         const std::size_t chassis = scene.bodies.size();
         const Vec3 middle{x, height(x, z) + 1.6, z};
-        scene.bodies.push_back(loose("chassis", middle, Box{{0.8, 0.25, 1.8}}));
+        scene.bodies.push_back(dynamic_body("chassis", middle, Box{{0.8, 0.25, 1.8}}));
         scene.bodies.back().body.linear_velocity = {0, 0, speed};
         for (int corner = 0; corner < 4; corner++) {
             const Vec3 at = middle + Vec3{corner & 1 ? 1.0 : -1.0, -0.25, corner & 2 ? 1.3 : -1.3};
-            scene.bodies.push_back(loose("wheel", at, wheel));
+            scene.bodies.push_back(dynamic_body("wheel", at, wheel));
             scene.bodies.back().body.linear_velocity = {0, 0, speed};
             scene.bodies.back().body.angular_velocity = {speed / wheel_radius, 0, 0};
             join(scene, "axle", chassis, scene.bodies.size() - 1, {at, axle}, HingeJoint{});
@@ -280,7 +280,7 @@ SceneDescription lab_rods() {
         at += {random.in(-0.03, 0.03), 0.5 + 0.3 * layer, random.in(-0.03, 0.03)};
         const Quat askew = from_axis_angle({0, 1, 0}, random.in(-0.1, 0.1));
         scene.bodies.push_back(
-            loose("rod", at, Capsule{0.03, 0.45}, askew * (layer % 2 == 0 ? along_x : along_z)));
+            dynamic_body("rod", at, Capsule{0.03, 0.45}, askew * (layer % 2 == 0 ? along_x : along_z)));
     }
     return finished_lab(std::move(scene));
 }
@@ -292,7 +292,7 @@ SceneDescription lab_box_shot() {
     for (int i = 0; i < 1000; i++) {
         const double x = random.in(-30, -5);
         const Vec3 at{x, (i % 32 - 15.5) * 0.6, (i / 32 - 15.5) * 0.6};
-        scene.bodies.push_back(loose("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
+        scene.bodies.push_back(dynamic_body("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
         scene.bodies.back().body.linear_velocity = {150, 0, 0};
     }
     return finished_lab(std::move(scene));
@@ -304,9 +304,9 @@ SceneDescription lab_brick_wall() {
     for (int row = 0; row < 20; row++)
         for (int k = 0; k < 20; k++)
             scene.bodies.push_back(
-                loose("brick", {(k - 9.75 + 0.5 * (row % 2)) * 0.5, 0.125 + 0.25 * row, 0},
+                dynamic_body("brick", {(k - 9.75 + 0.5 * (row % 2)) * 0.5, 0.125 + 0.25 * row, 0},
                       Box{{0.25, 0.125, 0.125}}));
-    scene.bodies.push_back(loose("ball", {0, 2, 8}, Sphere{1}));
+    scene.bodies.push_back(dynamic_body("ball", {0, 2, 8}, Sphere{1}));
     scene.bodies.back().body.linear_velocity = {0, 2, -16};
     return finished_lab(std::move(scene));
 }
@@ -319,7 +319,7 @@ SceneDescription lab_l_shapes() {
     for (int k = 0; k < 500; k++) {
         const int layer = k / 9, cell = k % 9;
         const Vec3 at{(cell % 3 - 1) * 2.1, 1.2 + 2.1 * layer, (cell / 3 - 1) * 2.1};
-        SceneBody body = loose("L", at, Box{{0.5, 0.15, 0.15}}, random_turn(random));
+        SceneBody body = dynamic_body("L", at, Box{{0.5, 0.15, 0.15}}, random_turn(random));
         body.shapes.push_back({.geometry = Box{{0.15, 0.35, 0.15}}, .pose = {{0.35, 0.5, 0}, {}}});
         scene.bodies.push_back(body);
     }

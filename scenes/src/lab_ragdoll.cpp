@@ -95,7 +95,7 @@ void add_lab_ragdoll(SceneDescription& scene, const Transform& feet) {
     for (const Bone& bone : bones) {
         const Transform pose = compose(feet, {bone.center, bone.sideways ? y_to_x : Quat{}});
         scene.bodies.push_back(
-            loose("bone", pose.position, Capsule{bone.radius, bone.half_length}, pose.rotation));
+            dynamic_body("bone", pose.position, Capsule{bone.radius, bone.half_length}, pose.rotation));
     }
     for (const Link& link : links)
         join(scene, "joint", first + link.a, first + link.b, frame_of(link, feet), kind_of(link));

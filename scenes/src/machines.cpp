@@ -20,12 +20,12 @@ std::size_t add(SceneDescription& scene, const SceneBody& body, std::uint32_t co
 // Four wheels on springs; the front ones are steered, the rear ones driven.
 void add_car(SceneDescription& scene, Vec3 at) {
     const std::size_t chassis =
-        add(scene, loose("chassis", at + Vec3{0, 0.8, 0}, Box{{1.2, 0.2, 0.5}}), 0xd62828);
+        add(scene, dynamic_body("chassis", at + Vec3{0, 0.8, 0}, Box{{1.2, 0.2, 0.5}}), 0xd62828);
     scene.bodies[chassis].shapes[0].density = 400;
     for (int k = 0; k < 4; k++) {
         const bool front = k < 2;
         const Vec3 place = at + Vec3{front ? 0.9 : -0.9, 0.4, k % 2 == 0 ? 0.7 : -0.7};
-        const std::size_t wheel = add(scene, loose("wheel", place, Sphere{0.4}), 0x222222);
+        const std::size_t wheel = add(scene, dynamic_body("wheel", place, Sphere{0.4}), 0x222222);
         scene.bodies[wheel].shapes[0].material.friction = 1;
         WheelJoint kind{.suspension = {2.5, 0.5}, .travel = {true, -0.2, 0.2}};
         if (front)
@@ -41,7 +41,7 @@ void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
     const auto cog = [&](Vec3 place, double radius, std::uint32_t color, const HingeJoint& hinge) {
         const std::size_t body =
             add(scene,
-                loose("cog", at + place, Cylinder{radius, 0.1}, from_axis_angle({1, 0, 0}, pi / 2)),
+                dynamic_body("cog", at + place, Cylinder{radius, 0.1}, from_axis_angle({1, 0, 0}, pi / 2)),
                 color);
         // A peg shows how it turns.
         scene.bodies[body].shapes.push_back(
@@ -54,7 +54,7 @@ void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
     const std::size_t large = cog({1.25, 2, 0}, 0.8, 0x4d908e, HingeJoint{});
     join(scene, "gear", small, large, {at + Vec3{0.6, 2, 0}, {}}, GearJoint{.ratio = 2});
     const std::size_t rack =
-        add(scene, loose("rack", at + Vec3{2.3, 2, 0}, Box{{0.15, 1, 0.15}}), 0xf9c74f);
+        add(scene, dynamic_body("rack", at + Vec3{2.3, 2, 0}, Box{{0.15, 1, 0.15}}), 0xf9c74f);
     join(scene, "rail", floor, rack, {at + Vec3{2.3, 2, 0}, upright},
          SliderJoint{.limit = {true, -10, 10}});
     join(scene, "rack", large, rack, {at + Vec3{2.3, 2, 0}, {}}, RackJoint{.radius = -0.8});
@@ -66,7 +66,7 @@ void add_pulley(SceneDescription& scene, Vec3 at) {
     add(scene, fixed_box("gallows", at + Vec3{0, 6.2, 0}, {1.4, 0.1, 0.2}), 0x6c757d);
     const auto weight = [&](double x, double density, std::uint32_t color) {
         const std::size_t body =
-            add(scene, loose("weight", at + Vec3{x, 3, 0}, Box{{0.35, 0.35, 0.35}}), color);
+            add(scene, dynamic_body("weight", at + Vec3{x, 3, 0}, Box{{0.35, 0.35, 0.35}}), color);
         scene.bodies[body].shapes[0].density = density;
         return body;
     };
@@ -83,8 +83,8 @@ void add_wire(SceneDescription& scene, Vec3 at) {
     PathJoint path{.points = {}};
     for (int k = -4; k <= 4; k++)
         path.points.push_back(at + Vec3{0.7 * k, 1 + 0.12 * k * k, k % 2 == 0 ? 0.2 : -0.2});
-    const std::size_t bead = add(scene, loose("bead", path.points.front(), Sphere{0.2}), 0xf3722c);
-    SceneJoint joint{.name = "wire", .body_a = the_world, .body_b = bead, .joint = {}};
+    const std::size_t bead = add(scene, dynamic_body("bead", path.points.front(), Sphere{0.2}), 0xf3722c);
+    SceneJoint joint{.name = "wire", .body_a = world_body, .body_b = bead, .joint = {}};
     joint.joint.kind = path;
     scene.joints.push_back(joint);
 }
@@ -100,16 +100,16 @@ SceneDescription machines() {
     add_wire(scene, {5, 0, -3});
 
     // A lift that a spring holds up, with a load that it throws.
-    const std::size_t lift = add(scene, loose("lift", {2, 1, 0}, Box{{0.8, 0.1, 0.8}}), 0x43aa8b);
+    const std::size_t lift = add(scene, dynamic_body("lift", {2, 1, 0}, Box{{0.8, 0.1, 0.8}}), 0x43aa8b);
     join(scene, "lift", floor, lift, {{2, 1, 0}, upright},
          SliderJoint{.limit = {true, -0.8, 2}, .spring = {1, 0.02}, .spring_travel = 0.5});
     for (int k = 0; k < 4; k++)
         add(scene,
-            loose("load", {1.7 + 0.6 * (k % 2), 1.4, -0.3 + 0.6 * (k / 2)}, Box{{0.2, 0.2, 0.2}}),
+            dynamic_body("load", {1.7 + 0.6 * (k % 2), 1.4, -0.3 + 0.6 * (k / 2)}, Box{{0.2, 0.2, 0.2}}),
             0xe9c46a);
 
     // A rotor in a gimbal: two turns are free, the third has a motor.
-    const std::size_t rotor = add(scene, loose("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
+    const std::size_t rotor = add(scene, dynamic_body("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
     SixDofAxes gimbal;
     gimbal.turn_x = {.free = true, .spring = {0.5, 0.1}};
     gimbal.turn_y = {.free = true, .motor = {true, 12, 2000}};
@@ -118,8 +118,8 @@ SceneDescription machines() {
     scene.bodies[rotor].body.angular_velocity = {0.5, 0, 0.5};
 
     // Held by a point beside its middle.
-    const std::size_t held = add(scene, loose("held", {8, 2, 6}, Box{{0.4, 0.2, 0.3}}), 0x00bbf9);
-    SceneJoint hand{.name = "hand", .body_a = the_world, .body_b = held, .joint = {}};
+    const std::size_t held = add(scene, dynamic_body("held", {8, 2, 6}, Box{{0.4, 0.2, 0.3}}), 0x00bbf9);
+    SceneJoint hand{.name = "hand", .body_a = world_body, .body_b = held, .joint = {}};
     hand.joint.frame_a = {{8, 3, 6}, {}};
     hand.joint.frame_b = {{0.3, 0.2, 0}, {}};
     hand.joint.kind = GrabJoint{.spring = {2, 0.3}, .max_force = 5000, .turn_damping = 1};

@@ -21,7 +21,7 @@ const void* shared_data(const Geometry& geometry) {
         geometry);
 }
 
-std::size_t outline_bytes(const Geometry& geometry) {
+std::size_t geometry_message_bytes(const Geometry& geometry) {
     constexpr std::size_t head = 16, vector = 29, index = 5;
     if (const auto* hull = std::get_if<Hull>(&geometry))
         return head + hull->data->vertices.size() * vector;
@@ -34,7 +34,7 @@ std::size_t outline_bytes(const Geometry& geometry) {
     if (const auto* compound = std::get_if<Compound>(&geometry)) {
         std::size_t bytes = head;
         for (const CompoundChild& child : compound->data->children)
-            bytes += 3 * vector + outline_bytes(child.geometry);
+            bytes += 3 * vector + geometry_message_bytes(child.geometry);
         return bytes;
     }
     return head + vector;

@@ -51,7 +51,7 @@ void add_gym(SceneDescription& scene) {
     roundabout.body.angular_velocity = {0, 0.6, 0};
     roundabout.shapes[0].geometry = Cylinder{3, 0.1};
     scene.bodies.push_back(colored(roundabout, 0xf2cc8f));
-    SceneBody seesaw = loose("seesaw", {-16, 0.6, 5}, Box{{2.4, 0.06, 0.7}});
+    SceneBody seesaw = dynamic_body("seesaw", {-16, 0.6, 5}, Box{{2.4, 0.06, 0.7}});
     seesaw.shapes[0].density = 250;
     add_block(scene, "trestle", {-16, 0.25, 5}, {0.12, 0.25, 0.7}, 0x8d99ae);
     scene.bodies.push_back(colored(seesaw, 0xe9c46a));
@@ -59,7 +59,7 @@ void add_gym(SceneDescription& scene) {
          HingeJoint{});
     for (int k = 0; k < 10; k++) {
         SceneBody crate =
-            loose("crate", {-2 + 0.9 * (k % 5), 0.3 + 0.62 * (k / 5), 4}, Box{{0.3, 0.3, 0.3}});
+            dynamic_body("crate", {-2 + 0.9 * (k % 5), 0.3 + 0.62 * (k / 5), 4}, Box{{0.3, 0.3, 0.3}});
         crate.shapes[0].density = 150;
         scene.bodies.push_back(colored(crate, 0xbc6c25));
     }
@@ -80,7 +80,7 @@ SceneDescription parkour() {
     constexpr std::uint32_t colors[] = {0x457b9d, 0xffb703, 0x8338ec, 0xf28482, 0xe63946};
     for (int k = 0; k < 5; k++) {
         const std::string name = "walker" + std::to_string(k + 1);
-        SceneBody walker = loose(name, {-4.0 + 2 * k, 0.91, 9}, Capsule{0.28, 0.6});
+        SceneBody walker = dynamic_body(name, {-4.0 + 2 * k, 0.91, 9}, Capsule{0.28, 0.6});
         walker.body.type = k == 4 ? BodyType::dynamic : BodyType::kinematic;
         if (k == 4) walker.shapes[0].mass = 80;
         walkers.bodies[name] = scene.bodies.size();

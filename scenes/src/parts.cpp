@@ -18,7 +18,7 @@ SceneBody ground() {
     return fixed_box("ground", {0, -1, 0}, {200, 1, 200});
 }
 
-SceneBody loose(std::string name, Vec3 position, Geometry geometry, Quat rotation) {
+SceneBody dynamic_body(std::string name, Vec3 position, Geometry geometry, Quat rotation) {
     return {.name = std::move(name),
             .body = {.pose = {position, rotation}},
             .shapes = {{.geometry = geometry}},

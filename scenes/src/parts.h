@@ -26,7 +26,7 @@ SceneBody ground();
 SceneBody fixed_box(std::string name, physics::Vec3 center, physics::Vec3 half_extents,
                     physics::Quat rotation = {});
 // A dynamic body of one shape.
-SceneBody loose(std::string name, physics::Vec3 position, physics::Geometry geometry,
+SceneBody dynamic_body(std::string name, physics::Vec3 position, physics::Geometry geometry,
                 physics::Quat rotation = {});
 // A convex stone of 14 corners about as large as the radius.
 physics::Geometry stone(Random& random, double radius);

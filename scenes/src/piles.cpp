@@ -45,7 +45,7 @@ SceneDescription pile() {
         const int layer = i / 144, cell = i % 144;
         const double jx = random.in(-0.03, 0.03), jz = random.in(-0.03, 0.03);
         scene.bodies.push_back(colored(
-            loose("piece",
+            dynamic_body("piece",
                   {(cell % 12 - 5.5) * 0.75 + jx, 0.6 + 0.8 * layer, (cell / 12 - 5.5) * 0.75 + jz},
                   mixed(i), any_rotation(random)),
             palette[i % 5]));
@@ -66,7 +66,7 @@ SceneDescription rain() {
     for (int i = 0; i < 300; i++) {
         const double x = random.in(-6, 6), y = random.in(6, 60), z = random.in(-6, 6);
         scene.bodies.push_back(
-            colored(loose("drop", {x, y, z}, mixed(i), any_rotation(random)), palette[i % 5]));
+            colored(dynamic_body("drop", {x, y, z}, mixed(i), any_rotation(random)), palette[i % 5]));
     }
     return scene;
 }

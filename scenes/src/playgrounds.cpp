@@ -41,7 +41,7 @@ SceneDescription ragdoll_stairs() {
          .state = {}});
     SceneModule walkers{.tag = "character", .settings = {}, .bodies = {}, .state = {}};
     walkers.bodies["walker"] = scene.bodies.size();
-    SceneBody walker = loose("walker", {2.5, 0.91, 11}, Capsule{0.28, 0.6});
+    SceneBody walker = dynamic_body("walker", {2.5, 0.91, 11}, Capsule{0.28, 0.6});
     walker.body.type = BodyType::kinematic;
     scene.bodies.push_back(colored(walker, 0xffb703));
     scene.modules.push_back(walkers);
@@ -74,7 +74,7 @@ SceneDescription demolition() {
     for (int k = 0; k < 2; k++) {
         const double x = -7 + 7.0 * k, z = wall_front + radius + 0.05;
         const Vec3 from{x, crane_top, z}, way = k == 0 ? Vec3{0, -0.8, 0.6} : Vec3{0, -1, 0};
-        SceneBody ball = loose("ball", from + way * rope, Sphere{radius});
+        SceneBody ball = dynamic_body("ball", from + way * rope, Sphere{radius});
         ball.shapes[0].density = 4000;
         scene.bodies.push_back(colored(ball, 0x2f3437));
         scene.bodies.push_back(
@@ -86,7 +86,7 @@ SceneDescription demolition() {
              DistanceJoint{.min_length = 0, .max_length = rope});
         scene.joints.back().joint.frame_b = {};
     }
-    SceneBody digger = loose("digger", {7, 1.2, 10}, Box{{1.1, 0.35, 2.2}});
+    SceneBody digger = dynamic_body("digger", {7, 1.2, 10}, Box{{1.1, 0.35, 2.2}});
     digger.shapes[0].mass = 4000;
     digger.shapes.push_back(
         {.geometry = Box{{0.8, 0.55, 0.8}}, .pose = {{0, 0.9, 0.7}, {}}, .mass = 300});

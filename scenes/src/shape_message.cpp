@@ -239,7 +239,7 @@ struct WriteGeometry {
     void operator()(const Compound& c) const {
         v1::Compound& out = *to.mutable_compound();
         for (const CompoundChild& child : c.data->children)
-            write_outline(*out.add_children(), child.geometry, child.pose);
+            write_geometry(*out.add_children(), child.geometry, child.pose);
     }
 };
 
@@ -324,13 +324,13 @@ Result<ShapeDef> shape_from_message(const v1::Shape& message, const std::string&
     return def;
 }
 
-void write_outline(v1::Shape& out, const Geometry& geometry, const Transform& pose) {
+void write_geometry(v1::Shape& out, const Geometry& geometry, const Transform& pose) {
     std::visit(WriteGeometry{out}, geometry);
     if (!(pose.position == Vec3{})) set(*out.mutable_position(), pose.position);
     if (!(pose.rotation == Quat{})) set(*out.mutable_rotation(), pose.rotation);
 }
 
-void write_touch(v1::Shape& out, const ShapeDef& def) {
+void write_contact_properties(v1::Shape& out, const ShapeDef& def) {
     const ShapeDef plain;
     const Material& m = def.material;
     if (m.friction != plain.material.friction) out.set_friction(m.friction);
@@ -350,8 +350,8 @@ void write_touch(v1::Shape& out, const ShapeDef& def) {
 }
 
 void write_shape(v1::Shape& out, const ShapeDef& def) {
-    write_outline(out, def.geometry, def.pose);
-    write_touch(out, def);
+    write_geometry(out, def.geometry, def.pose);
+    write_contact_properties(out, def);
     out.set_density(def.density);
     if (def.mass > 0) out.set_mass(def.mass);
     out.set_friction(def.material.friction);

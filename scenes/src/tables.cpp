@@ -28,7 +28,7 @@ SceneDescription billiards() {
                                         0xe67e22, 0x1e8449, 0x7b241c, 0x17202a};
     int number = 0;
     const auto add_ball = [&](const char* name, double x, double z, std::uint32_t color) {
-        SceneBody ball = colored(loose(name, {x, 0.8 + r, z}, Sphere{r}), color);
+        SceneBody ball = colored(dynamic_body(name, {x, 0.8 + r, z}, Sphere{r}), color);
         ball.shapes[0].material = {.friction = 0.1, .restitution = 0.95};
         ball.shapes[0].density = 1700;
         ball.body.linear_damping = 0.02;
@@ -54,7 +54,7 @@ SceneDescription incline() {
         // The pair's coefficient is sqrt(1 * f): 0.1 i.
         const double mu = 0.1 * i;
         SceneBody box =
-            colored(loose("mu 0." + std::to_string(i), rotate(slope, {-8, 0.75, (i - 4) * 1.2}),
+            colored(dynamic_body("mu 0." + std::to_string(i), rotate(slope, {-8, 0.75, (i - 4) * 1.2}),
                           Box{{0.4, 0.25, 0.4}}, slope),
                     mu > 0.364 ? 0x81b29a : 0xe07a5f);
         box.shapes[0].material.friction = mu * mu;
@@ -70,7 +70,7 @@ SceneDescription free_space() {
     for (int i = 0; i < 64; i++) {
         const Vec3 at{i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5};
         const double hx = random.in(0.1, 0.2), hy = random.in(0.1, 0.2), hz = random.in(0.1, 0.2);
-        SceneBody box = loose("box", at, Box{{hx, hy, hz}});
+        SceneBody box = dynamic_body("box", at, Box{{hx, hy, hz}});
         const double vx = random.in(-0.5, 0.5), vy = random.in(-0.5, 0.5),
                      vz = random.in(-0.5, 0.5);
         box.body.linear_velocity = at * -2 + Vec3{vx, vy, vz};

@@ -94,8 +94,8 @@ private:
     // What a viewer draws, where it is and how big, and what decides its touch.
     void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
         const auto large = table_.find_or_add(shape.geometry);
-        scenes::write_outline(to, large ? physics::Geometry{} : shape.geometry, shape.pose);
-        scenes::write_touch(to, physics::def_of(shape));
+        scenes::write_geometry(to, large ? physics::Geometry{} : shape.geometry, shape.pose);
+        scenes::write_contact_properties(to, physics::def_of(shape));
         if (with_mass && shape.mass > 0)
             to.set_mass(shape.mass);
         else if (with_mass)

@@ -37,12 +37,12 @@ std::vector<SharedBytes> chunks_of(std::uint64_t id, const std::string& bytes) {
 }  // namespace
 
 std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::Geometry& geometry) {
-    if (scenes::outline_bytes(geometry) <= scenes::inline_outline_bytes_max) return nullptr;
+    if (scenes::geometry_message_bytes(geometry) <= scenes::inline_geometry_bytes_max) return nullptr;
     const void* address = scenes::shared_data(geometry);
     if (const auto view_time = by_address_.find(address); view_time != by_address_.end())
         return view_time->second.geometry;
     v1::Shape shape;
-    scenes::write_outline(shape, geometry, {});
+    scenes::write_geometry(shape, geometry, {});
     std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());
     by_address_.emplace(address, Known{geometry, made});
     return made;

@@ -94,7 +94,7 @@ private:
             joint.joint.kind = now.kind;
             joint.joint.solver = now.solver;
             // A joint goes with its bodies: those of one that is there are there.
-            if (joint.body_a != scenes::the_world) joint.body_a = *new_index_[joint.body_a];
+            if (joint.body_a != scenes::world_body) joint.body_a = *new_index_[joint.body_a];
             joint.body_b = *new_index_[joint.body_b];
             out_.scene.joints.push_back(std::move(joint));
         }

@@ -31,8 +31,8 @@ Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBud
     for (std::size_t i = 0; i < scene.bodies.size(); i++) {
         double own = 0;
         for (const ShapeDef& shape : scene.bodies[i].shapes) {
-            const auto size = static_cast<double>(scenes::outline_bytes(shape.geometry));
-            const bool shared = size > scenes::inline_outline_bytes_max;
+            const auto size = static_cast<double>(scenes::geometry_message_bytes(shape.geometry));
+            const bool shared = size > scenes::inline_geometry_bytes_max;
             if (!shared) own += size;
             if (shared && !counted.insert(scenes::shared_data(shape.geometry)).second) continue;
             bytes += size;

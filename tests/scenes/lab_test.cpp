@@ -151,10 +151,10 @@ TEST(Lab, pile_is_mixed_and_walled) {
 }
 
 TEST(Lab, piles_of_any_count_are_as_deep) {
-    EXPECT_EQ(lab_pile(5000).bodies.back().body.pose,
+    EXPECT_EQ(bench_pile(5000).bodies.back().body.pose,
               find_scene("lab_pile_5000")->bodies.back().body.pose);
     for (const int count : {500, 20000}) {
-        const SceneDescription pile = lab_pile(count);
+        const SceneDescription pile = bench_pile(count);
         ASSERT_EQ(pile.bodies.size(), static_cast<std::size_t>(count) + 5);
         const double inner = 2 * (position(pile.bodies[1]).x - 0.5);
         EXPECT_NEAR(inner * inner / count, 0.02, 1e-9);

@@ -113,7 +113,7 @@ TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_aga
         for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
         auto world = worlds.find("");
         // Its steps take most of a tick: it is in one whenever somebody looks.
-        scenes::SceneDescription pile = scenes::lab_pile(2500);
+        scenes::SceneDescription pile = scenes::bench_pile(2500);
         pile.name = "pile";
         if (!world) world = worlds.create("pile", pile).value();
         const std::uint32_t tick = world->frame()->tick;

@@ -12,6 +12,6 @@ namespace jostle::scenes {
 // lab_pile_5000 with another count, above 0. The bodies fall in columns on a square whose area
 // grows with the count, 0.02 m^2 a body. So the pile is as deep for every count when it has
 // settled.
-SceneDescription lab_pile(int count);
+SceneDescription bench_pile(int count);
 
 }  // namespace jostle::scenes

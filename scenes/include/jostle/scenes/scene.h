@@ -26,7 +26,7 @@ struct SceneBody {
 };
 
 // In place of SceneJoint::body_a: the joint joins body_b to the world.
-inline constexpr std::size_t the_world = static_cast<std::size_t>(-1);
+inline constexpr std::size_t world_body = static_cast<std::size_t>(-1);
 
 struct SceneJoint {
     std::string name;

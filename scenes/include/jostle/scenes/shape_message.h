@@ -28,9 +28,9 @@ std::string shape_bytes(const physics::ShapeDef& def);
 physics::Result<physics::ShapeDef> shape_from_bytes(std::string_view bytes,
                                                     const std::string& path);
 // What decides whom it touches and how, as far as it is not as usual: for those who foresee motion.
-void write_touch(v1::Shape& out, const physics::ShapeDef& def);
+void write_contact_properties(v1::Shape& out, const physics::ShapeDef& def);
 // Kind, size and place only: what a viewer draws.
-void write_outline(v1::Shape& out, const physics::Geometry& geometry,
+void write_geometry(v1::Shape& out, const physics::Geometry& geometry,
                    const physics::Transform& pose);
 
 }  // namespace jostle::scenes

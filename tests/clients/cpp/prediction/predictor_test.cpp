@@ -73,7 +73,7 @@ struct Yard {
         entity.set_id(id);
         entity.set_type(dynamic ? v1::BODY_TYPE_DYNAMIC : v1::BODY_TYPE_STATIC);
         entity.set_mass(server.body(bodies[id])->mass);
-        scenes::write_outline(*entity.add_shapes(), geometry, {});
+        scenes::write_geometry(*entity.add_shapes(), geometry, {});
     }
 
     // --- on the way ---

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "jostle/scenes/outline_size.h"
+#include "jostle/scenes/geometry_message_bytes.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/messages/server_message.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "jostle/scenes/outline_size.h"
+#include "jostle/scenes/geometry_message_bytes.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/scenes/outline_size.h"
+#include "jostle/scenes/geometry_message_bytes.h"
 
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"

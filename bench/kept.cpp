@@ -10,7 +10,7 @@
 #include "bench/measure.h"
 #include "bench/result_file.h"
 #include "jostle/physics/serialization.h"
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/storage/compression.h"
 

@@ -12,7 +12,7 @@
 #include "bench/result_file.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/serialization.h"
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 
 namespace jostle::bench {
 namespace {

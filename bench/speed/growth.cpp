@@ -5,7 +5,7 @@
 #include "bench/result_file.h"
 #include "bench/speed/child_process.h"
 #include "bench/speed/field_json.h"
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which scenes are measured, and what is done with each. What is in them:
-// tests/scenes/lab_test.cpp.
+// tests/scenes/bench_scenes_test.cpp.
 #include "bench/speed/lab_scenes.h"
 
 #include <gtest/gtest.h>

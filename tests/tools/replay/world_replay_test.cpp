@@ -8,7 +8,7 @@
 
 #include "jostle/physics/serialization.h"
 #include "jostle/scenes/catalog.h"
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 #include "jostle/scenes/scene_file.h"
 #include "server/recovery/world_archive.h"
 #include "server/storage/sqlite_storage.h"

@@ -2,7 +2,7 @@
 //
 // The laboratory's scenes are what their definitions say, to the last digit: figures of other times
 // and of other engines' authors are about the same bodies.
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/scenes/lab.h"
+#include "jostle/scenes/bench_scenes.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/lab_parts.h"
+#include "scenes/src/bench_scene_parts.h"
 
 #include "scenes/src/parts.h"
 

@@ -7,7 +7,7 @@
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
 #include "scenes/src/bench_scene_parts.h"
-#include "scenes/src/lab_ragdoll.h"
+#include "scenes/src/bench_ragdoll.h"
 #include "scenes/src/parts.h"
 
 namespace jostle::scenes {

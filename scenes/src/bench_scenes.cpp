@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scenes/src/bench_scene_parts.h"
-#include "scenes/src/lab_ragdoll.h"
+#include "scenes/src/bench_ragdoll.h"
 #include "scenes/src/parts.h"
 
 namespace jostle::scenes {

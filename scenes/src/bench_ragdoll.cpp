@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/lab_ragdoll.h"
+#include "scenes/src/bench_ragdoll.h"
 
 #include "scenes/src/parts.h"
 

@@ -8,7 +8,7 @@
 #include "jostle/physics/mesh.h"
 #include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/bench_ragdoll.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/src/bench_ragdoll.h"
 
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -5,7 +5,7 @@
 
 #include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/bench_ragdoll.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

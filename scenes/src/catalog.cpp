@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 namespace {

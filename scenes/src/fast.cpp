@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Things too fast to be seen: bullets at thin walls, spinning rods at posts.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

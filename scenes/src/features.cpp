@@ -2,7 +2,7 @@
 //
 // One feature each: shapes, belts, gates, locks.
 #include "jostle/physics/compound.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

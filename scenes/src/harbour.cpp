@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jostle/physics/hull.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

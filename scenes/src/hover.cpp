@@ -2,7 +2,7 @@
 //
 // A craft that a module flies: the one of examples.
 #include "jostle/physics/height_field.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

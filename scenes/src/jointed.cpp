@@ -2,7 +2,7 @@
 //
 // Bodies that hang together: ragdolls on stairs, a bridge and a wrecking ball, a workshop of
 // motors.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "jostle/modules/settings.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -2,7 +2,7 @@
 //
 // What the joints of machines do: a car on wheels, gears that drive a rack, a pulley, a bead on a
 // wire, a lift on a slider, a gimbal, and a ball that a hand holds.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -3,7 +3,7 @@
 // A course for characters: up stairs, over gaps that widen, along a beam, to a flag.
 #include <string>
 
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

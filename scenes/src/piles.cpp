@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Many mixed bodies that fall on each other.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

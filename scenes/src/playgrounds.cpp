@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scenes in which a module has the leading part: figures that fall, walls that break.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -10,7 +10,7 @@
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

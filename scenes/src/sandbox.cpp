@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The yard that jostle-server opens with: walls to keep things in, and things to throw about.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

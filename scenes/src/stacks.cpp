@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Stacks and walls: what must stand.
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

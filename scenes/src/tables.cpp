@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Small scenes about one law: billiards (impacts), incline (friction), free space (momentum).
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

@@ -3,7 +3,7 @@
 // Ground that is not flat: a height field with hills and a hole, a mesh of stairs and a slide.
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 

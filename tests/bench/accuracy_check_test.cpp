@@ -13,7 +13,7 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 #include "tests/support/random.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench/speed/engine_kinds.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 #include "tests/support/near.h"
 
 namespace {

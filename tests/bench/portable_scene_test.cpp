@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "jostle/physics/mesh.h"
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 #include "tests/support/near.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/parts.h"
+#include "scenes/src/scene_helpers.h"
 
 #include "jostle/physics/hull.h"
 

@@ -38,7 +38,7 @@ public:
     explicit Locator(std::string_view text) : text_(text) {}
 
     // The line of the value, 0 when it is not there.
-    int find(const JsonPlace& place) {
+    int find(const JsonPath& place) {
         skip_space();
         for (const JsonStep& step : place)
             if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return 0;
@@ -118,7 +118,7 @@ private:
 
 }  // namespace
 
-std::string to_text(const JsonPlace& place) {
+std::string to_text(const JsonPath& place) {
     std::string out;
     for (const JsonStep& step : place) {
         if (step.in_list)
@@ -129,8 +129,8 @@ std::string to_text(const JsonPlace& place) {
     return out;
 }
 
-JsonPlace place_of(std::string_view path) {
-    JsonPlace place;
+JsonPath place_of(std::string_view path) {
+    JsonPath place;
     std::size_t at = 0;
     while (at < path.size()) {
         if (path[at] == '[') {
@@ -149,7 +149,7 @@ JsonPlace place_of(std::string_view path) {
     return place;
 }
 
-int line_of(std::string_view text, const JsonPlace& place) {
+int line_of(std::string_view text, const JsonPath& place) {
     return Locator(text).find(place);
 }
 

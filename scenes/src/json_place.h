@@ -16,16 +16,16 @@ struct JsonStep {
     std::size_t index = 0;  // the place in a list
     bool in_list = false;
 };
-using JsonPlace = std::vector<JsonStep>;
+using JsonPath = std::vector<JsonStep>;
 
 // "bodies[2].position.x"; empty for the whole.
-std::string to_text(const JsonPlace& place);
+std::string to_text(const JsonPath& place);
 
 // The reverse, for paths of our own making: field names and places in lists.
-JsonPlace place_of(std::string_view path);
+JsonPath place_of(std::string_view path);
 
 // The line (from 1) on which the value begins, under its own name or the camelCase form of it; 0
 // when the text, which must be well-formed JSON, has no such value.
-int line_of(std::string_view text, const JsonPlace& place);
+int line_of(std::string_view text, const JsonPath& place);
 
 }  // namespace jostle::scenes

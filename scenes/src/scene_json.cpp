@@ -57,7 +57,7 @@ std::string suggestion(const Descriptor& message, const std::string& wrong) {
     return "its fields are " + fields_of(message);
 }
 
-std::string fault_at(std::string_view text, const JsonPlace& place, const std::string& what) {
+std::string fault_at(std::string_view text, const JsonPath& place, const std::string& what) {
     const int line = line_of(text, place);
     return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
            (place.empty() ? "the scene" : to_text(place)) + ": " + what;
@@ -89,12 +89,12 @@ public:
         }
         if (!levels_.empty() && levels_.back().step.in_list) levels_.back().step.index++;
     }
-    JsonPlace place() const {
-        JsonPlace place;
+    JsonPath place() const {
+        JsonPath place;
         for (const Level& level : levels_) place.push_back(level.step);
         return place;
     }
-    const std::optional<JsonPlace>& twice() const { return twice_; }
+    const std::optional<JsonPath>& twice() const { return twice_; }
 
 private:
     struct Level {
@@ -102,7 +102,7 @@ private:
         std::set<std::string> keys;
     };
     std::vector<Level> levels_;
-    std::optional<JsonPlace> twice_;
+    std::optional<JsonPath> twice_;
 };
 
 class Walker {
@@ -217,7 +217,7 @@ private:
     }
 
     std::string_view text_;
-    JsonPlace place_;
+    JsonPath place_;
 };
 
 // nlohmann says "[json.exception.parse_error.101] parse error at line 3, column 5: ...": what

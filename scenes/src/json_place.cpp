@@ -40,7 +40,7 @@ public:
     // The line of the value, 0 when it is not there.
     int find(const JsonPath& place) {
         skip_space();
-        for (const JsonStep& step : place)
+        for (const JsonPathStep& step : place)
             if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return 0;
         return 1 + static_cast<int>(std::count(
                        text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
@@ -120,7 +120,7 @@ private:
 
 std::string to_text(const JsonPath& place) {
     std::string out;
-    for (const JsonStep& step : place) {
+    for (const JsonPathStep& step : place) {
         if (step.in_list)
             out += "[" + std::to_string(step.index) + "]";
         else

@@ -11,12 +11,12 @@
 
 namespace jostle::scenes {
 
-struct JsonStep {
+struct JsonPathStep {
     std::string key;        // of an object, or
     std::size_t index = 0;  // the place in a list
     bool in_list = false;
 };
-using JsonPath = std::vector<JsonStep>;
+using JsonPath = std::vector<JsonPathStep>;
 
 // "bodies[2].position.x"; empty for the whole.
 std::string to_text(const JsonPath& place);

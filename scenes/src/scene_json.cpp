@@ -98,7 +98,7 @@ public:
 
 private:
     struct Level {
-        JsonStep step;
+        JsonPathStep step;
         std::set<std::string> keys;
     };
     std::vector<Level> levels_;

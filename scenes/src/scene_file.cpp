@@ -19,7 +19,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
 #include "scenes/src/joint_message.h"
-#include "scenes/src/json_place.h"
+#include "scenes/src/json_path.h"
 #include "scenes/src/module_message.h"
 #include "scenes/src/scene_json.h"
 #include "scenes/src/shape_reader.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "scenes/src/json_place.h"
+#include "scenes/src/json_path.h"
 
 namespace jostle::scenes {
 

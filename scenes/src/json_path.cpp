@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/json_place.h"
+#include "scenes/src/json_path.h"
 
 #include <algorithm>
 #include <cctype>

@@ -147,17 +147,17 @@ SceneDescription lab_trees() {
             body.body.linear_velocity = {6, 0, 0};
             scene.bodies.push_back(body);
         }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_convex_pile() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
-    add_lab_walls(scene, 5);
+    add_bench_floor(scene, 200);
+    add_bench_walls(scene, 5);
     Random random;
     const auto stones = round_stones(random, 16, 32, 0.25);
     add_stones(scene, random, stones, 16, 20, 0.6, 0.4);
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_washer() {
@@ -188,7 +188,7 @@ SceneDescription lab_washer() {
                 scene.bodies.push_back(dynamic_body("cube",
                                              {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
                                              Box{{0.1, 0.1, 0.1}}));
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_hull_terrain() {
@@ -200,7 +200,7 @@ SceneDescription lab_hull_terrain() {
     Random random;
     const auto stones = round_stones(random, 30, 24, 0.5);
     add_stones(scene, random, stones, 10, 3, 1.6, 5);
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_chain() {
@@ -213,7 +213,7 @@ SceneDescription lab_chain() {
                  {{0.5 * k - 0.25, 0, 0}, {}}, BallJoint{});
     }
     scene.bodies[0].body.type = BodyType::static_body;
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_rain() {
@@ -234,9 +234,9 @@ SceneDescription lab_rain() {
         for (int k = 0; k < 9; k++) {
             const Vec3 feet{(k % 3 - 1) * 4.0 + 0.3 * (level % 3 - 1), 4.5 + 2.4 * level,
                             (k / 3 - 1) * 4.0 + 0.2 * (level % 2)};
-            add_lab_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, 0.7 * level + k)});
+            add_bench_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, 0.7 * level + k)});
         }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_vehicles() {
@@ -263,13 +263,13 @@ SceneDescription lab_vehicles() {
             join(scene, "axle", chassis, scene.bodies.size() - 1, {at, axle}, HingeJoint{});
         }
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_rods() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
-    add_lab_walls(scene, 3);
+    add_bench_floor(scene, 200);
+    add_bench_walls(scene, 3);
     Random random;
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2),
                along_z = from_axis_angle({1, 0, 0}, pi / 2);
@@ -282,7 +282,7 @@ SceneDescription lab_rods() {
         scene.bodies.push_back(
             dynamic_body("rod", at, Capsule{0.03, 0.45}, askew * (layer % 2 == 0 ? along_x : along_z)));
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_box_shot() {
@@ -295,12 +295,12 @@ SceneDescription lab_box_shot() {
         scene.bodies.push_back(dynamic_body("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
         scene.bodies.back().body.linear_velocity = {150, 0, 0};
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_brick_wall() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
+    add_bench_floor(scene, 200);
     for (int row = 0; row < 20; row++)
         for (int k = 0; k < 20; k++)
             scene.bodies.push_back(
@@ -308,13 +308,13 @@ SceneDescription lab_brick_wall() {
                       Box{{0.25, 0.125, 0.125}}));
     scene.bodies.push_back(dynamic_body("ball", {0, 2, 8}, Sphere{1}));
     scene.bodies.back().body.linear_velocity = {0, 2, -16};
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_l_shapes() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
-    add_lab_walls(scene, 4);
+    add_bench_floor(scene, 200);
+    add_bench_walls(scene, 4);
     Random random;
     for (int k = 0; k < 500; k++) {
         const int layer = k / 9, cell = k % 9;
@@ -323,13 +323,13 @@ SceneDescription lab_l_shapes() {
         body.shapes.push_back({.geometry = Box{{0.15, 0.35, 0.15}}, .pose = {{0.35, 0.5, 0}, {}}});
         scene.bodies.push_back(body);
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_junkyard() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
-    add_lab_walls(scene, 8);
+    add_bench_floor(scene, 200);
+    add_bench_walls(scene, 8);
     SceneBody sweeper = fixed_box("sweeper", {0, 0.6, 0}, {7.5, 0.5, 0.25});
     sweeper.body.type = BodyType::kinematic;
     sweeper.body.angular_velocity = {0, 1, 0};
@@ -337,7 +337,7 @@ SceneDescription lab_junkyard() {
     Random random;
     const auto stones = round_stones(random, 12, 14, 0.3);
     add_stones(scene, random, stones, 21, 24, 0.7, 1.6);
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 }  // namespace jostle::scenes

@@ -89,7 +89,7 @@ JointKind kind_of(const Link& link) {
 
 }  // namespace
 
-void add_lab_ragdoll(SceneDescription& scene, const Transform& feet) {
+void add_bench_ragdoll(SceneDescription& scene, const Transform& feet) {
     const std::size_t first = scene.bodies.size();
     const Quat y_to_x = from_axis_angle({0, 0, 1}, -pi / 2);
     for (const Bone& bone : bones) {

@@ -9,6 +9,6 @@ namespace jostle::scenes {
 
 // Adds a figure that stands on `feet` with its arms spread along the x axis of the pose and its
 // face towards z.
-void add_lab_ragdoll(SceneDescription& scene, const physics::Transform& feet);
+void add_bench_ragdoll(SceneDescription& scene, const physics::Transform& feet);
 
 }  // namespace jostle::scenes

@@ -7,7 +7,7 @@ namespace jostle::scenes {
 
 using namespace physics;
 
-SceneDescription finished_lab(SceneDescription scene) {
+SceneDescription with_bench_defaults(SceneDescription scene) {
     scene.world.gravity = {0, -9.81, 0};
     for (SceneBody& body : scene.bodies) {
         body.body.linear_damping = body.body.angular_damping = 0.05;
@@ -19,11 +19,11 @@ SceneDescription finished_lab(SceneDescription scene) {
     return scene;
 }
 
-void add_lab_floor(SceneDescription& scene, double half_width) {
+void add_bench_floor(SceneDescription& scene, double half_width) {
     scene.bodies.push_back(fixed_box("floor", {0, -1, 0}, {half_width, 1, half_width}));
 }
 
-void add_lab_walls(SceneDescription& scene, double half_width) {
+void add_bench_walls(SceneDescription& scene, double half_width) {
     for (const double side : {1.0, -1.0})
         scene.bodies.push_back(
             fixed_box("wall", {side * (half_width + 0.5), 10, 0}, {0.5, 10, half_width + 1}));

@@ -19,11 +19,11 @@ void add_cube(SceneDescription& scene, const char* name, double half_width, Vec3
 
 SceneDescription flat_pyramid(int base, double pitch) {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
+    add_bench_floor(scene, 200);
     for (int row = 0; row < base; row++)
         for (int k = 0; k < base - row; k++)
             add_cube(scene, "box", 0.5, {(k - (base - row - 1) * 0.5) * pitch, 0.5 + row, 0});
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 Geometry sphere_box_or_capsule(int index) {
@@ -35,8 +35,8 @@ Geometry sphere_box_or_capsule(int index) {
 // `count` bodies in layers of side * side, poured between walls.
 SceneDescription poured_pile(int count, int side, double half_width) {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
-    add_lab_walls(scene, half_width);
+    add_bench_floor(scene, 200);
+    add_bench_walls(scene, half_width);
     Random random;
     for (int i = 0; i < count; i++) {
         const int layer = i / (side * side), cell = i % (side * side);
@@ -50,7 +50,7 @@ SceneDescription poured_pile(int count, int side, double half_width) {
         scene.bodies.push_back(dynamic_body("piece", at, sphere_box_or_capsule(i),
                                      from_axis_angle(axis, random.in(0, 2 * pi))));
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 // A joint between two static bodies holds nothing, and engines differ in whether they take it.
@@ -72,7 +72,7 @@ SceneDescription lab_pyramid_5050() {
 
 SceneDescription lab_boxes_1000() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
+    add_bench_floor(scene, 200);
     Random random;
     for (int y = 0; y < 10; y++)
         for (int z = 0; z < 10; z++)
@@ -81,7 +81,7 @@ SceneDescription lab_boxes_1000() {
                 add_cube(scene, "box", 0.5,
                          {(x - 4.5) * 1.2 + dx, 1.5 + 1.2 * y, (z - 4.5) * 1.2 + dz});
             }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_pile_5000() {
@@ -97,24 +97,24 @@ SceneDescription bench_pile(int count) {
 
 SceneDescription lab_player_901() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
+    add_bench_floor(scene, 200);
     for (int z = 0; z < 30; z++)
         for (int x = 0; x < 30; x++) add_cube(scene, "cube", 0.2, {x - 14.5, 0.2, z - 14.5});
     add_cube(scene, "player", 0.75, {-18, 0.75, 0});
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_ragdolls_40() {
     SceneDescription scene;
-    add_lab_floor(scene, 200);
+    add_bench_floor(scene, 200);
     const Quat leaning = from_axis_angle({1, 0, 0}, 0.35);
     for (int level = 0; level < 10; level++)
         for (int corner = 0; corner < 4; corner++) {
             const Vec3 feet{corner & 1 ? 0.6 : -0.6, 0.5 + 2 * level, corner & 2 ? 0.6 : -0.6};
             const double heading = 0.62831853 * level + 0.3 * corner;
-            add_lab_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, heading) * leaning});
+            add_bench_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, heading) * leaning});
         }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_joint_grid_10000() {
@@ -131,16 +131,16 @@ SceneDescription lab_joint_grid_10000() {
             if (y > 0) join_in_the_middle(scene, index - 1, index);
             if (x > 0) join_in_the_middle(scene, index - side, index);
         }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_asleep_10000() {
     SceneDescription scene;
-    add_lab_floor(scene, 250);
+    add_bench_floor(scene, 250);
     for (int z = 0; z < 100; z++)
         for (int x = 0; x < 100; x++)
             add_cube(scene, "box", 0.5, {(x - 49.5) * 2, 0.5, (z - 49.5) * 2});
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 SceneDescription lab_bullets_1000() {
@@ -152,7 +152,7 @@ SceneDescription lab_bullets_1000() {
         scene.bodies.push_back(dynamic_body("bullet", at, Sphere{0.1}));
         scene.bodies.back().body.linear_velocity = {200, 0, 0};
     }
-    return finished_lab(std::move(scene));
+    return with_bench_defaults(std::move(scene));
 }
 
 }  // namespace jostle::scenes

@@ -129,7 +129,7 @@ std::string to_text(const JsonPath& place) {
     return out;
 }
 
-JsonPath place_of(std::string_view path) {
+JsonPath parse_json_path(std::string_view path) {
     JsonPath place;
     std::size_t at = 0;
     while (at < path.size()) {

@@ -22,7 +22,7 @@ using JsonPath = std::vector<JsonPathStep>;
 std::string to_text(const JsonPath& place);
 
 // The reverse, for paths of our own making: field names and places in lists.
-JsonPath place_of(std::string_view path);
+JsonPath parse_json_path(std::string_view path);
 
 // The line (from 1) on which the value begins, under its own name or the camelCase form of it; 0
 // when the text, which must be well-formed JSON, has no such value.

@@ -223,7 +223,7 @@ Result<SceneDescription> from_message(const v1::Scene& message) {
 Result<SceneDescription> read_scene_json(std::string_view text) {
     // The mark that some editors put before UTF-8 text.
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-    if (const auto fault = find_json_fault(text, *v1::Scene::descriptor()))
+    if (const auto fault = find_json_error(text, *v1::Scene::descriptor()))
         return invalid_argument(*fault);
     v1::Scene message;
     const auto parsed =
@@ -232,7 +232,7 @@ Result<SceneDescription> read_scene_json(std::string_view text) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
     if (!reader.fault()) return scene;
-    const int line = line_of(text, place_of(reader.fault()->path));
+    const int line = line_of(text, parse_json_path(reader.fault()->path));
     return invalid_argument((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
                             reader.fault()->path + ": " + reader.fault()->what);
 }

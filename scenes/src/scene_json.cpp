@@ -114,7 +114,7 @@ public:
             return fault(std::string("must be an object {...}, not ") + value.type_name());
         std::set<int> given;  // numbers of fields, and of kinds of which one may be given
         for (const auto& [key, inner] : value.items()) {
-            place_.push_back({.key = key});
+            path_.push_back({.key = key});
             const FieldDescriptor* field = message.FindFieldByName(key);
             if (!field) field = message.FindFieldByCamelcaseName(key);
             if (!field) return fault("there is no such field; " + suggestion(message, key));
@@ -124,14 +124,14 @@ public:
             if (choice && !given.insert(-1 - choice->index()).second)
                 return fault("is one " + choice->name() + " too many; give one only");
             if (auto found = check_field(inner, *field)) return found;
-            place_.pop_back();
+            path_.pop_back();
         }
         return {};
     }
 
 private:
     std::optional<std::string> fault(const std::string& what) const {
-        return fault_at(text_, place_, what);
+        return fault_at(text_, path_, what);
     }
 
     std::optional<std::string> check_field(const json& value, const FieldDescriptor& field) {
@@ -140,9 +140,9 @@ private:
         if (!value.is_array())
             return fault(std::string("must be a list [...], not ") + value.type_name());
         for (std::size_t i = 0; i < value.size(); i++) {
-            place_.push_back({.key = {}, .index = i, .in_list = true});
+            path_.push_back({.key = {}, .index = i, .in_list = true});
             if (auto found = check_value(value[i], field)) return found;
-            place_.pop_back();
+            path_.pop_back();
         }
         return {};
     }
@@ -151,9 +151,9 @@ private:
         if (!value.is_object())
             return fault(std::string("must be an object {...}, not ") + value.type_name());
         for (const auto& [key, inner] : value.items()) {
-            place_.push_back({.key = key});
+            path_.push_back({.key = key});
             if (auto found = check_value(inner, item)) return found;
-            place_.pop_back();
+            path_.pop_back();
         }
         return {};
     }
@@ -217,7 +217,7 @@ private:
     }
 
     std::string_view text_;
-    JsonPath place_;
+    JsonPath path_;
 };
 
 // nlohmann says "[json.exception.parse_error.101] parse error at line 3, column 5: ...": what
@@ -229,7 +229,7 @@ std::string without_prefix(const std::string& what) {
 
 }  // namespace
 
-std::optional<std::string> find_json_fault(std::string_view text, const Descriptor& message) {
+std::optional<std::string> find_json_error(std::string_view text, const Descriptor& message) {
     Follower follower;
     json parsed;
     try {

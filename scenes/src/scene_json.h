@@ -17,7 +17,7 @@ namespace jostle::scenes {
 // The first thing in the text that is no field of the message or has the wrong kind of value:
 // "line 7: bodies[2].shapes[0].radius: there is no such field; did you mean ...". Nothing when all
 // is well.
-std::optional<std::string> find_json_fault(std::string_view text,
+std::optional<std::string> find_json_error(std::string_view text,
                                            const google::protobuf::Descriptor& message);
 
 }  // namespace jostle::scenes

@@ -13,13 +13,13 @@
 
 namespace jostle::scenes {
 
-struct Fault {
+struct FieldError {
     std::string path, what;
 };
 
 class FieldReader {
 public:
-    const std::optional<Fault>& fault() const { return fault_; }
+    const std::optional<FieldError>& fault() const { return fault_; }
     bool failed() const { return fault_.has_value(); }
     void note(const std::string& path, std::string what);
 
@@ -31,7 +31,7 @@ public:
     double size(const std::string& path, double x);
 
 private:
-    std::optional<Fault> fault_;
+    std::optional<FieldError> fault_;
 };
 
 void set(v1::Vec3& to, physics::Vec3 from);

@@ -19,13 +19,13 @@ std::string text_of(double x) {
 
 }  // namespace
 
-void FieldReader::note(const std::string& path, std::string what) {
-    if (!fault_) fault_ = {path, std::move(what)};
+void FieldReader::report_error(const std::string& path, std::string what) {
+    if (!error_) error_ = {path, std::move(what)};
 }
 
 double FieldReader::number(const std::string& path, double x, double low, double high) {
     if (!(low <= x && x <= high)) {
-        note(path, text_of(x) + " is out of range; it must be from " + text_of(low) + " to " +
+        report_error(path, text_of(x) + " is out of range; it must be from " + text_of(low) + " to " +
                        text_of(high));
         return low;
     }
@@ -42,7 +42,7 @@ Quat FieldReader::rotation(const std::string& path, bool given, const v1::Quat& 
     const Quat q{m.x(), m.y(), m.z(), m.w()};
     const double norm = norm_squared(q);
     if (!is_finite(norm) || norm < 1e-6 || norm > 1e6)
-        note(path, "is no rotation; give x, y, z, w of a unit quaternion");
+        report_error(path, "is no rotation; give x, y, z, w of a unit quaternion");
     return {q.x + 0.0, q.y + 0.0, q.z + 0.0, q.w + 0.0};
 }
 

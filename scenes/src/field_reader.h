@@ -19,9 +19,9 @@ struct FieldError {
 
 class FieldReader {
 public:
-    const std::optional<FieldError>& fault() const { return fault_; }
-    bool failed() const { return fault_.has_value(); }
-    void note(const std::string& path, std::string what);
+    const std::optional<FieldError>& error() const { return error_; }
+    bool failed() const { return error_.has_value(); }
+    void report_error(const std::string& path, std::string what);
 
     // Always within the range, so that it can be made an integer: after a fault it is `low`.
     double number(const std::string& path, double x, double low, double high);
@@ -31,7 +31,7 @@ public:
     double size(const std::string& path, double x);
 
 private:
-    std::optional<FieldError> fault_;
+    std::optional<FieldError> error_;
 };
 
 void set(v1::Vec3& to, physics::Vec3 from);

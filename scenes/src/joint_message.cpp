@@ -36,7 +36,7 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
         JointFields<Kind>::visit(fields, joint);
         found = joint;
     });
-    if (!found) in.note(path, "has no kind; give one of " + names);
+    if (!found) in.report_error(path, "has no kind; give one of " + names);
     return found.value_or(BallJoint{});
 }
 
@@ -76,7 +76,7 @@ std::optional<JointSolver> read_solver(FieldReader& in, const std::string& path,
         case v1::JOINT_SOLVER_DIRECT:
             return JointSolver::direct;
         default:
-            in.note(path, "is " + std::to_string(solver) +
+            in.report_error(path, "is " + std::to_string(solver) +
                               "; give JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
                               "JOINT_SOLVER_DIRECT");
     }
@@ -103,9 +103,9 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
                                    : find_body(in, scene, path + ".body_a", m.body_a()),
                      .body_b = find_body(in, scene, path + ".body_b", m.body_b()),
                      .joint = {}};
-    if (m.name().size() > 64) in.note(path + ".name", "must be a text of at most 64 bytes");
+    if (m.name().size() > 64) in.report_error(path + ".name", "must be a text of at most 64 bytes");
     if (m.has_frame() && (m.has_frame_a() || m.has_frame_b()))
-        in.note(path + ".frame", "is given beside frame_a or frame_b; give the one or the others");
+        in.report_error(path + ".frame", "is given beside frame_a or frame_b; give the one or the others");
     if (in.failed()) return;
     JointDef& def = joint.joint;
     def.kind = read_kind(in, path, m);
@@ -122,14 +122,14 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
     const Vec3 step = in.vector(path + ".repeat.offset", m.repeat().offset(), 1e6);
     if (in.failed()) return;
     if (scene.joints.size() + count > joints_max)
-        return in.note(path, "makes more than " + std::to_string(joints_max) + " joints in all");
+        return in.report_error(path, "makes more than " + std::to_string(joints_max) + " joints in all");
     for (std::size_t k = 0; k < count; k++) {
         SceneJoint copy = joint;
         if (copy.body_a != world_body) copy.body_a += k;
         copy.body_b += k;
         if ((copy.body_a != world_body && copy.body_a >= scene.bodies.size()) ||
             copy.body_b >= scene.bodies.size())
-            return in.note(path + ".repeat.count",
+            return in.report_error(path + ".repeat.count",
                            "goes beyond the last body; copy number i joins the bodies i places "
                            "further on");
         if (m.has_frame()) {

@@ -54,7 +54,7 @@ void MessageFieldReader::ordered(const char* lower_name, double& lower, const ch
                          double& upper, double low, double high) {
     number(lower_name, lower, low, high);
     number(upper_name, upper, low, high);
-    if (upper < lower) in_.note(path_of(upper_name), "is less than " + prefix_ + lower_name);
+    if (upper < lower) in_.report_error(path_of(upper_name), "is less than " + prefix_ + lower_name);
 }
 
 void MessageFieldReader::vector(const char* name, Vec3& value, double limit) {
@@ -76,7 +76,7 @@ void MessageFieldReader::points(const char* name, std::vector<Vec3>& points, std
     const auto* reflection = from_.GetReflection();
     const auto count = static_cast<std::size_t>(reflection->FieldSize(from_, field));
     if (count < least || count > most)
-        return in_.note(path_of(name), "has " + std::to_string(count) + " points; give " +
+        return in_.report_error(path_of(name), "has " + std::to_string(count) + " points; give " +
                                            std::to_string(least) + " to " + std::to_string(most));
     points.assign(count, {});
     for (std::size_t k = 0; k < count; k++) {
@@ -99,7 +99,7 @@ void MessageFieldReader::drive(const char* name, RotationDrive& drive) {
     target.number("y", drive.target.y, -1, 1);
     target.number("z", drive.target.z, -1, 1);
     target.number("w", drive.target.w, -1, 1);
-    if (norm_squared(drive.target) < 1e-6) in_.note(fields.path_of("target"), "is no rotation");
+    if (norm_squared(drive.target) < 1e-6) in_.report_error(fields.path_of("target"), "is no rotation");
 }
 
 void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, double high) {
@@ -108,7 +108,7 @@ void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, 
     if (lacks(name)) return;
     limit.enabled = true;
     visit_limit(fields, limit, low, high);
-    if (limit.lower > limit.upper) in_.note(fields.path_of("lower"), "is above the upper limit");
+    if (limit.lower > limit.upper) in_.report_error(fields.path_of("lower"), "is above the upper limit");
 }
 
 void MessageFieldReader::spring(const char* name, JointSpring& spring) {

@@ -32,7 +32,7 @@ std::map<std::string, Value> read_names(FieldReader& in, const std::string& path
     std::map<std::string, Value> sorted(given.begin(), given.end());
     for (const auto& [name, value] : sorted)
         if (!is_name(name))
-            in.note(path, "\"" + name.substr(0, setting_name_bytes_max) +
+            in.report_error(path, "\"" + name.substr(0, setting_name_bytes_max) +
                               "\" is no name; give 1 to 64 of a-z, 0-9 and _");
     return sorted;
 }
@@ -41,13 +41,13 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
                const std::string& tag) {
     const auto has_it = [&](const SceneModule& module) { return module.tag == tag; };
     if (std::any_of(scene.modules.begin(), scene.modules.end(), has_it))
-        in.note(path, "is \"" + tag + "\" again; a world has one module of a tag");
+        in.report_error(path, "is \"" + tag + "\" again; a world has one module of a tag");
     register_catalog_modules();
     const std::vector<std::string> known = physics::module_tags();
     if (std::find(known.begin(), known.end(), tag) != known.end()) return;
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    in.note(path, "is \"" + tag + "\"; the modules of this program are " +
+    in.report_error(path, "is \"" + tag + "\"; the modules of this program are " +
                       (names.empty() ? "none" : names));
 }
 
@@ -62,12 +62,12 @@ const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
 void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
                  const v1::Module& m) {
     if (scene.modules.size() == modules_max)
-        return in.note(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
+        return in.report_error(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
                                  " modules");
     const google::protobuf::FieldDescriptor* kind = objects_field_of(m);
     const std::string tag = kind && m.tag().empty() ? kind->name() : m.tag();
     if (kind && tag != kind->name())
-        in.note(path + ".tag", "is \"" + tag + "\", but its things are of \"" + kind->name() +
+        in.report_error(path + ".tag", "is \"" + tag + "\", but its things are of \"" + kind->name() +
                                    "\"; leave the tag out");
     check_tag(in, scene, path + ".tag", tag);
     SceneModule module{.tag = tag, .settings = {}, .bodies = {}, .state = {}};

@@ -70,7 +70,7 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
     const v1::SettingRange range = range_of(list);
     if (size >= range.low() && size <= range.high()) return;
     const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
-    in.note(path, "has " + std::to_string(size) + " items; give " + text(range.low()) + " to " +
+    in.report_error(path, "has " + std::to_string(size) + " items; give " + text(range.low()) + " to " +
                       text(range.high()));
 }
 
@@ -90,7 +90,7 @@ public:
         for (int k = 0; k < type.field_count(); k++)
             if (type.field(k)->type() == FieldDescriptor::TYPE_BYTES &&
                 m.GetReflection()->GetString(m, type.field(k)).empty())
-                in_.note(path + "." + type.field(k)->name(),
+                in_.report_error(path + "." + type.field(k)->name(),
                          "is missing; give what jostle-fracture writes");
     }
 
@@ -114,7 +114,7 @@ private:
         const double value = number_of(m, field);
         if (const auto* known = field.enum_type();
             known && (value < 0 || !known->FindValueByNumber(static_cast<int>(value) + 1)))
-            in_.note(path, "is none of the values of " + known->name());
+            in_.report_error(path, "is none of the values of " + known->name());
         object_.settings[name] = in_.number(path, value, range.low(), range.high());
     }
     void read_vector(const v1::Vec3& v, const FieldDescriptor& field, const std::string& path,
@@ -128,7 +128,7 @@ private:
     void read_fracture(const std::string& given, const std::string& path, const std::string& name) {
         const std::span bytes = std::as_bytes(std::span(given));
         if (const auto shape = modules::read_fracture(bytes); !shape.ok())
-            in_.note(path, "is no fracture file: " + shape.error().message);
+            in_.report_error(path, "is no fracture file: " + shape.error().message);
         object_.bytes[name].assign(bytes.begin(), bytes.end());
     }
     void read_list(const Message& m, const FieldDescriptor& field, const std::string& path,

@@ -45,9 +45,9 @@ public:
     SceneDescription scene(const v1::Scene& m) {
         SceneDescription out{.name = m.name(), .description = m.description()};
         if (m.name().empty() || m.name().size() > name_bytes_max)
-            note("name", "must be a text of 1 to 64 bytes");
+            report_error("name", "must be a text of 1 to 64 bytes");
         if (m.description().size() > description_bytes_max)
-            note("description", "must be a text of at most 1000 bytes");
+            report_error("description", "must be a text of at most 1000 bytes");
         world(out, m.world());
         for (int i = 0; i < m.bodies_size() && !failed(); i++)
             body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
@@ -89,7 +89,7 @@ private:
             case v1::BROAD_PHASE_UNIFORM_GRID:
                 return BroadPhase::uniform_grid;
             default:
-                note("world.broad_phase", "is no broad phase");
+                report_error("world.broad_phase", "is no broad phase");
         }
         return BroadPhase::dynamic_tree;
     }
@@ -98,15 +98,15 @@ private:
         const ShapeDef def = read_shape(*this, path, m);
         const bool surface = m.has_mesh() || m.has_height_field();
         if (m.has_plane() && out.body.type != BodyType::static_body)
-            note(path + ".plane", "is infinite; only a body of type BODY_TYPE_STATIC may have one");
+            report_error(path + ".plane", "is infinite; only a body of type BODY_TYPE_STATIC may have one");
         if (surface && out.body.type == BodyType::dynamic)
-            note(path, "is a surface without mass; give a dynamic body hulls or a compound");
+            report_error(path, "is a surface without mass; give a dynamic body hulls or a compound");
         out.shapes.push_back(def);
     }
 
     void body(SceneDescription& scene, const v1::Body& m, const std::string& path) {
         if (m.name().size() > name_bytes_max)
-            return note(path + ".name", "must be a text of at most 64 bytes");
+            return report_error(path + ".name", "must be a text of at most 64 bytes");
         SceneBody out{.name = m.name(), .body = {}, .shapes = {}, .color = {}};
         switch (m.type()) {
             case v1::BODY_TYPE_STATIC:
@@ -119,7 +119,7 @@ private:
             case v1::BODY_TYPE_DYNAMIC:
                 break;
             default:
-                note(path + ".type", "is not a body type");
+                report_error(path + ".type", "is not a body type");
         }
         BodyDef& b = out.body;
         b.pose = {vector(path + ".position", m.position(), limits::max_coordinate),
@@ -130,7 +130,7 @@ private:
             vector(path + ".angular_velocity", m.angular_velocity(), limits::max_speed);
         const bool moves = !(b.linear_velocity == Vec3{}) || !(b.angular_velocity == Vec3{});
         if (b.type == BodyType::static_body && moves)
-            note(path + ".type",
+            report_error(path + ".type",
                  "is BODY_TYPE_STATIC but the body has a velocity; use BODY_TYPE_KINEMATIC");
         if (m.has_linear_damping())
             b.linear_damping = number(path + ".linear_damping", m.linear_damping(), 0, 1e4);
@@ -146,9 +146,9 @@ private:
         if (m.has_color())
             out.color = static_cast<std::uint32_t>(number(path + ".color", m.color(), 0, 0xffffff));
         if (m.shapes_size() == 0)
-            note(path + ".shapes", "is empty; give the body at least one shape");
+            report_error(path + ".shapes", "is empty; give the body at least one shape");
         if (static_cast<std::size_t>(m.shapes_size()) > shapes_max)
-            note(path + ".shapes", "has more than " + std::to_string(shapes_max) + " shapes");
+            report_error(path + ".shapes", "has more than " + std::to_string(shapes_max) + " shapes");
         for (int i = 0; i < m.shapes_size() && !failed(); i++)
             shape(out, m.shapes(i), path + ".shapes[" + std::to_string(i) + "]");
         add_copies(scene, out, m, path);
@@ -165,7 +165,7 @@ private:
             const Vec3 step = vector(at + ".offset", m.repeat(i).offset(), 1e6);
             if (failed()) return;
             if (offsets.size() * count > bodies_max)
-                return note(at + ".count",
+                return report_error(at + ".count",
                             "makes more than " + std::to_string(bodies_max) + " bodies");
             std::vector<Vec3> all;
             all.reserve(offsets.size() * count);
@@ -176,10 +176,10 @@ private:
         }
         if (failed()) return;
         if (scene.bodies.size() + offsets.size() > bodies_max)
-            return note(path, "makes more than " + std::to_string(bodies_max) + " bodies in all");
+            return report_error(path, "makes more than " + std::to_string(bodies_max) + " bodies in all");
         shapes_ += offsets.size() * body.shapes.size();
         if (shapes_ > all_shapes_max)
-            return note(path,
+            return report_error(path,
                         "makes more than " + std::to_string(all_shapes_max) + " shapes in all");
         for (const Vec3 offset : offsets) {
             scene.bodies.push_back(body);
@@ -216,25 +216,25 @@ void write_body(v1::Body& out, const SceneBody& body) {
 Result<SceneDescription> from_message(const v1::Scene& message) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
-    if (reader.fault()) return invalid_argument(reader.fault()->path + ": " + reader.fault()->what);
+    if (reader.error()) return invalid_argument(reader.error()->path + ": " + reader.error()->what);
     return scene;
 }
 
 Result<SceneDescription> read_scene_json(std::string_view text) {
     // The mark that some editors put before UTF-8 text.
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-    if (const auto fault = find_json_error(text, *v1::Scene::descriptor()))
-        return invalid_argument(*fault);
+    if (const auto error = find_json_error(text, *v1::Scene::descriptor()))
+        return invalid_argument(*error);
     v1::Scene message;
     const auto parsed =
         google::protobuf::util::JsonStringToMessage({text.data(), text.size()}, &message);
     if (!parsed.ok()) return invalid_argument(std::string(parsed.message()));
     Reader reader;
     SceneDescription scene = reader.scene(message);
-    if (!reader.fault()) return scene;
-    const int line = line_of(text, parse_json_path(reader.fault()->path));
+    if (!reader.error()) return scene;
+    const int line = line_of(text, parse_json_path(reader.error()->path));
     return invalid_argument((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-                            reader.fault()->path + ": " + reader.fault()->what);
+                            reader.error()->path + ": " + reader.error()->what);
 }
 
 Result<SceneDescription> read_scene_file(const std::string& path) {

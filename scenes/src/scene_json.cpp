@@ -57,7 +57,7 @@ std::string suggestion(const Descriptor& message, const std::string& wrong) {
     return "its fields are " + fields_of(message);
 }
 
-std::string fault_at(std::string_view text, const JsonPath& place, const std::string& what) {
+std::string error_at(std::string_view text, const JsonPath& place, const std::string& what) {
     const int line = line_of(text, place);
     return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
            (place.empty() ? "the scene" : to_text(place)) + ": " + what;
@@ -111,18 +111,18 @@ public:
 
     std::optional<std::string> walk(const json& value, const Descriptor& message) {
         if (!value.is_object())
-            return fault(std::string("must be an object {...}, not ") + value.type_name());
+            return error(std::string("must be an object {...}, not ") + value.type_name());
         std::set<int> given;  // numbers of fields, and of kinds of which one may be given
         for (const auto& [key, inner] : value.items()) {
             path_.push_back({.key = key});
             const FieldDescriptor* field = message.FindFieldByName(key);
             if (!field) field = message.FindFieldByCamelcaseName(key);
-            if (!field) return fault("there is no such field; " + suggestion(message, key));
+            if (!field) return error("there is no such field; " + suggestion(message, key));
             if (!given.insert(field->number()).second)
-                return fault("is given twice, in two spellings; leave one out");
+                return error("is given twice, in two spellings; leave one out");
             const auto* choice = field->real_containing_oneof();
             if (choice && !given.insert(-1 - choice->index()).second)
-                return fault("is one " + choice->name() + " too many; give one only");
+                return error("is one " + choice->name() + " too many; give one only");
             if (auto found = check_field(inner, *field)) return found;
             path_.pop_back();
         }
@@ -130,15 +130,15 @@ public:
     }
 
 private:
-    std::optional<std::string> fault(const std::string& what) const {
-        return fault_at(text_, path_, what);
+    std::optional<std::string> error(const std::string& what) const {
+        return error_at(text_, path_, what);
     }
 
     std::optional<std::string> check_field(const json& value, const FieldDescriptor& field) {
         if (field.is_map()) return check_map(value, *field.message_type()->map_value());
         if (!field.is_repeated()) return check_value(value, field);
         if (!value.is_array())
-            return fault(std::string("must be a list [...], not ") + value.type_name());
+            return error(std::string("must be a list [...], not ") + value.type_name());
         for (std::size_t i = 0; i < value.size(); i++) {
             path_.push_back({.key = {}, .index = i, .in_list = true});
             if (auto found = check_value(value[i], field)) return found;
@@ -149,7 +149,7 @@ private:
 
     std::optional<std::string> check_map(const json& value, const FieldDescriptor& item) {
         if (!value.is_object())
-            return fault(std::string("must be an object {...}, not ") + value.type_name());
+            return error(std::string("must be an object {...}, not ") + value.type_name());
         for (const auto& [key, inner] : value.items()) {
             path_.push_back({.key = key});
             if (auto found = check_value(inner, item)) return found;
@@ -165,23 +165,23 @@ private:
             case FieldDescriptor::CPPTYPE_DOUBLE:
             case FieldDescriptor::CPPTYPE_FLOAT:
                 if (value.is_number()) return {};
-                return fault(std::string("must be a number, not ") + value.type_name());
+                return error(std::string("must be a number, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_BOOL:
                 if (value.is_boolean()) return {};
-                return fault(std::string("must be true or false, not ") + value.type_name());
+                return error(std::string("must be true or false, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_STRING:
                 if (field.type() == FieldDescriptor::TYPE_BYTES && !is_base64(value))
-                    return fault("must be bytes as base64, a text in quotes");
+                    return error("must be bytes as base64, a text in quotes");
                 if (value.is_string()) return {};
-                return fault(std::string("must be a text in quotes, not ") + value.type_name());
+                return error(std::string("must be a text in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
                 return check_enum(value, field);
             case FieldDescriptor::CPPTYPE_INT32:
                 if (is_whole(value, -2147483648.0, 2147483647.0)) return {};
-                return fault("must be a whole number from -2147483648 to 2147483647");
+                return error("must be a whole number from -2147483648 to 2147483647");
             default:
                 if (is_whole(value, 0, 4294967295.0)) return {};
-                return fault("must be a whole number from 0 to 4294967295");
+                return error("must be a whole number from 0 to 4294967295");
         }
     }
 
@@ -213,7 +213,7 @@ private:
             if (field.enum_type()->FindValueByNumber(choice.number()) == &choice)
                 names += (names.empty() ? "" : ", ") + choice.name();
         }
-        return fault("must be one of " + names);
+        return error("must be one of " + names);
     }
 
     std::string_view text_;
@@ -238,11 +238,11 @@ std::optional<std::string> find_json_error(std::string_view text, const Descript
             return true;
         });
     } catch (const json::out_of_range&) {
-        return fault_at(text, follower.place(), "is too large a number");
+        return error_at(text, follower.place(), "is too large a number");
     } catch (const json::exception& error) {
         return "this is not JSON: " + without_prefix(error.what());
     }
-    if (follower.twice()) return fault_at(text, *follower.twice(), "is given twice; leave one out");
+    if (follower.twice()) return error_at(text, *follower.twice(), "is given twice; leave one out");
     return Walker(text).walk(parsed, message);
 }
 

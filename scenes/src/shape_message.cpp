@@ -33,7 +33,7 @@ std::optional<Geometry> built(FieldReader& in, const std::string& path,
     if (made.ok()) return Shape{*made};
     const std::string& why = made.error().message;
     const std::size_t kind = why.find(": ");
-    in.note(path, kind == std::string::npos ? why : why.substr(kind + 2));
+    in.report_error(path, kind == std::string::npos ? why : why.substr(kind + 2));
     return std::nullopt;
 }
 
@@ -50,7 +50,7 @@ std::optional<Geometry> read_hull(FieldReader& in, const std::string& path, cons
 std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, const v1::Mesh& m) {
     const std::vector<Vec3> vertices = points_of(in, path + ".vertices", m.vertices());
     if (m.indices_size() % 3 != 0)
-        in.note(path + ".indices", "has " + std::to_string(m.indices_size()) +
+        in.report_error(path + ".indices", "has " + std::to_string(m.indices_size()) +
                                        " entries; give three for each triangle");
     if (in.failed()) return std::nullopt;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -66,7 +66,7 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
     constexpr double hulls_max = 128;
     const std::vector<Vec3> vertices = points_of(in, path + ".mesh.vertices", m.mesh().vertices());
     if (m.mesh().indices_size() > 3 * triangles_max)
-        in.note(path + ".mesh.indices", "has " + std::to_string(m.mesh().indices_size() / 3) +
+        in.report_error(path + ".mesh.indices", "has " + std::to_string(m.mesh().indices_size() / 3) +
                                             " triangles; a solid may have " +
                                             std::to_string(triangles_max));
     decomposition::Options options;
@@ -78,7 +78,7 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
     const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());
     const auto parts = decomposition::decompose(vertices, indices, options);
     if (!parts.ok()) {
-        in.note(path, parts.error().message);
+        in.report_error(path, parts.error().message);
         return std::nullopt;
     }
     std::vector<CompoundChild> children;
@@ -102,7 +102,7 @@ std::optional<Geometry> read_height_field(FieldReader& in, const std::string& pa
         grid.holes.assign(std::size_t{grid.columns - 1} * (grid.rows - 1), 0);
         for (int i = 0; i < m.holes_size(); i++) {
             if (m.holes(i) >= grid.holes.size()) {
-                in.note(path + ".holes[" + std::to_string(i) + "]",
+                in.report_error(path + ".holes[" + std::to_string(i) + "]",
                         "is " + std::to_string(m.holes(i)) + "; there are " +
                             std::to_string(grid.holes.size()) + " cells");
                 return std::nullopt;
@@ -120,11 +120,11 @@ std::optional<Geometry> read_compound(FieldReader& in, const std::string& path,
         const std::string at = path + ".children[" + std::to_string(i) + "]";
         const v1::Shape& child = m.children(i);
         if (child.kind_case() == v1::Shape::kCompound) {
-            in.note(at, "is a compound in a compound; put its children here");
+            in.report_error(at, "is a compound in a compound; put its children here");
             break;
         }
         if (child.kind_case() == v1::Shape::kSolid) {
-            in.note(at, "is a solid in a compound; give it to the body as a shape of its own");
+            in.report_error(at, "is a solid in a compound; give it to the body as a shape of its own");
             break;
         }
         const auto geometry = read_geometry(in, at, child);
@@ -153,7 +153,7 @@ Combine rule_of(FieldReader& in, const std::string& path, v1::Combine rule, Comb
         case v1::COMBINE_MAXIMUM:
             return Combine::maximum;
         default:
-            in.note(path, "is no rule of combining");
+            in.report_error(path, "is no rule of combining");
     }
     return fallback;
 }
@@ -263,7 +263,7 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
             if (!m.plane().has_normal()) return Plane{};
             const Vec3 n = in.vector(path + ".plane.normal", m.plane().normal(), 1e6);
             if (length(n) < 1e-6)
-                in.note(path + ".plane.normal", "is zero; it must have a direction");
+                in.report_error(path + ".plane.normal", "is zero; it must have a direction");
             return Plane{n};
         }
         case v1::Shape::kCylinder:
@@ -283,12 +283,12 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
         case v1::Shape::kCompound:
             return read_compound(in, path + ".compound", m.compound());
         case v1::Shape::kGeometry:
-            in.note(path + ".geometry", "names a shape of a play stream; give the shape itself");
+            in.report_error(path + ".geometry", "names a shape of a play stream; give the shape itself");
             return std::nullopt;
         case v1::Shape::KIND_NOT_SET:
             break;
     }
-    in.note(path,
+    in.report_error(path,
             "has no kind; give one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
             "height_field, compound, solid");
     return std::nullopt;
@@ -320,7 +320,7 @@ Result<ShapeDef> shape_from_message(const v1::Shape& message, const std::string&
                      path + ".solid: only a scene may have one; give a hull or a compound"};
     ShapeDef def = read_shape(in, path, message);
     if (in.failed())
-        return Error{ErrorCode::invalid_argument, in.fault()->path + ": " + in.fault()->what};
+        return Error{ErrorCode::invalid_argument, in.error()->path + ": " + in.error()->what};
     return def;
 }
 

@@ -35,14 +35,14 @@ enum Kind { cone_twist, hinge };
 
 // What it connects, where, and how far it turns. A hinge turns about its axis; where a shoulder
 // points is its axis. The normal, square to it, is where the angle is zero. Axes of the figure.
-struct Link {
+struct BoneJoint {
     Kind kind;
     std::size_t a, b;
     Vec3 anchor, axis, normal;
     double swing, lower, upper;  // degrees
 };
 
-constexpr Link links[] = {
+constexpr BoneJoint links[] = {
     {cone_twist, 0, 1, {0, 1.12, 0}, {0, 1, 0}, {1, 0, 0}, 30, -20, 20},     // waist
     {cone_twist, 1, 2, {0, 1.54, 0}, {0, 1, 0}, {1, 0, 0}, 35, -45, 45},     // neck
     {cone_twist, 1, 3, {0.17, 1.42, 0}, {1, 0, 0}, {0, 0, 1}, 80, -45, 45},  // shoulders
@@ -75,13 +75,13 @@ Quat from_axes(const Mat3& m) {
 }
 
 // Jostle's hinges turn about their frame's z axis, its shoulders point along x.
-Transform frame_of(const Link& link, const Transform& feet) {
+Transform frame_of(const BoneJoint& link, const Transform& feet) {
     const Vec3 axis = rotate(feet.rotation, link.axis), normal = rotate(feet.rotation, link.normal);
     const Vec3 x = link.kind == hinge ? normal : axis, z = link.kind == hinge ? axis : normal;
     return {apply(feet, link.anchor), from_axes({x, cross(z, x), z})};
 }
 
-JointKind kind_of(const Link& link) {
+JointKind kind_of(const BoneJoint& link) {
     const JointLimit limit{true, link.lower * degree, link.upper * degree};
     if (link.kind == hinge) return HingeJoint{.limit = limit};
     return ConeTwistJoint{.swing = link.swing * degree, .twist = limit};
@@ -97,7 +97,7 @@ void add_bench_ragdoll(SceneDescription& scene, const Transform& feet) {
         scene.bodies.push_back(
             dynamic_body("bone", pose.position, Capsule{bone.radius, bone.half_length}, pose.rotation));
     }
-    for (const Link& link : links)
+    for (const BoneJoint& link : links)
         join(scene, "joint", first + link.a, first + link.b, frame_of(link, feet), kind_of(link));
 }
 

@@ -42,7 +42,7 @@ struct BoneJoint {
     double swing, lower, upper;  // degrees
 };
 
-constexpr BoneJoint links[] = {
+constexpr BoneJoint bone_joints[] = {
     {cone_twist, 0, 1, {0, 1.12, 0}, {0, 1, 0}, {1, 0, 0}, 30, -20, 20},     // waist
     {cone_twist, 1, 2, {0, 1.54, 0}, {0, 1, 0}, {1, 0, 0}, 35, -45, 45},     // neck
     {cone_twist, 1, 3, {0.17, 1.42, 0}, {1, 0, 0}, {0, 0, 1}, 80, -45, 45},  // shoulders
@@ -97,7 +97,7 @@ void add_bench_ragdoll(SceneDescription& scene, const Transform& feet) {
         scene.bodies.push_back(
             dynamic_body("bone", pose.position, Capsule{bone.radius, bone.half_length}, pose.rotation));
     }
-    for (const BoneJoint& link : links)
+    for (const BoneJoint& link : bone_joints)
         join(scene, "joint", first + link.a, first + link.b, frame_of(link, feet), kind_of(link));
 }
 

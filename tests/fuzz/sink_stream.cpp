@@ -65,7 +65,7 @@ private:
         }
     }
 
-    load::Figures figures_;
+    load::RagdollRow figures_;
     std::unique_ptr<load::Framing> framing_;
     load::PassiveClientProtocol conversation_;
     load::Clock::time_point now_ = load::Clock::time_point() + 1000s;

@@ -17,7 +17,7 @@ namespace {
 
 // The rotation stays as it is given: made unit length twice it may differ in the last bit, and the
 // world does it once.
-Transform read_frame(FieldReader& in, const std::string& path, const v1::Frame& m) {
+Transform read_frame(FieldReader& in, const std::string& path, const v1::JointFrame& m) {
     return {in.vector(path + ".position", m.position(), limits::max_coordinate),
             in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
 }
@@ -57,7 +57,7 @@ Transform local(const SceneBody& body, const Transform& world) {
             unit(conjugate(turn) * world.rotation)};
 }
 
-void write(v1::Frame& out, const Transform& frame) {
+void write(v1::JointFrame& out, const Transform& frame) {
     set(*out.mutable_position(), frame.position);
     if (!(frame.rotation == Quat{})) set(*out.mutable_rotation(), frame.rotation);
 }

@@ -114,7 +114,7 @@ std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_
     return message.SerializeAsString();
 }
 
-std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
+std::string encode_stats_field(const JointFrame& frame, std::uint32_t clients) {
     v1::Snapshot fields;
     v1::WorldStats& stats = *fields.mutable_stats();
     stats.set_tick(frame.tick);

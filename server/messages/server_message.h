@@ -67,7 +67,7 @@ struct ClientUpdate {
     std::uint32_t input_received = 0;
 };
 // Fields of jostle.v1.Snapshot that some get with it.
-std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
+std::string encode_stats_field(const JointFrame& frame, std::uint32_t clients);
 
 // What the client drives, against the words that it was told last; `whole`: against none.
 std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,

@@ -20,13 +20,13 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
 }
 
 // For so long all was as in the base, and changed at most in the frame's own tick.
-std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
+std::uint32_t unchanged_ticks(const JointFrame& frame, const JointFrame& baseline) {
     if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
     const bool held = frame.changed_at == frame.tick && frame.previous_changed_at <= baseline.tick;
     return held ? frame.tick - 1 - baseline.tick : 0;
 }
 
-wire::Channels channels_of(const Frame& frame) {
+wire::Channels channels_of(const JointFrame& frame) {
     wire::Channels channels;
     if (!frame.channels) return channels;
     channels.reserve(frame.channels->size());
@@ -61,7 +61,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
 
 // What is in the same block as in a frame before is what was made of it then.
 void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) const {
-    const Frame& frame = *entry.frame;
+    const JointFrame& frame = *entry.frame;
     const auto& blocks = frame.entities.blocks();
     const auto is_of_same = [&](const Entry* other) {
         return other && other->frame && other->frame->entity_list == frame.entity_list &&

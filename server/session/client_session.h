@@ -74,7 +74,7 @@ private:
     // client_session_datagrams.cpp
     void receive_datagram(std::string_view bytes, Clock::time_point at, Clock::time_point now);
     void offer_datagrams(const Hello& hello, Welcome& welcome);
-    bool send_by_datagram(const Frame& frame, Clock::time_point now);
+    bool send_by_datagram(const JointFrame& frame, Clock::time_point now);
     void send_datagram(Clock::time_point now);
     ClientUpdate datagram_client_update();
     std::optional<OutMessage> take_reply(Clock::time_point now);
@@ -131,14 +131,14 @@ private:
     bool send_cell_members(const wire::QuantizedFrame& cell);
     void send_removed(const std::shared_ptr<const EntityList>& entities);
     void push(const EntityUpdateMessages& messages);
-    bool has_changes(const Frame& frame, Clock::time_point now);
+    bool has_changes(const JointFrame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
     ClientUpdate client_update();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
-    std::string take_events(const Frame& frame);
-    std::string take_controlled_entity(const Frame& frame);
+    std::string take_events(const JointFrame& frame);
+    std::string take_controlled_entity(const JointFrame& frame);
     void send_entities(const std::shared_ptr<const EntityList>& entities);
-    void on_frame(const Frame& frame, Clock::time_point now);
+    void on_frame(const JointFrame& frame, Clock::time_point now);
 
     PlayContext& context_;
     SessionMetrics metrics_{context_};

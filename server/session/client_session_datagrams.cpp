@@ -62,7 +62,7 @@ void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point a
            now);
 }
 
-bool ClientSession::send_by_datagram(const Frame& frame, Clock::time_point now) {
+bool ClientSession::send_by_datagram(const JointFrame& frame, Clock::time_point now) {
     return datagrams_ && !end_ && datagrams_->carries(frame.tick, now);
 }
 

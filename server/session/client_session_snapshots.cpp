@@ -83,7 +83,7 @@ void ClientSession::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
+void ClientSession::on_frame(const JointFrame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_blocked_ && last_frame_tick_ != 0) {
         skipped_pending_ += (frame.tick - 1) / every - last_frame_tick_ / every;
@@ -95,7 +95,7 @@ void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
-bool ClientSession::has_changes(const Frame& frame, Clock::time_point now) {
+bool ClientSession::has_changes(const JointFrame& frame, Clock::time_point now) {
     // What went by a datagram is told again until the client says that it has it.
     const std::uint32_t told =
         send_by_datagram(frame, now) ? datagrams_->frames().newest() : baselines_.last();
@@ -145,7 +145,7 @@ std::string ClientSession::take_stats(const FramePtr& frame, Clock::time_point n
 
 // The fields of all ticks up to the frame's, so that the client has been told of the entities. How
 // many ticks may wait is up to the frame, which holds the newest few.
-std::string ClientSession::take_events(const Frame& frame) {
+std::string ClientSession::take_events(const JointFrame& frame) {
     std::string fields;
     if (!wants_events_) return fields;
     const auto& ticks = frame.events->ticks;
@@ -169,7 +169,7 @@ std::string ClientSession::take_events(const Frame& frame) {
 
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
-std::string ClientSession::take_controlled_entity(const Frame& frame) {
+std::string ClientSession::take_controlled_entity(const JointFrame& frame) {
     if (!wants_controlled_entity_ || !frame.controlled_entities) return {};
     const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
     if (mine == frame.driven->end() || mine->entity == 0) return {};

@@ -45,7 +45,7 @@ struct ControlledEntityState {
     std::vector<std::uint32_t> words;
 };
 
-struct Frame {
+struct JointFrame {
     std::uint32_t tick = 0;  // from 1
     Clock::time_point due;   // when the tick was due
     // The same beside the world's epoch and the tick's number: how much was left out since.
@@ -70,6 +70,6 @@ struct Frame {
     std::uint32_t late_ticks = 0;              // since the world began
 };
 
-using FramePtr = std::shared_ptr<const Frame>;
+using FramePtr = std::shared_ptr<const JointFrame>;
 
 }  // namespace jostle::server

@@ -200,7 +200,7 @@ void HostedWorld::copy_poses(bool all) {
         poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
-void HostedWorld::copy_into(Frame& frame) {
+void HostedWorld::copy_into(JointFrame& frame) {
     const World& world = state_.world;
     const bool list_changed = entity_list_ != state_.entities.list();
     world.copy_awake_bodies(bodies_);

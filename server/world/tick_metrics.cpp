@@ -6,7 +6,7 @@ namespace jostle::server {
 TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
     : metrics_(metrics ? std::make_unique<WorldMetrics>(*metrics, world) : nullptr) {}
 
-void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profile,
+void TickMetrics::end_tick(const JointFrame& frame, const physics::StepProfile* profile,
                          std::size_t inputs) {
     const Clock::time_point now = Clock::now();
     if (metrics_) {
@@ -21,7 +21,7 @@ void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profi
     if (profiler_.is_requested()) profile_tick(frame, profile, inputs, now);
 }
 
-void TickMetrics::profile_tick(const Frame& frame, const physics::StepProfile* profile,
+void TickMetrics::profile_tick(const JointFrame& frame, const physics::StepProfile* profile,
                             std::size_t inputs, Clock::time_point now) {
     TickProfile record{.tick = frame.tick,
                       .due = frame.due,

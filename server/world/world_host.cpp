@@ -58,7 +58,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       tick_metrics_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
-    auto first = std::make_shared<Frame>();
+    auto first = std::make_shared<JointFrame>();
     first->tick = tick_;
     first->due = epoch_ + from_seconds(tick_ / hz_);
     first->events = events_;
@@ -200,7 +200,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
     tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
-    auto frame = std::make_shared<Frame>();
+    auto frame = std::make_shared<JointFrame>();
     frame->tick = tick_;
     frame->due = due;
     frame->late_us = late_us(due);
@@ -331,7 +331,7 @@ std::int64_t WorldHost::late_us(Clock::time_point due) const {
 }
 
 // The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
-void WorldHost::measure(Frame& frame, Clock::time_point began) {
+void WorldHost::measure(JointFrame& frame, Clock::time_point began) {
     recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
     recent_next_ = (recent_next_ + 1) % recent_tick_ms_.size();
     frame.tick_ms_mean = std::accumulate(recent_tick_ms_.begin(), recent_tick_ms_.end(), 0.0) /
@@ -339,7 +339,7 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
     frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
 }
 
-void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
+void WorldHost::publish(std::shared_ptr<JointFrame> frame, bool answers) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
     bool has_events = frame->changed_at == frame->tick || !batch_.empty();

@@ -164,13 +164,13 @@ private:
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
-    void publish(std::shared_ptr<Frame> frame, bool answers);
+    void publish(std::shared_ptr<JointFrame> frame, bool answers);
     // Hands the results of this tick, and now and then the world, to who keeps it.
     void persist_published(double step_ms, bool answered);
     CheckpointCopy checkpoint_copy() const;
     void hand_over_checkpoint();
     std::int64_t late_us(Clock::time_point due) const;
-    void measure(Frame& frame, Clock::time_point began);
+    void measure(JointFrame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
     void warn_of_large_channels();

@@ -54,7 +54,7 @@ TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seven
 }
 
 TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
-    Frame frame;
+    JointFrame frame;
     frame.tick = 77;
     const std::string shared = encode_shared_snapshot({.frame = 77});
     const auto message =

@@ -38,7 +38,7 @@ struct Field {
         list = entities;
     }
     FramePtr frame(std::uint32_t tick) {
-        auto made = std::make_shared<Frame>();
+        auto made = std::make_shared<JointFrame>();
         made->tick = tick;
         made->entity_list = list;
         std::vector<EntityPose> poses;
@@ -216,7 +216,7 @@ TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
         auto flier = std::make_shared<EntityDescription>();
         flier->id = 1;
         list->push_back(flier);
-        auto frame = std::make_shared<Frame>();
+        auto frame = std::make_shared<JointFrame>();
         frame->tick = tick;
         frame->entity_list = list;
         const auto cells = eyes.feed.cells(frame, [&] {

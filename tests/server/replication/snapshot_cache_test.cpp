@@ -19,7 +19,7 @@ namespace {
 
 // Forty bodies that move evenly, one of them asleep.
 FramePtr frame_at(std::uint32_t tick) {
-    auto frame = std::make_shared<Frame>();
+    auto frame = std::make_shared<JointFrame>();
     frame->tick = tick;
     std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 40; ++id) {
@@ -136,7 +136,7 @@ TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_pose
             pose.awake = random() % 3 != 0;
             editor.set(pose.id - 1, pose.pose, pose.awake);
         }
-        const auto frame = std::make_shared<Frame>();
+        const auto frame = std::make_shared<JointFrame>();
         frame->tick = tick;
         frame->entity_list = list;
         bool changed = false;
@@ -189,7 +189,7 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
     });
     BaselineTracker baselines;
     for (std::uint32_t tick = 1; tick <= 5; ++tick) {
-        auto frame = std::make_shared<Frame>();
+        auto frame = std::make_shared<JointFrame>();
         frame->tick = tick;
         std::vector<EntityPose> poses;
         for (EntityId id = 1; id <= 1000; ++id)
@@ -218,7 +218,7 @@ struct ChannelPublisher {
         return cache.encoding(frames.at(tick), baselines, kinds);
     }
     void frame(std::uint32_t tick, Channels channels) {
-        auto frame = std::make_shared<Frame>();
+        auto frame = std::make_shared<JointFrame>();
         frame->tick = tick;
         frame->channels = std::make_shared<const Channels>(std::move(channels));
         frames[tick] = std::move(frame);

@@ -13,7 +13,7 @@ namespace {
 using test::SessionHarness;
 using test::TestServer;
 
-double furthest_off_mm(const client::WorldView& view, const Frame& frame) {
+double furthest_off_mm(const client::WorldView& view, const JointFrame& frame) {
     double off = view.frame().entities.size() == frame.entities.size() ? 0 : 1e9;
     for (const EntityPose& truth : frame.entities) {
         const auto seen = view.pose_of(truth.id);

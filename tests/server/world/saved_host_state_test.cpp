@@ -81,7 +81,7 @@ TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
         EXPECT_EQ(physics::state_hash(copy.world.world()), physics::state_hash(run.world.world()))
             << scene;
         EXPECT_EQ(encode_host_state(copy.world.host_state(1)), encode_host_state(run.world.host_state(1)));
-        Frame frame, other;
+        JointFrame frame, other;
         run.world.copy_into(frame);
         copy.world.copy_into(other);
         EXPECT_EQ(frame.entity_list->size(), other.entity_list->size());

@@ -49,7 +49,7 @@ constexpr int most_steps_to_sleep = 600;
 // A scene's world, with as many threads as it has when this is made.
 class TimedWorld {
 public:
-    TimedWorld(const LabScene& lab_scene, const scenes::SceneDescription& scene)
+    TimedWorld(const SpeedScene& lab_scene, const scenes::SceneDescription& scene)
         : scene_(scene),
           asleep_first_(lab_scene.asleep_first),
           player_(player_of(lab_scene, scene)),
@@ -86,13 +86,13 @@ private:
 };
 
 struct Row {
-    const LabScene* scene;
+    const SpeedScene* scene;
     int steps = 0;
     std::vector<double> ms;  // by number of threads
     bool same = true;
 };
 
-Row measure(const LabScene& lab_scene, const Flags& flags) {
+Row measure(const SpeedScene& lab_scene, const Flags& flags) {
     scenes::SceneDescription scene = build(lab_scene);
     scene.world.sleeping = lab_scene.asleep_first;
     Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : lab_scene.steps};
@@ -151,7 +151,7 @@ std::string check_scene(const std::string& name) {
     return "there is no scene " + name + "; 'jostle-bench speed --help' lists them";
 }
 
-bool is_chosen(const LabScene& scene, const Flags& flags) {
+bool is_chosen(const SpeedScene& scene, const Flags& flags) {
     return std::any_of(flags.scenes.begin(), flags.scenes.end(), [&](const std::string& name) {
         return name == "all" || find_lab_scene(name) == &scene;
     });
@@ -165,7 +165,7 @@ int run(const Flags& flags) {
         std::printf(" %5d thread%s ms  ", threads, threads == 1 ? " " : "s");
     std::printf("\n");
     bool right = true;
-    for (const LabScene& scene : lab_scenes()) {
+    for (const SpeedScene& scene : lab_scenes()) {
         if (!is_chosen(scene, flags)) continue;
         const Row row = measure(scene, flags);
         print_row(row);

@@ -9,7 +9,7 @@
 namespace jostle::bench {
 namespace {
 
-constexpr LabScene table[] = {
+constexpr SpeedScene table[] = {
     {.letter = "a", .name = "lab_pyramid_465"},
     {.letter = "b", .name = "lab_pyramid_5050"},
     {.letter = "c", .name = "lab_boxes_1000"},
@@ -39,23 +39,23 @@ constexpr LabScene table[] = {
 
 }  // namespace
 
-std::span<const LabScene> lab_scenes() {
+std::span<const SpeedScene> lab_scenes() {
     return table;
 }
 
-const LabScene* find_lab_scene(std::string_view letter_or_name) {
-    for (const LabScene& scene : table)
+const SpeedScene* find_lab_scene(std::string_view letter_or_name) {
+    for (const SpeedScene& scene : table)
         if (letter_or_name == scene.letter || letter_or_name == scene.name) return &scene;
     return nullptr;
 }
 
-scenes::SceneDescription build(const LabScene& lab_scene) {
+scenes::SceneDescription build(const SpeedScene& lab_scene) {
     auto scene = scenes::find_scene(lab_scene.name);
     if (!scene) throw std::logic_error(std::string("the catalogue has no scene ") + lab_scene.name);
     return std::move(*scene);
 }
 
-std::optional<std::uint32_t> player_of(const LabScene& lab_scene,
+std::optional<std::uint32_t> player_of(const SpeedScene& lab_scene,
                                        const scenes::SceneDescription& scene) {
     if (!lab_scene.player) return std::nullopt;
     for (std::uint32_t body = 0; body < scene.bodies.size(); body++)

@@ -141,7 +141,7 @@ double highest(const SceneDescription& scene, const std::vector<Transform>& pose
     return 1e-4 * std::round(1e4 * top);
 }
 
-std::optional<int> count_tunnelled(const LabScene& lab_scene, const SceneDescription& scene,
+std::optional<int> count_tunnelled(const SpeedScene& lab_scene, const SceneDescription& scene,
                                    const std::vector<Transform>& poses) {
     if (!lab_scene.tunnelled_beyond_x) return std::nullopt;
     int count = 0;

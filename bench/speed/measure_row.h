@@ -10,7 +10,7 @@
 namespace jostle::bench {
 
 struct RowRequest {
-    const LabScene* scene = nullptr;
+    const SpeedScene* scene = nullptr;
     const EngineKind* engine = nullptr;  // built in
     int threads = 1;
     int steps = 0;  // 0: as many as the scene has

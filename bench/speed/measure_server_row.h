@@ -12,7 +12,7 @@
 namespace jostle::bench {
 
 struct ServerRequest {
-    const LabScene* scene = nullptr;
+    const SpeedScene* scene = nullptr;
     int threads = 1;  // of the world's step
     int clients = 20;
     double seconds = 10;  // 1 to 30: as long as a server records

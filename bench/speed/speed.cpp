@@ -80,7 +80,7 @@ struct Flags {
 
 std::string scene_names() {
     std::string names = "all, moving";
-    for (const LabScene& scene : lab_scenes())
+    for (const SpeedScene& scene : lab_scenes())
         names += std::string(", ") + scene.letter + " or " + scene.name;
     return names;
 }
@@ -112,9 +112,9 @@ bool names(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-std::vector<const LabScene*> chosen_scenes(const Flags& flags) {
-    std::vector<const LabScene*> chosen;
-    for (const LabScene& scene : lab_scenes())
+std::vector<const SpeedScene*> chosen_scenes(const Flags& flags) {
+    std::vector<const SpeedScene*> chosen;
+    for (const SpeedScene& scene : lab_scenes())
         if (names(flags.scenes, "all") || names(flags.scenes, scene.letter) ||
             names(flags.scenes, scene.name) || (scene.all_move && names(flags.scenes, "moving")))
             chosen.push_back(&scene);
@@ -188,7 +188,7 @@ struct Table {
 int run_scenes(const Flags& flags) {
     Table<SpeedRow> table;
     print_line(speed_heading());
-    for (const LabScene* scene : chosen_scenes(flags))
+    for (const SpeedScene* scene : chosen_scenes(flags))
         for (const Configuration& configuration : configurations(flags)) {
             const SpeedRow row = measure_row_in_child({.scene = scene,
                                                        .engine = configuration.engine,
@@ -225,7 +225,7 @@ int run_growth(const Flags& flags) {
 int run_server(const Flags& flags) {
     Table<ServerRow> table;
     print_line(server_heading());
-    for (const LabScene* scene : chosen_scenes(flags))
+    for (const SpeedScene* scene : chosen_scenes(flags))
         for (const int threads : flags.threads) {
             const ServerRow row = measure_server_row({.scene = scene,
                                                       .threads = threads,
@@ -249,7 +249,7 @@ int run(const Flags& flags) {
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
 
-std::string about(const LabScene& scene) {
+std::string about(const SpeedScene& scene) {
     for (const scenes::CatalogEntry& entry : scenes::catalog())
         if (entry.name == scene.name) return std::string(entry.description);
     return "";
@@ -257,7 +257,7 @@ std::string about(const LabScene& scene) {
 
 std::string lists_for_help() {
     std::string text = "Scenes:\n";
-    for (const LabScene& scene : lab_scenes())
+    for (const SpeedScene& scene : lab_scenes())
         text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
                 std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
     text += "\nEngines (peers run on one thread, whatever --threads says):\n";

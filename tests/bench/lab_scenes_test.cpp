@@ -21,7 +21,7 @@ using jostle::test::near;
 
 TEST(LabScenes, nine_letters_and_twelve_words_and_no_other) {
     std::string letters;
-    for (const LabScene& s : lab_scenes()) letters += std::string(" ") + s.letter;
+    for (const SpeedScene& s : lab_scenes()) letters += std::string(" ") + s.letter;
     EXPECT_EQ(letters,
               " a b c d e f g h i trees convex_pile washer hull_terrain chain rain vehicles rods "
               "box_shot brick_wall l_shapes junkyard");
@@ -30,7 +30,7 @@ TEST(LabScenes, nine_letters_and_twelve_words_and_no_other) {
 }
 
 TEST(LabScenes, each_is_in_the_catalogue_under_its_letter_and_every_engine_can_be_given_it) {
-    for (const LabScene& lab_scene : lab_scenes()) {
+    for (const SpeedScene& lab_scene : lab_scenes()) {
         SCOPED_TRACE(lab_scene.name);
         EXPECT_EQ(find_lab_scene(lab_scene.letter), find_lab_scene(lab_scene.name));
         const SceneDescription scene = build(lab_scene);
@@ -46,7 +46,7 @@ TEST(LabScenes, each_is_in_the_catalogue_under_its_letter_and_every_engine_can_b
 // Who starts inside another is pushed out, and how is not what is measured. The bones of a figure,
 // which joints hold beside each other, may; and the draws of the pile have some that do.
 TEST(LabScenes, nobody_starts_inside_another) {
-    for (const LabScene& lab_scene : lab_scenes()) {
+    for (const SpeedScene& lab_scene : lab_scenes()) {
         const SceneDescription scene = build(lab_scene);
         if (scene.name == "lab_joint_grid_10000" || scene.name == "lab_pile_5000" ||
             scene.name == "lab_ragdolls_40" || scene.name == "lab_rain")
@@ -58,7 +58,7 @@ TEST(LabScenes, nobody_starts_inside_another) {
 }
 
 TEST(LabScenes, player_goes_straight_and_then_in_a_circle) {
-    const LabScene& e = *find_lab_scene("e");
+    const SpeedScene& e = *find_lab_scene("e");
     EXPECT_EQ(player_of(e, build(e)), 901u);
     EXPECT_EQ(player_of(*find_lab_scene("a"), build(e)), std::nullopt);
     EXPECT_EQ(player_velocity(149 / 60.0), (Vec3{6, 0, 0}));
